@@ -1,0 +1,35 @@
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <cstddef>
+
+namespace gradmesh {
+
+/// Calls `body(i)` for every i in [0, count), on as many threads as the innermost ThreadLimit
+/// allows. Bodies must not depend on each other; whoever sums over i does so afterwards, in
+/// order, so that results do not depend on the number of threads.
+template <class Body>
+void parallel_for(std::size_t count, const Body& body) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+                    });
+}
+
+/// While it lives, parallel_for uses at most `threads` threads (0: all cores).
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads)
+      : control_(tbb::global_control::max_allowed_parallelism,
+                 threads > 0 ? std::size_t(threads)
+                             : tbb::global_control::active_value(
+                                   tbb::global_control::max_allowed_parallelism)) {}
+
+ private:
+  tbb::global_control control_;
+};
+
+}  // namespace gradmesh

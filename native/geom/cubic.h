@@ -1,0 +1,41 @@
+#pragma once
+
+namespace gradmesh {
+
+/// Cubic curve in Hermite form over [0, 1]: end values and end derivatives. `V` is a vector
+/// with + and * (glm::dvec2, Value).
+template <class V>
+struct Cubic {
+  V p0{}, m0{}, m1{}, p1{};
+
+  bool operator==(const Cubic&) const = default;
+
+  V at(double t) const {
+    const double t2 = t * t, t3 = t2 * t;
+    return p0 * (1 - 3 * t2 + 2 * t3) + m0 * (t - 2 * t2 + t3) + m1 * (t3 - t2) +
+           p1 * (3 * t2 - 2 * t3);
+  }
+
+  V derivative(double t) const {
+    const double t2 = t * t;
+    return (p1 + p0 * -1.0) * (6 * t - 6 * t2) + m0 * (1 - 4 * t + 3 * t2) +
+           m1 * (3 * t2 - 2 * t);
+  }
+
+  /// The same curve over [a, b], with its own parameter from 0 to 1.
+  Cubic part(double a, double b) const {
+    return {at(a), derivative(a) * (b - a), derivative(b) * (b - a), at(b)};
+  }
+
+  Cubic reversed() const { return {p1, m1 * -1.0, m0 * -1.0, p0}; }
+
+  /// Inner Bezier control points.
+  V bezier1() const { return p0 + m0 * (1.0 / 3.0); }
+  V bezier2() const { return p1 + m1 * (-1.0 / 3.0); }
+
+  static Cubic from_bezier(const V& b0, const V& b1, const V& b2, const V& b3) {
+    return {b0, (b1 + b0 * -1.0) * 3.0, (b3 + b2 * -1.0) * 3.0, b3};
+  }
+};
+
+}  // namespace gradmesh
