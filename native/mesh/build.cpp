@@ -1,0 +1,214 @@
+#include "mesh/build.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/dependence.h"
+
+namespace gradmesh {
+namespace {
+
+[[noreturn]] void inconsistent(const char* what) {
+  throw InputError(std::string("the patches of the mesh do not fit together: ") + what);
+}
+
+}  // namespace
+
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(const MeshParts& parts) : parts_(parts) {
+    mesh_.color_model_ = parts.color_model;
+  }
+
+  Mesh build() {
+    add_faces();
+    for (const CurveParts& curve : parts_.curves) add_curve(curve);
+    add_boundary();
+    join_corners();
+    add_points();
+    for (const Halfedge parent : parents_) add_stems(parent);
+    place_junctions();
+    return std::move(mesh_);
+  }
+
+ private:
+  HalfedgeRecord& at(Halfedge h) { return mesh_.halfedges_[h.value]; }
+
+  void add_faces() {
+    const int count = int(parts_.patches.size());
+    mesh_.face_count_ = count;
+    mesh_.halfedges_.resize(4 * count);
+    for (int f = 0; f < count; ++f) {
+      mesh_.faces_.push_back({Halfedge{4 * f}});
+      for (int k = 0; k < 4; ++k) {
+        HalfedgeRecord& h = mesh_.halfedges_[4 * f + k];
+        h.face = Face{f};
+        h.next = Halfedge{4 * f + (k + 1) % 4};
+        h.prev = Halfedge{4 * f + (k + 3) % 4};
+        h.twist = parts_.patches[f].twist(k);
+        h.color = parts_.patches[f].corner(k).color;
+      }
+    }
+    used_.assign(4 * count, false);
+  }
+
+  void add_curve(const CurveParts& curve) {
+    const Halfedge a = add_side(curve.a), b = add_side(curve.b);
+    at(a).twin = b;
+    at(b).twin = a;
+    const bool use_a = mesh_.is_leaf(a) || !mesh_.is_leaf(b);
+    add_handles(use_a ? a : b);
+  }
+
+  /// One half-edge for the whole side: the only leaf, or a new parent above the bars.
+  Halfedge add_side(const CurveSide& side) {
+    if (side.halfedges.empty() || side.breaks.size() + 1 != side.halfedges.size())
+      inconsistent("a curve has no side, or not one break fewer than patches.");
+    for (const int h : side.halfedges) {
+      if (h < 0 || h >= int(used_.size())) inconsistent("a curve names a patch that is not there.");
+      if (used_[h]) inconsistent("a side of a patch lies on two curves.");
+      used_[h] = true;
+    }
+    if (side.halfedges.size() == 1) return Halfedge{side.halfedges[0]};
+
+    const Halfedge parent{int(mesh_.halfedges_.size())};
+    mesh_.halfedges_.emplace_back();
+    parents_.push_back(parent);
+    double from = 0;
+    for (std::size_t i = 0; i < side.halfedges.size(); ++i) {
+      const double to = i < side.breaks.size() ? side.breaks[i] : 1.0;
+      if (!(from < to && to <= 1)) inconsistent("the breaks of a curve do not rise from 0 to 1.");
+      const Halfedge bar{side.halfedges[i]};
+      at(bar).parent = parent;
+      at(bar).interval = {from, to};
+      if (i == 0)
+        at(parent).first_child = bar;
+      else
+        at(Halfedge{side.halfedges[i - 1]}).next_sibling = bar;
+      from = to;
+    }
+    return parent;
+  }
+
+  void add_handles(Halfedge side) {
+    const Halfedge first = mesh_.first_leaf(side), last = mesh_.last_leaf(side);
+    const Value start = patch_side(first).m0 * (1 / mesh_.span(first).length());
+    const Value end = -patch_side(last).m1 * (1 / mesh_.span(last).length());
+    const Handle h0{int(mesh_.handles_.size())}, h1{h0.value + 1};
+    mesh_.handles_.push_back({start, side});
+    mesh_.handles_.push_back({end, at(side).twin});
+    at(side).handles = {h0, h1};
+    if (at(side).twin.valid()) at(at(side).twin).handles = {h1, h0};
+  }
+
+  Cubic<Value> patch_side(Halfedge leaf) const {
+    return parts_.patches[leaf.value / 4].side(leaf.value % 4);
+  }
+
+  void add_boundary() {
+    for (int h = 0; h < int(used_.size()); ++h)
+      if (!used_[h]) add_handles(Halfedge{h});
+  }
+
+  // --- points: the corners (each named by the leaf that starts there) that meet ---
+
+  int find(int corner) {
+    while (group_[corner] != corner) corner = group_[corner] = group_[group_[corner]];
+    return corner;
+  }
+  void join(Halfedge a, Halfedge b) {
+    const int x = find(a.value), y = find(b.value);
+    group_[std::max(x, y)] = std::min(x, y);
+  }
+
+  void join_corners() {
+    group_.resize(used_.size());
+    std::iota(group_.begin(), group_.end(), 0);
+    for (int i = 0; i < int(mesh_.halfedges_.size()); ++i) {
+      const Halfedge side{i};
+      if (mesh_.is_bar(side)) continue;
+      const Halfedge twin = at(side).twin;
+      if (twin.valid()) join(mesh_.first_leaf(side), mesh_.next(mesh_.last_leaf(twin)));
+      const std::vector<Halfedge> bars = mesh_.leaves(side);
+      for (std::size_t k = 1; k < bars.size(); ++k) join(mesh_.next(bars[k - 1]), bars[k]);
+    }
+  }
+
+  void add_points() {
+    std::vector<Point> point_of(group_.size());
+    for (int h = 0; h < int(group_.size()); ++h) {
+      Point& p = point_of[find(h)];
+      if (!p.valid()) {
+        p = Point{int(mesh_.points_.size())};
+        mesh_.points_.push_back({parts_.patches[h / 4].corner(h % 4).position, Halfedge{}, {}});
+      }
+      at(Halfedge{h}).origin = p;
+    }
+    for (const Halfedge parent : parents_)
+      at(parent).origin = at(mesh_.first_leaf(parent)).origin;
+    for (int i = 0; i < int(mesh_.halfedges_.size()); ++i) {
+      const Halfedge h{i};
+      PointRecord& p = mesh_.points_[at(h).origin.value];
+      if (!mesh_.is_bar(h) && !p.halfedge.valid()) p.halfedge = h;
+    }
+  }
+
+  /// Hangs a stem between any two neighbouring bars of `parent`.
+  void add_stems(Halfedge parent) {
+    const std::vector<Halfedge> bars = mesh_.leaves(parent);
+    for (std::size_t k = 1; k < bars.size(); ++k) {
+      const Halfedge before = bars[k - 1], after = bars[k];
+      const Halfedge stem = mesh_.curve_side(mesh_.next(before));
+      const Halfedge back = mesh_.curve_side(mesh_.prev(after));
+      if (at(stem).twin != back || mesh_.origin(stem) != mesh_.origin(after))
+        inconsistent("between two patches beside a longer one there must be one curve.");
+      PointRecord& junction = mesh_.points_[mesh_.origin(after).value];
+      if (junction.is_junction()) inconsistent("a point lies inside two curves.");
+      junction.stem = junction.halfedge = stem;
+      at(stem).parent = parent;
+      const double t = at(before).interval.second;
+      at(stem).interval = {t, t};
+      at(before).next_sibling = stem;
+      at(stem).next_sibling = after;
+    }
+  }
+
+  /// Puts every T-junction on its parent, those first on which others hang.
+  void place_junctions() {
+    std::vector<Halfedge> curves;
+    for (const Halfedge h : mesh_.halfedges())
+      if (!mesh_.is_bar(h) && mesh_.curve(h) == h) curves.push_back(h);
+    if (has_cycle(mesh_)) inconsistent("a curve hangs on itself.");
+    for (const Halfedge curve : in_order_of_dependence(mesh_, curves))
+      for (const Halfedge side : {curve, at(curve).twin})
+        if (side.valid())
+          for (const Halfedge stem : mesh_.stems(side)) place_junction(stem);
+  }
+
+  void place_junction(Halfedge stem) {
+    const Value value = junction_value(mesh_, stem);
+    mesh_.points_[mesh_.origin(stem).value].position = value.position;
+    // Half a level of 8 bits and a little: what a writer's rounding leaves.
+    const double tolerance = mesh_.color_model_ == ColorModel::bilinear ? 0.51 / 255 : 1e-9;
+    for (const Halfedge leaf : {mesh_.first_leaf(stem), at(stem).next_sibling}) {
+      const glm::dvec4 difference = at(leaf).color - value.color;
+      at(leaf).own_color = false;
+      for (int i = 0; i < 4; ++i)
+        if (std::abs(difference[i]) > tolerance) at(leaf).own_color = true;
+      if (!at(leaf).own_color) at(leaf).color = value.color;
+    }
+  }
+
+  const MeshParts& parts_;
+  Mesh mesh_;
+  std::vector<bool> used_;
+  std::vector<int> group_;
+  std::vector<Halfedge> parents_;
+};
+
+Mesh build_mesh(const MeshParts& parts) { return MeshBuilder(parts).build(); }
+
+}  // namespace gradmesh

@@ -1,0 +1,82 @@
+#include "mesh/mesh.h"
+
+namespace gradmesh {
+
+std::vector<Halfedge> Mesh::children(Halfedge parent) const {
+  std::vector<Halfedge> result;
+  for (Halfedge c = (*this)[parent].first_child; c.valid(); c = (*this)[c].next_sibling)
+    result.push_back(c);
+  return result;
+}
+
+std::vector<Halfedge> Mesh::leaves(Halfedge side) const {
+  if (is_leaf(side)) return {side};
+  std::vector<Halfedge> result;
+  for (Halfedge c = (*this)[side].first_child; c.valid(); c = (*this)[c].next_sibling)
+    if (is_bar(c)) result.push_back(c);
+  return result;
+}
+
+std::vector<Halfedge> Mesh::stems(Halfedge side) const {
+  std::vector<Halfedge> result;
+  for (Halfedge c = (*this)[side].first_child; c.valid(); c = (*this)[c].next_sibling)
+    if (!is_bar(c)) result.push_back(c);
+  return result;
+}
+
+Halfedge Mesh::first_leaf(Halfedge side) const {
+  return is_leaf(side) ? side : (*this)[side].first_child;
+}
+
+Halfedge Mesh::last_leaf(Halfedge side) const {
+  Halfedge last = side;
+  for (Halfedge c = (*this)[side].first_child; c.valid(); c = (*this)[c].next_sibling) last = c;
+  return last;
+}
+
+std::array<Halfedge, 4> Mesh::sides(Face f) const {
+  const Halfedge top = (*this)[f].halfedge;
+  const Halfedge right = next(top), bottom = next(right);
+  return {top, right, bottom, next(bottom)};
+}
+
+Point Mesh::end(Halfedge h) const {
+  if (is_leaf(h)) return origin(next(h));
+  return origin((*this)[h].twin);
+}
+
+Cubic<Value> Mesh::curve_of(Halfedge side) const {
+  const HalfedgeRecord& record = (*this)[side];
+  Cubic<Value> curve;
+  curve.p0 = {position(record.origin), (*this)[first_leaf(side)].color};
+  curve.p1 = {position(end(side)), (*this)[next(last_leaf(side))].color};
+  curve.m0 = (*this)[record.handles[0]].tangent;
+  curve.m1 = -(*this)[record.handles[1]].tangent;
+  if (color_model_ == ColorModel::bilinear)
+    curve.m0.color = curve.m1.color = curve.p1.color - curve.p0.color;
+  return curve;
+}
+
+Cubic<Value> Mesh::side_of(Halfedge leaf) const {
+  if (!is_bar(leaf)) return curve_of(leaf);
+  const Interval interval = (*this)[leaf].interval;
+  Cubic<Value> curve = curve_of((*this)[leaf].parent).part(interval.first, interval.second);
+  curve.p0 = {position(origin(leaf)), (*this)[leaf].color};
+  curve.p1 = {position(end(leaf)), (*this)[next(leaf)].color};
+  return curve;
+}
+
+Patch Mesh::patch(Face f) const {
+  const std::array<Halfedge, 4> around = sides(f);
+  std::array<Cubic<Value>, 4> curves;
+  std::array<Value, 4> twists;
+  for (int k = 0; k < 4; ++k) {
+    curves[k] = side_of(around[k]);
+    twists[k] = (*this)[around[k]].twist;
+  }
+  Patch patch = patch_from_sides(curves, twists);
+  if (color_model_ == ColorModel::bilinear) make_color_bilinear(patch);
+  return patch;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <ranges>
+#include <vector>
+
+#include "geom/patch.h"
+#include "mesh/elements.h"
+#include "mesh/parts.h"
+
+namespace gradmesh {
+
+/// A gradient mesh with T-junctions: flat arrays of points, handles, faces and half-edges (paper
+/// 2.1, 2.2). Everything here is const; a mesh is made by build_mesh and changed by ops/ alone.
+/// Elements that an operation took out stay in the arrays, not alive, until the operation is
+/// undone.
+class Mesh {
+ private:
+  template <class Element, class Records>
+  static auto alive(const Records& records) {
+    return std::views::iota(0, int(records.size())) |
+           std::views::filter([&records](int i) { return records[i].alive; }) |
+           std::views::transform([](int i) { return Element{i}; });
+  }
+
+ public:
+  ColorModel color_model() const { return color_model_; }
+
+  const PointRecord& operator[](Point p) const { return points_[p.value]; }
+  const HandleRecord& operator[](Handle h) const { return handles_[h.value]; }
+  const FaceRecord& operator[](Face f) const { return faces_[f.value]; }
+  const HalfedgeRecord& operator[](Halfedge h) const { return halfedges_[h.value]; }
+
+  /// The elements that are alive, in the order of their indices.
+  auto points() const { return alive<Point>(points_); }
+  auto handles() const { return alive<Handle>(handles_); }
+  auto faces() const { return alive<Face>(faces_); }
+  auto halfedges() const { return alive<Halfedge>(halfedges_); }
+
+  /// Sizes of the arrays, counting what is not alive: bounds for arrays beside the mesh.
+  std::size_t face_slots() const { return faces_.size(); }
+  std::size_t halfedge_slots() const { return halfedges_.size(); }
+
+  int face_count() const { return face_count_; }
+
+  // --- the half-edge tree ---
+  bool is_parent(Halfedge h) const { return (*this)[h].first_child.valid(); }
+  bool is_leaf(Halfedge h) const { return !is_parent(h); }
+  bool is_child(Halfedge h) const { return (*this)[h].parent.valid(); }
+  bool is_bar(Halfedge h) const {
+    return is_child(h) && (*this)[h].interval.first < (*this)[h].interval.second;
+  }
+  bool is_stem(Halfedge h) const { return is_child(h) && !is_bar(h); }
+
+  /// The half-edge that is one whole side of the curve on which h lies: h, or its parent for bars.
+  Halfedge curve_side(Halfedge h) const { return is_bar(h) ? (*this)[h].parent : h; }
+  /// The part of its curve side that h spans.
+  Interval span(Halfedge h) const { return is_bar(h) ? (*this)[h].interval : Interval{}; }
+  /// The other side of h's curve; invalid on the boundary.
+  Halfedge other_side(Halfedge h) const { return (*this)[curve_side(h)].twin; }
+  /// One half-edge to stand for the whole curve: that of the smaller index.
+  Halfedge curve(Halfedge h) const {
+    const Halfedge side = curve_side(h), twin = (*this)[side].twin;
+    return twin.valid() && twin < side ? twin : side;
+  }
+
+  std::vector<Halfedge> children(Halfedge parent) const;
+  /// The leaves along a curve side, in its direction: its bars, or itself.
+  std::vector<Halfedge> leaves(Halfedge side) const;
+  std::vector<Halfedge> stems(Halfedge side) const;
+  Halfedge first_leaf(Halfedge side) const;
+  Halfedge last_leaf(Halfedge side) const;
+
+  // --- faces ---
+  Halfedge next(Halfedge leaf) const { return (*this)[leaf].next; }
+  Halfedge prev(Halfedge leaf) const { return (*this)[leaf].prev; }
+  Face face(Halfedge leaf) const { return (*this)[leaf].face; }
+  /// The four sides of a face, clockwise from its top.
+  std::array<Halfedge, 4> sides(Face f) const;
+
+  // --- geometry ---
+  Point origin(Halfedge h) const { return (*this)[h].origin; }
+  Point end(Halfedge h) const;
+  glm::dvec2 position(Point p) const { return (*this)[p].position; }
+
+  /// Curve of a whole curve side in its own direction, with the colours of that side's faces
+  /// (linear between its ends in the model `bilinear`).
+  Cubic<Value> curve_of(Halfedge side) const;
+  /// Curve of a leaf: a part of its curve side. Its ends are exactly the positions of its points.
+  Cubic<Value> side_of(Halfedge leaf) const;
+  Patch patch(Face f) const;
+
+ private:
+  friend class Journal;
+  friend class MeshBuilder;
+
+  std::vector<PointRecord> points_;
+  std::vector<HandleRecord> handles_;
+  std::vector<FaceRecord> faces_;
+  std::vector<HalfedgeRecord> halfedges_;
+  int face_count_ = 0;
+  ColorModel color_model_ = ColorModel::bilinear;
+};
+
+}  // namespace gradmesh

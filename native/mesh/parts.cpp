@@ -1,0 +1,20 @@
+#include "mesh/parts.h"
+
+namespace gradmesh {
+
+std::vector<CurveParts> grid_curves(int rows, int columns) {
+  const auto halfedge = [&](int row, int column, int side) {
+    return 4 * (row * columns + column) + side;
+  };
+  std::vector<CurveParts> curves;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      if (column + 1 < columns)
+        curves.push_back({{{halfedge(row, column, 1)}, {}}, {{halfedge(row, column + 1, 3)}, {}}});
+      if (row + 1 < rows)
+        curves.push_back({{{halfedge(row, column, 2)}, {}}, {{halfedge(row + 1, column, 0)}, {}}});
+    }
+  return curves;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,248 @@
+#include "ops/merge.h"
+
+#include <cassert>
+
+#include "ops/merge_end.h"
+#include "ops/refresh.h"
+
+namespace gradmesh {
+namespace {
+
+/// Eq. 6: where p lies on the combined curve, if r is the share of `in` in the length of in and
+/// out, which are the fractions `in_span` and `out_span` of their own curves.
+double combined_share(double r, double in_span, double out_span) {
+  const double in_curve = r / in_span, out_curve = (1 - r) / out_span;
+  return in_curve / (in_curve + out_curve);
+}
+
+class Merge {
+ public:
+  Merge(Journal& journal, Halfedge edge)
+      : journal_(journal), mesh_(journal.mesh()), edge_(edge), twin_(mesh_[edge].twin) {}
+
+  void run() {
+    const MergeEnd tail = merge_end(mesh_, edge_), head = merge_end(mesh_, twin_);
+    const double r = split_factor(mesh_, edge_);
+    const double r_tail = tail.kind == MergeEnd::stem ? bar_share(mesh_, tail) : r;
+    const double r_head = head.kind == MergeEnd::stem ? bar_share(mesh_, head) : 1 - r;
+    const Face kept = mesh_.face(edge_), gone = mesh_.face(twin_);
+    const Halfedge opposite = mesh_.next(head.out), twin_opposite = mesh_.next(tail.out);
+    // u and v keep their directions: the top stays or, where the edge itself was the top, it is
+    // now the side opposite in the other face.
+    const Halfedge top = mesh_[kept].halfedge;
+
+    scale_twists(tail, r_tail);
+    scale_twists(head, r_head);
+    const Halfedge tail_side = join(tail, r_tail), head_side = join(head, r_head);
+    close_loop(kept, {tail_side, twin_opposite, head_side, opposite});
+    journal_.edit(kept).halfedge = top == edge_      ? twin_opposite
+                                   : top == tail.in  ? tail_side
+                                   : top == head.out ? head_side
+                                                     : opposite;
+    remove_curve(edge_);
+    journal_.remove_face(gone);
+    journal_.touch(kept);
+    refresh(journal_, changed_);
+  }
+
+ private:
+  HalfedgeRecord& edit(Halfedge h) { return journal_.edit(h); }
+
+  /// The second and third columns of Eq. 5: twists at the far corners of one of the two sides.
+  void scale_twists(const MergeEnd& end, double r) {
+    const Halfedge far_in = end.in, far_out = mesh_.next(end.out);
+    edit(far_in).twist *= 1 / r;
+    edit(far_out).twist *= 1 / (1 - r);
+  }
+
+  Halfedge join(const MergeEnd& end, double r) {
+    switch (end.kind) {
+      case MergeEnd::stem:
+        return join_bars(end);
+      case MergeEnd::boundary:
+        return join_boundary(end, r);
+      default:
+        return join_curves(end, r);
+    }
+  }
+
+  /// Removes a T-junction (Fig. 4b). The parent's curve stays as it is.
+  Halfedge join_bars(const MergeEnd& end) {
+    const Halfedge parent = mesh_[end.in].parent;
+    const Halfedge after = mesh_[end.out].next_sibling;
+    journal_.remove(mesh_.origin(end.out));
+    changed_.push_back(mesh_.curve(parent));
+    if (mesh_[parent].first_child == end.in && !after.valid()) {
+      take_corner(parent, end.in);
+      edit(parent).first_child = {};
+      journal_.remove(end.in);
+      journal_.remove(end.out);
+      return parent;
+    }
+    edit(end.in).interval.second = mesh_[end.out].interval.second;
+    edit(end.in).next_sibling = after;
+    journal_.remove(end.out);
+    return end.in;
+  }
+
+  Halfedge join_boundary(const MergeEnd& end, double r) {
+    journal_.remove(mesh_.origin(end.out));
+    join_handles(end.in, end.out, r);
+    journal_.remove(end.out);
+    changed_.push_back(mesh_.curve(end.in));
+    return end.in;
+  }
+
+  /// Combines the two curves and inserts a T-junction (Fig. 4a, c). Each side of the combined
+  /// curve keeps the half-edge that starts where it starts.
+  Halfedge join_curves(const MergeEnd& end, double r) {
+    const Halfedge in = mesh_.curve_side(end.in), out = mesh_.curve_side(end.out);
+    const Halfedge in_twin = mesh_[in].twin, out_twin = mesh_[out].twin;
+    const double t = combined_share(r, mesh_.span(end.in).length(), mesh_.span(end.out).length());
+
+    join_handles(in, out, t);
+    edit(in).twin = out_twin;
+    edit(out_twin).twin = in;
+
+    std::vector<Halfedge> far_side = children_over(out_twin, {0, 1 - t});
+    far_side.push_back(end.across);
+    const std::vector<Halfedge> rest = children_over(in_twin, {1 - t, 1});
+    far_side.insert(far_side.end(), rest.begin(), rest.end());
+    hang_stem(end.across, out_twin, 1 - t, rest.front());
+    const Halfedge side = near_side(end, in, out, t);
+    set_children(out_twin, far_side);
+    if (in_twin != rest.front()) journal_.remove(in_twin);
+    changed_.push_back(mesh_.curve(in));
+    return side;
+  }
+
+  /// The children of the side of the merged face, where it is divided; returns the face's leaf.
+  Halfedge near_side(const MergeEnd& end, Halfedge in, Halfedge out, double t) {
+    if (end.in == in && end.out == out) {
+      journal_.remove(out);
+      return in;
+    }
+    const double first = end.in == in ? 0.0 : t * mesh_[end.in].interval.first;
+    const double second = end.out == out ? 1.0 : t + (1 - t) * mesh_[end.out].interval.second;
+    std::vector<Halfedge> before = children_over(in, {0, t}), after = children_over(out, {t, 1});
+    const Halfedge bar = before.back();
+    edit(bar).interval = {first, second};
+    before.insert(before.end(), after.begin() + 1, after.end());
+    set_children(in, before);
+    journal_.remove(end.out);
+    if (out != end.out) journal_.remove(out);
+    return bar;
+  }
+
+  /// The children of a side whose curve becomes the part `part` of a longer one, with their new
+  /// intervals. A leaf is its own only bar, a new one if its half-edge starts the longer curve.
+  std::vector<Halfedge> children_over(Halfedge side, Interval part) {
+    if (mesh_.is_leaf(side)) {
+      const Halfedge bar = part.first == 0 ? bar_instead_of(side) : side;
+      edit(bar).interval = part;
+      if (bar == side) clear_curve(bar);
+      return {bar};
+    }
+    const std::vector<Halfedge> children = mesh_.children(side);
+    for (const Halfedge child : children) {
+      Interval& interval = edit(child).interval;
+      interval = {part.first + part.length() * interval.first,
+                  part.first + part.length() * interval.second};
+    }
+    edit(children.back()).interval.second = part.second;
+    return children;
+  }
+
+  /// A new leaf in the place of `side`, which is about to become a parent.
+  Halfedge bar_instead_of(Halfedge side) {
+    const HalfedgeRecord record = mesh_[side];
+    HalfedgeRecord copy;
+    copy.origin = record.origin;
+    copy.next = record.next;
+    copy.prev = record.prev;
+    copy.face = record.face;
+    const Halfedge bar = journal_.add(copy);
+    take_corner(bar, side);
+    edit(record.next).prev = bar;
+    edit(record.prev).next = bar;
+    if (mesh_[record.face].halfedge == side) journal_.edit(record.face).halfedge = bar;
+    HalfedgeRecord& parent = edit(side);
+    parent.next = parent.prev = {};
+    parent.face = {};
+    return bar;
+  }
+
+  void clear_curve(Halfedge bar) {
+    HalfedgeRecord& record = edit(bar);
+    record.twin = {};
+    record.handles = {};
+  }
+
+  void set_children(Halfedge parent, const std::vector<Halfedge>& children) {
+    edit(parent).first_child = children.front();
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      HalfedgeRecord& child = edit(children[i]);
+      child.parent = parent;
+      child.next_sibling = i + 1 < children.size() ? children[i + 1] : Halfedge{};
+    }
+  }
+
+  void hang_stem(Halfedge stem, Halfedge parent, double t, Halfedge bar_after) {
+    PointRecord& p = journal_.edit(mesh_.origin(stem));
+    p.stem = p.halfedge = stem;
+    edit(stem).parent = parent;
+    edit(stem).interval = {t, t};
+    edit(mesh_.first_leaf(stem)).own_color = false;
+    edit(bar_after).own_color = false;
+  }
+
+  void take_corner(Halfedge to, Halfedge from) {
+    const HalfedgeRecord corner = mesh_[from];
+    HalfedgeRecord& record = edit(to);
+    record.twist = corner.twist;
+    record.color = corner.color;
+    record.own_color = corner.own_color;
+  }
+
+  /// The outer tangents, for one curve instead of two that meet at t (Eq. 5).
+  void join_handles(Halfedge in, Halfedge out, double t) {
+    const std::array<Handle, 2> first = mesh_[in].handles, second = mesh_[out].handles;
+    journal_.edit(first[0]).tangent *= 1 / t;
+    journal_.edit(second[1]).tangent *= 1 / (1 - t);
+    journal_.remove(first[1]);
+    journal_.remove(second[0]);
+    edit(in).handles = {first[0], second[1]};
+    const Halfedge back = mesh_[out].twin;
+    if (back.valid()) edit(back).handles = {second[1], first[0]};
+  }
+
+  void close_loop(Face face, const std::array<Halfedge, 4>& loop) {
+    for (int k = 0; k < 4; ++k) {
+      HalfedgeRecord& record = edit(loop[k]);
+      record.face = face;
+      record.next = loop[(k + 1) % 4];
+      record.prev = loop[(k + 3) % 4];
+    }
+  }
+
+  void remove_curve(Halfedge side) {
+    for (const Handle handle : mesh_[side].handles) journal_.remove(handle);
+    journal_.remove(mesh_[side].twin);
+    journal_.remove(side);
+  }
+
+  Journal& journal_;
+  const Mesh& mesh_;
+  const Halfedge edge_, twin_;
+  std::vector<Halfedge> changed_;
+};
+
+}  // namespace
+
+void merge(Journal& journal, Halfedge edge) {
+  assert(can_merge(journal.mesh(), edge) == MergeObstacle::none);
+  journal.begin();
+  Merge(journal, edge).run();
+}
+
+}  // namespace gradmesh

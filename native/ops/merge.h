@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ops/journal.h"
+
+namespace gradmesh {
+
+/// Why an edge cannot be merged: the five conditions of the paper's 4.2, and rings.
+enum class MergeObstacle {
+  none,
+  boundary,      ///< 1: it has no twin
+  parent,        ///< 2: it or its twin is divided by a T-junction
+  bar,           ///< 3: it is a part of a longer curve
+  next_cycle,    ///< 4: after the merge a curve would end on itself (4.4)
+  origin_cycle,  ///< 4: after the merge a curve would start on itself (4.4)
+  branch,        ///< 5: it meets a point that must stay (L- and U-branches; irregular points)
+  ring,          ///< the two patches are one, or meet themselves round a ring
+};
+
+/// One clause for the person, such as "it is on the boundary of the mesh".
+const char* describe(MergeObstacle obstacle);
+
+/// Whether the two patches beside an edge can become one. Any half-edge that is alive.
+MergeObstacle can_merge(const Mesh& mesh, Halfedge edge);
+
+/// The parameter r at which the two patches beside `edge` are taken to be split (Eq. 4), as the
+/// share of the patch of `edge`: 0 < r < 1. Where Eq. 4 has nothing to divide, since tangents
+/// vanish or point apart, from the lengths of the curves instead.
+double split_factor(const Mesh& mesh, Halfedge edge);
+
+/// Makes one patch of the two beside `edge` (Eq. 5, A.2) and mends the T-junctions at both of
+/// its ends (4.3), as one operation of the journal. The patch of `edge` keeps its face; the
+/// twin's goes. `can_merge` must be `none`.
+void merge(Journal& journal, Halfedge edge);
+
+}  // namespace gradmesh

@@ -1,0 +1,28 @@
+#include "ops/refresh.h"
+
+#include "mesh/dependence.h"
+
+namespace gradmesh {
+namespace {
+
+void refresh_junction(Journal& journal, Halfedge stem) {
+  const Mesh& mesh = journal.mesh();
+  const Value value = junction_value(mesh, stem);
+  journal.edit(mesh.origin(stem)).position = value.position;
+  for (const Halfedge leaf : {mesh.first_leaf(stem), mesh[stem].next_sibling})
+    if (!mesh[leaf].own_color) journal.edit(leaf).color = value.color;
+}
+
+}  // namespace
+
+void refresh(Journal& journal, const std::vector<Halfedge>& changed_curves) {
+  const Mesh& mesh = journal.mesh();
+  for (const Halfedge curve : in_order_of_dependence(mesh, changed_curves)) {
+    for (const Halfedge side : {curve, mesh[curve].twin})
+      if (side.valid())
+        for (const Halfedge stem : mesh.stems(side)) refresh_junction(journal, stem);
+    journal.touch_curve(curve);
+  }
+}
+
+}  // namespace gradmesh

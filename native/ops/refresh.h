@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "ops/journal.h"
+
+namespace gradmesh {
+
+/// Puts the T-junctions of the changed curves, and of all that hangs on them, back on their
+/// parents, colours too, and marks the faces along all these curves as touched. The curves as
+/// Mesh::curve names them.
+void refresh(Journal& journal, const std::vector<Halfedge>& changed_curves);
+
+}  // namespace gradmesh

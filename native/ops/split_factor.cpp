@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "ops/merge.h"
+#include "ops/merge_end.h"
+
+namespace gradmesh {
+namespace {
+
+/// Keeps 1/r and 1/(1-r) in Eq. 5 within reason.
+constexpr double smallest_share = 1e-3;
+
+double dot(const Value& a, const Value& b, ColorModel model) {
+  // In `bilinear` the colour tangents follow from the corners and say nothing of their own.
+  const double color = model == ColorModel::bicubic
+                           ? glm::dot(glm::dvec3(a.color), glm::dvec3(b.color))
+                           : 0.0;
+  return glm::dot(a.position, b.position) + color;
+}
+
+double length(const Cubic<Value>& curve) {
+  constexpr int steps = 16;
+  double sum = 0;
+  glm::dvec2 last = curve.p0.position;
+  for (int i = 1; i <= steps; ++i) {
+    const glm::dvec2 p = curve.at(double(i) / steps).position;
+    sum += glm::length(p - last);
+    last = p;
+  }
+  return sum;
+}
+
+/// |m| / |m + n| of Eq. 4, or `otherwise` where m and n do not point the same way.
+double share(const Value& m, const Value& n, double otherwise, ColorModel model) {
+  const double mm = dot(m, m, model), nn = dot(n, n, model), mn = dot(m, n, model);
+  const double smallest = 1e-12 * std::max(mm, nn);
+  if (mn <= 0 || mm <= smallest || nn <= smallest) return otherwise;
+  return std::sqrt(mm / (mm + 2 * mn + nn));
+}
+
+/// Mean of the two estimates of Eq. 4 at the tail of `edge`, r1 and r2; seen from the twin these
+/// are r4 and r3, as shares of the other patch.
+double share_at_tail(const Mesh& mesh, Halfedge edge, const MergeEnd& tail) {
+  const Cubic<Value> in = mesh.side_of(tail.in), out = mesh.side_of(tail.out);
+  const double l_in = length(in), l_out = length(out);
+  const double by_length = l_in + l_out > 0 ? l_in / (l_in + l_out) : 0.5;
+  // Tangents across the edge at its inner Bezier point; the local axes of the twist at the start
+  // of `edge` are (along the edge, against `in`), hence the sign.
+  const Value inner_in = in.m1 - mesh[edge].twist * (1.0 / 3.0);
+  const Value inner_out = out.m0 + mesh[tail.out].twist * (1.0 / 3.0);
+  const ColorModel model = mesh.color_model();
+  return 0.5 * (share(in.m1, out.m0, by_length, model) +
+                share(inner_in, inner_out, by_length, model));
+}
+
+}  // namespace
+
+double split_factor(const Mesh& mesh, Halfedge edge) {
+  const Halfedge twin = mesh[edge].twin;
+  const MergeEnd tail = merge_end(mesh, edge), head = merge_end(mesh, twin);
+  double sum = 0;
+  int ends = 0;
+  // A stem stands where its parent was split, so only the other end is estimated; between two
+  // stems the parents' intervals are all there is to know.
+  if (tail.kind != MergeEnd::stem) {
+    sum += share_at_tail(mesh, edge, tail);
+    ++ends;
+  }
+  if (head.kind != MergeEnd::stem) {
+    sum += 1 - share_at_tail(mesh, twin, head);
+    ++ends;
+  }
+  const double r = ends > 0 ? sum / ends
+                            : 0.5 * (bar_share(mesh, tail) + 1 - bar_share(mesh, head));
+  return std::clamp(r, smallest_share, 1 - smallest_share);
+}
+
+}  // namespace gradmesh
