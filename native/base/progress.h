@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+namespace gradmesh {
+
+/// How far a long run has come.
+struct Progress {
+  std::size_t done = 0, total = 0;
+  int patches = 0;
+  double error = 0;
+};
+
+/// Called from the thread that started the run; returning false cancels it.
+using ProgressCallback = std::function<bool(const Progress&)>;
+
+/// Says when a run has to stop, and why.
+class StopWatch {
+ public:
+  enum class Reason { none, budget, cancelled };
+
+  /// `budget` in seconds, counted from now; 0 or less: no limit.
+  StopWatch(double budget, ProgressCallback callback)
+      : start_(Clock::now()), budget_(budget), callback_(std::move(callback)) {}
+
+  /// Reports progress; true where the run has to stop, now and ever after.
+  bool should_stop(const Progress& progress) {
+    if (reason_ == Reason::none && callback_ && !callback_(progress)) reason_ = Reason::cancelled;
+    if (reason_ == Reason::none && budget_ > 0 && seconds() > budget_) reason_ = Reason::budget;
+    return reason_ != Reason::none;
+  }
+  Reason reason() const { return reason_; }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_;
+  double budget_;
+  ProgressCallback callback_;
+  Reason reason_ = Reason::none;
+};
+
+}  // namespace gradmesh

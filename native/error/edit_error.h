@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/image.h"
+#include "metric/metric.h"
+#include "ops/journal.h"
+#include "raster/rasterizer.h"
+
+namespace gradmesh {
+
+/// The error of an edited mesh against the mesh as it was at first (paper, section 5): the mean
+/// of the metric's map over the whole frame. An edit is painted and measured only where it
+/// changes something, and the number is that of the whole frame.
+class EditError {
+ public:
+  /// Paints `original`, which becomes the reference.
+  EditError(const Mesh& original, const Frame& frame, MetricKind metric);
+
+  /// Error of the mesh as last accepted.
+  double error() const { return sum_ / double(map_.samples.size()); }
+
+  /// Error of the journal's mesh, which is the accepted one and one more operation. To be
+  /// followed by accept() or reject().
+  double after_edit(const Journal& journal);
+  void accept(const Journal& journal);
+  void reject();
+
+  /// Paints and measures everything afresh.
+  double whole_frame(const Mesh& mesh) const;
+
+  const Image& reference() const { return reference_; }
+
+ private:
+  Window changed_pixels(const Journal& journal) const;
+
+  std::unique_ptr<Rasterizer> rasterizer_;
+  Frame frame_;
+  Image reference_;
+  std::unique_ptr<Metric> metric_;
+
+  Image image_;
+  Plane map_;
+  double sum_ = 0;
+  /// Where each face lies in `image_`.
+  std::vector<Window> bounds_;
+
+  /// What an edit on trial has overwritten.
+  struct Trial {
+    Window pixels, measured;
+    std::vector<std::uint8_t> image;
+    std::vector<float> map;
+    double sum;
+  };
+  Trial trial_;
+};
+
+}  // namespace gradmesh

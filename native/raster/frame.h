@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/affine.h"
+#include "base/image.h"
+#include "mesh/mesh.h"
+
+namespace gradmesh {
+
+/// How a mesh is laid out on an image; pixel (x, y) has its centre at (x + 0.5, y + 0.5).
+struct Frame {
+  int width = 0, height = 0;
+  /// From mesh units to pixels.
+  Affine to_pixels;
+  /// How far an interior control point may be from the Coons patch's, in mesh units, for the
+  /// writer to leave `tensor` out; a hundredth of a pixel.
+  double coons_tolerance = 0;
+
+  Window window() const { return {0, 0, width, height}; }
+};
+
+/// The frame of the paper's section 5: the longer side of the mesh's bounding box, with `padding`
+/// (a share of that side) added all round, gets `resolution` pixels; the other side is cut to a
+/// whole number. `view` turns mesh units into what the person sees, up to scale.
+/// Throws InputError where the mesh has no size.
+Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double padding = 0.015);
+
+/// The pixels that a patch can cover in the frame; not clipped to it.
+Window pixel_bounds(const Patch& patch, const Frame& frame);
+
+}  // namespace gradmesh

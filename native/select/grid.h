@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "error/merge_trial.h"
+
+namespace gradmesh {
+
+/// All edges in the order of the grid method (paper 6.1, Fig. 7a): from a corner of the mesh,
+/// row by row, the edges between the faces of a row; then the edges between the rows, column by
+/// column. Corner and first direction follow `seed`. Parts of the mesh that the walk does not
+/// reach (other components, faces behind T-junctions) follow with corners of their own, and
+/// each edge comes once.
+std::vector<Halfedge> grid_order(const Mesh& mesh, std::uint64_t seed);
+
+/// Tries to merge every edge once, in grid order.
+void select_grid(MergeTrial& trial, std::uint64_t seed, StopWatch& watch);
+
+}  // namespace gradmesh
