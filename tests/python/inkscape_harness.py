@@ -1,0 +1,330 @@
+"""Drives the real Inkscape without a person: private display, private profile, hard time limits.
+
+    with Inkscape(values={"org.example.name.threshold": "0.01"}) as inkscape:
+        inkscape.install("extension/example.inx", "extension/example.py")
+        inkscape.run_extension("org.example.name", "in.svg", "out.svg", select=["pear"])
+        inkscape.export_png("out.svg", "out.png", width=800)
+        with inkscape.window("out.svg") as window:
+            window.key("5")
+            window.screenshot("shot.png")
+
+Inkscape's exit status says nothing: without a display it writes the file unchanged and exits 0.
+Look at what it wrote.
+"""
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from typing import Mapping, NamedTuple, Optional, Sequence
+from xml.sax.saxutils import quoteattr
+
+SCREEN = (1400, 1000)
+
+
+def missing(*programs: str) -> str:
+    """Why Inkscape (and the further `programs`) cannot be driven here; empty if it can."""
+    absent = [p for p in ("inkscape", "Xvfb", *programs) if shutil.which(p) is None]
+    return f"not installed: {', '.join(absent)}" if absent else ""
+
+
+WINDOW_PROGRAMS = ("xdotool", "import")
+
+
+class Timeout(AssertionError):
+    """Inkscape did not end in time; it and everything it started has been killed."""
+
+
+class Finished(NamedTuple):
+    returncode: int
+    stdout: str
+    stderr: str
+
+
+def kill_group(process: subprocess.Popen) -> None:
+    """Ends a process started with `start_new_session` and everything it started.
+
+    The group outlives its leader, so it is signalled even where the leader has ended.
+    """
+    for sign in (signal.SIGTERM, signal.SIGKILL):
+        try:
+            os.killpg(process.pid, sign)
+        except ProcessLookupError:
+            pass
+        try:
+            process.wait(timeout=5)
+        except subprocess.TimeoutExpired:
+            pass
+
+
+def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> Finished:
+    """Runs a command in its own process group; past `timeout` seconds the whole group is killed."""
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+        # Files, not pipes: a grandchild that keeps a pipe open would block the reader.
+        process = subprocess.Popen(
+            command,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            stdout=out,
+            stderr=err,
+            start_new_session=True,
+        )
+        expired = False
+        try:
+            process.wait(timeout=timeout)
+        except subprocess.TimeoutExpired:
+            expired = True
+        finally:
+            kill_group(process)
+        texts = []
+        for stream in (out, err):
+            stream.seek(0)
+            texts.append(stream.read().decode(errors="replace"))
+    if expired:
+        raise Timeout(
+            f"no end after {timeout:g} s (an extension that writes to stderr opens a dialog, which "
+            f"waits for ever): {' '.join(command)}\n{texts[0]}{texts[1]}"
+        )
+    return Finished(process.returncode, *texts)
+
+
+class Display:
+    """One private Xvfb on a display number that it finds itself; `name` is its DISPLAY."""
+
+    def __enter__(self) -> "Display":
+        read_end, write_end = os.pipe()
+        width, height = SCREEN
+        self._process = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24"]
+            + ["-nolisten", "tcp"],
+            pass_fds=[write_end],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        os.close(write_end)
+        with os.fdopen(read_end) as pipe:
+            number = pipe.readline().strip()  # ends with the number, or empty if Xvfb dies
+        if not number:
+            kill_group(self._process)
+            raise RuntimeError("Xvfb did not start")
+        self.name = f":{number}"
+        return self
+
+    def __exit__(self, *_) -> None:
+        kill_group(self._process)
+
+
+def preferences(values: Mapping[str, str]) -> str:
+    """The text of a preferences.xml that holds extension values, `raw.id.parameter` to value."""
+    attributes = " ".join(f"{name}={quoteattr(str(value))}" for name, value in values.items())
+    return (
+        '<?xml version="1.0" encoding="UTF-8" standalone="no"?>\n'
+        '<inkscape version="1">\n'
+        '<group id="options"><group id="boot" enabled="0"/></group>\n'
+        f'<group id="extensions" {attributes}/>\n'
+        "</inkscape>\n"
+    )
+
+
+class Inkscape:
+    """Inkscape with its own profile, on its own display or on the existing `display`.
+
+    `values` presets extension parameters (see `preferences`); `timeout` is in seconds, per call.
+    """
+
+    def __init__(
+        self,
+        values: Optional[Mapping[str, str]] = None,
+        display: Optional[str] = None,
+        timeout: float = 120,
+    ):
+        self.timeout = timeout
+        self._values = dict(values or {})
+        self._display = None if display else Display()
+        self._display_name = display
+
+    def __enter__(self) -> "Inkscape":
+        self.home = Path(tempfile.mkdtemp(prefix="inkscape-"))
+        self.extensions = self.home / "profile" / "extensions"
+        self.extensions.mkdir(parents=True)
+        self.set_values(self._values)
+        # A blinking cursor or an animation would keep a window from ever looking settled.
+        gtk = self.home / "config" / "gtk-3.0" / "settings.ini"
+        gtk.parent.mkdir(parents=True)
+        gtk.write_text("[Settings]\ngtk-cursor-blink=false\ngtk-enable-animations=false\n")
+        if self._display:
+            try:
+                self._display_name = self._display.__enter__().name
+            except BaseException:
+                shutil.rmtree(self.home)
+                raise
+        return self
+
+    def __exit__(self, *details) -> None:
+        if self._display:
+            self._display.__exit__(*details)
+        shutil.rmtree(self.home, ignore_errors=True)
+
+    @property
+    def env(self) -> Mapping[str, str]:
+        """The environment of every program started here; nothing of the user's own is touched."""
+        return {
+            **os.environ,
+            "DISPLAY": self._display_name,
+            "INKSCAPE_PROFILE_DIR": str(self.home / "profile"),
+            "XDG_CONFIG_HOME": str(self.home / "config"),
+            "XDG_DATA_HOME": str(self.home / "data"),
+            "GDK_BACKEND": "x11",
+            "GSETTINGS_BACKEND": "memory",
+            "GIO_USE_VFS": "local",
+            "NO_AT_BRIDGE": "1",
+            "DBUS_SESSION_BUS_ADDRESS": "disabled:",
+        }
+
+    def set_values(self, values: Mapping[str, str]) -> None:
+        """Replaces all preset extension parameters."""
+        file = self.home / "profile" / "preferences.xml"
+        file.write_text(preferences(values), encoding="utf-8")
+
+    def install(self, *sources) -> None:
+        """Copies files or folders into the profile's `extensions` folder."""
+        for source in map(Path, sources):
+            if source.is_dir():
+                shutil.copytree(source, self.extensions / source.name, dirs_exist_ok=True)
+            else:
+                shutil.copy(source, self.extensions)
+
+    def run_actions(
+        self, svg_in, actions: Sequence[str], timeout: Optional[float] = None
+    ) -> Finished:
+        """Opens `svg_in` and runs `actions` one after the other; Timeout past `timeout` seconds."""
+        command = ["inkscape", "--batch-process", "--actions=" + ";".join(actions), str(svg_in)]
+        return run(command, self.env, timeout or self.timeout)
+
+    def run_extension(
+        self,
+        raw_id: str,
+        svg_in,
+        svg_out,
+        select: Sequence[str] = (),
+        timeout: Optional[float] = None,
+    ) -> Finished:
+        """Runs an extension with the preset values on the objects `select`; writes `svg_out`."""
+        actions = [f"select-by-id:{','.join(select)}"] if select else []
+        actions += [raw_id.replace("_", "-") + ".noprefs"]
+        actions += [f"export-filename:{svg_out}", "export-do"]
+        return self.run_actions(svg_in, actions, timeout)
+
+    def export_png(
+        self,
+        svg,
+        png,
+        dpi: Optional[float] = None,
+        width: Optional[int] = None,
+        area: Optional[Sequence[float]] = None,
+        only: Optional[str] = None,
+        timeout: Optional[float] = None,
+    ) -> Path:
+        """Renders the page, or `area` (x0, y0, x1, y1 in user units), or just the object `only`."""
+        command = ["inkscape", "--export-type=png", f"--export-filename={png}"]
+        if dpi is not None:
+            command.append(f"--export-dpi={dpi:g}")
+        if width is not None:
+            command.append(f"--export-width={width}")
+        if area is not None:
+            command.append("--export-area=" + ":".join(f"{v:g}" for v in area))
+        if only is not None:
+            command += [f"--export-id={only}", "--export-id-only"]
+        elif area is None:
+            command.append("--export-area-page")
+        Path(png).unlink(missing_ok=True)
+        done = run([*command, str(svg)], self.env, timeout or self.timeout)
+        if not Path(png).exists():
+            raise AssertionError(f"Inkscape wrote no picture of {svg}: {done.stderr}")
+        return Path(png)
+
+    def window(self, svg, timeout: Optional[float] = None) -> "InkscapeWindow":
+        return InkscapeWindow(self, svg, timeout or self.timeout)
+
+
+class InkscapeWindow:
+    """A document open in Inkscape's own window, filling the display; positions are its pixels."""
+
+    def __init__(self, inkscape: Inkscape, svg, timeout: float):
+        self._env, self._svg, self._timeout = inkscape.env, Path(svg), timeout
+
+    def __enter__(self) -> "InkscapeWindow":
+        self._process = subprocess.Popen(
+            ["inkscape", str(self._svg)],
+            env=self._env,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        try:
+            self._id = self._find()
+            self._xdotool("windowmove", self._id, "0", "0")
+            self._xdotool("windowsize", self._id, *map(str, SCREEN))
+            self._xdotool("windowfocus", self._id)
+            self.settle()
+        except BaseException:
+            kill_group(self._process)
+            raise
+        return self
+
+    def __exit__(self, *_) -> None:
+        kill_group(self._process)
+
+    def _xdotool(self, *arguments: str) -> str:
+        return run(["xdotool", *arguments], self._env, 20).stdout
+
+    def _find(self) -> str:
+        end = time.monotonic() + self._timeout
+        while time.monotonic() < end and self._process.poll() is None:
+            found = self._xdotool("search", "--onlyvisible", "--name", self._svg.name).split()
+            if found:
+                return found[0]
+            time.sleep(0.5)
+        raise Timeout(f"Inkscape opened no window for {self._svg}")
+
+    def _pixels(self) -> bytes:
+        with tempfile.NamedTemporaryFile(suffix=".rgb") as shot:
+            run(["import", "-window", "root", "-depth", "8", shot.name], self._env, 30)
+            return Path(shot.name).read_bytes()
+
+    def settle(self) -> None:
+        """Waits until the screen has stayed the same for about three seconds."""
+        end = time.monotonic() + self._timeout
+        before, same = b"", 0
+        while same < 3:
+            if time.monotonic() > end:
+                raise Timeout(f"the window of {self._svg} keeps changing")
+            time.sleep(1)
+            now = self._pixels()
+            same = same + 1 if now == before else 0
+            before = now
+
+    def key(self, *keys: str) -> None:
+        """Presses keys by their X names, such as "5", "ctrl+a", "Escape"."""
+        self._xdotool("key", "--delay", "100", *keys)
+        self.settle()
+
+    def click(self, x: int, y: int, button: int = 1, repeat: int = 1) -> None:
+        self._xdotool("mousemove", str(x), str(y))
+        self._xdotool("click", "--repeat", str(repeat), "--delay", "80", str(button))
+        self.settle()
+
+    def double_click(self, x: int, y: int) -> None:
+        self.click(x, y, repeat=2)
+
+    def screenshot(self, path) -> Path:
+        """Writes the whole display; the name's ending says the format."""
+        run(["import", "-window", "root", str(path)], self._env, 30)
+        if not Path(path).exists():
+            raise AssertionError(f"no screenshot was written to {path}")
+        return Path(path)

@@ -1,0 +1,118 @@
+"""The committed samples are what their script writes, and Inkscape paints each of their meshes."""
+
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+import inkscape_harness
+from inkscape_harness import Inkscape
+
+SAMPLES = Path(__file__).resolve().parents[2] / "samples"
+# The objects that a mesh paints, and the number of patches of each mesh.
+PAINTED = {
+    "fruit": {"pear": 132},
+    "face": {"face": 156},
+    "ellipse": {"planet": 144},
+    "photo": {"photo": 400},
+    "opacity": {"bubble": 169},
+    "stroke": {"loop": 80},
+    "two": {"cap": 280, "stalk": 36},
+    "transformed": {"leaf": 112},
+    "tensor": {"silk": 9},
+}
+OBJECTS = [(sample, painted) for sample, objects in PAINTED.items() for painted in objects]
+SVG = "{http://www.w3.org/2000/svg}"
+XLINK_HREF = "{http://www.w3.org/1999/xlink}href"
+
+
+def mesh_of(root, painted):
+    """The meshgradient that holds the rows of the mesh on the object with this id."""
+    by_id = {element.get("id"): element for element in root.iter() if element.get("id")}
+    item = by_id[painted]
+    paints = [item.get("fill", ""), item.get("stroke", ""), *item.get("style", "").split(";")]
+    names = [text.split("url(#")[1].split(")")[0] for text in paints if "url(#" in text]
+    (mesh,) = [by_id[name] for name in names if by_id[name].tag == SVG + "meshgradient"]
+    while mesh.get(XLINK_HREF):
+        mesh = by_id[mesh.get(XLINK_HREF)[1:]]
+    return mesh
+
+
+def test_the_script_writes_the_committed_bytes(tmp_path):
+    subprocess.run(
+        [sys.executable, "-B", str(SAMPLES / "make_samples.py"), str(tmp_path)], check=True
+    )
+    written = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    committed = {path.name: path.read_bytes() for path in SAMPLES.glob("*.svg")}
+    assert set(written) == {f"{sample}.svg" for sample in PAINTED}
+    assert written == committed
+
+
+@pytest.mark.parametrize("sample", PAINTED)
+def test_ids_are_unique(sample):
+    ids = [element.get("id") for element in ET.parse(SAMPLES / f"{sample}.svg").iter()]
+    ids = [name for name in ids if name]
+    assert len(ids) == len(set(ids))
+
+
+@pytest.mark.parametrize("sample, painted", OBJECTS)
+def test_patches_form_a_grid_with_the_right_sides(sample, painted):
+    mesh = mesh_of(ET.parse(SAMPLES / f"{sample}.svg").getroot(), painted)
+    counts = [[len(patch) for patch in row] for row in mesh]
+    first = [4] + [3] * (len(counts[0]) - 1)
+    other = [3] + [2] * (len(counts[0]) - 1)
+    assert counts == [first] + [other] * (len(counts) - 1)
+    assert sum(map(len, counts)) == PAINTED[sample][painted]
+
+
+@pytest.fixture(scope="module")
+def inkscape():
+    reason = inkscape_harness.missing()
+    if reason:
+        pytest.skip(reason)
+    with Inkscape() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def image():
+    return pytest.importorskip("PIL.Image")
+
+
+FALLBACK = re.compile(r"(url\(#[\w-]+\)) (#[0-9a-f]{6})")
+
+
+def rendered(inkscape, image, text, folder, only=None):
+    """The picture that Inkscape paints of an SVG text, or of one object in it."""
+    svg = folder / "document.svg"
+    svg.write_text(text, encoding="utf-8")
+    with image.open(inkscape.export_png(svg, folder / "picture.png", only=only)) as picture:
+        return picture.convert("RGBA")
+
+
+@pytest.mark.parametrize("sample", PAINTED)
+def test_inkscape_renders_the_page_at_its_size(inkscape, image, tmp_path, sample):
+    text = (SAMPLES / f"{sample}.svg").read_text(encoding="utf-8")
+    picture = rendered(inkscape, image, text, tmp_path)
+    root = ET.fromstring(text)
+    assert picture.size == (int(root.get("width")), int(root.get("height")))
+    assert picture.getchannel("A").getextrema() == (255, 255)
+    assert len(picture.getcolors(1 << 24)) > 1000
+
+
+@pytest.mark.parametrize("sample, painted", OBJECTS)
+def test_the_mesh_paints_the_whole_object_without_its_fallback(
+    inkscape, image, tmp_path, sample, painted
+):
+    text = (SAMPLES / f"{sample}.svg").read_text(encoding="utf-8")
+    mesh = rendered(inkscape, image, FALLBACK.sub(r"\1", text), tmp_path, painted)
+    flat = rendered(inkscape, image, FALLBACK.sub(r"\2", text), tmp_path, painted)
+    assert mesh.size == flat.size
+    alphas = zip(mesh.getchannel("A").getdata(), flat.getchannel("A").getdata())
+    inside = [a for a, whole in alphas if whole > 200]
+    assert len(inside) > 10000
+    assert min(inside) > 0, "the mesh leaves a hole in the object"
+    assert len({rgba[:3] for _, rgba in mesh.getcolors(1 << 24) if rgba[3] > 0}) > 1000
