@@ -1,0 +1,49 @@
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "io/svg_style.h"
+
+namespace gradmesh {
+
+/// An SVG document as a tree of libxml2, with all that it holds: comments, CDATA, foreign
+/// namespaces, doctype. Nothing outside the document is ever loaded and entities stay references.
+/// Messages about it begin with its name.
+class SvgDocument {
+ public:
+  /// Throws InputError if the file cannot be read or is no SVG document.
+  static SvgDocument read_file(const std::filesystem::path& path);
+  /// Bytes in any encoding that XML declares; `name` stands for the file in messages.
+  static SvgDocument parse(std::string_view bytes, const std::string& name);
+
+  xmlNode* root() const;
+  const StyleSheet& styles() const { return styles_; }
+
+  /// The first element with this id; null if there is none.
+  xmlNode* find(std::string_view id) const;
+  /// Gives the element an id that no other has: `prefix` and a number.
+  std::string give_id(xmlNode* node, const std::string& prefix);
+
+  /// The document in its own encoding, UTF-8 if it declares none.
+  std::string serialize() const;
+  /// Writes the whole file or leaves what was there; throws InputError.
+  void write_file(const std::filesystem::path& path) const;
+
+ private:
+  struct FreeDocument {
+    void operator()(xmlDoc* document) const { xmlFreeDoc(document); }
+  };
+
+  explicit SvgDocument(xmlDoc* document);
+
+  std::unique_ptr<xmlDoc, FreeDocument> document_;
+  StyleSheet styles_;
+  int next_id_ = 1;
+};
+
+}  // namespace gradmesh

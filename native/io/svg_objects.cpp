@@ -1,0 +1,99 @@
+#include "io/svg_objects.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "io/svg_scanner.h"
+#include "io/svg_transform.h"
+#include "io/xml_node.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr std::array<std::string_view, 4> containers{"svg", "g", "a", "switch"};
+constexpr std::array<std::string_view, 8> paintables{"path", "rect",     "circle",  "ellipse",
+                                                     "line", "polyline", "polygon", "text"};
+
+bool contains(const auto& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The id in `url(#id)`, with or without quotes; whatever follows is the fallback colour.
+std::optional<std::string> referenced_id(std::string_view paint) {
+  if (!lower(paint.substr(0, 4)).starts_with("url(")) return std::nullopt;
+  const std::size_t close = paint.find(')');
+  if (close == paint.npos) return std::nullopt;
+  std::string_view target = trimmed(paint.substr(4, close - 4));
+  if (target.size() >= 2 && (target.front() == '"' || target.front() == '\'') &&
+      target.back() == target.front())
+    target = trimmed(target.substr(1, target.size() - 2));
+  if (!target.starts_with('#')) return std::nullopt;
+  return std::string(target.substr(1));
+}
+
+/// The mesh gradients in force for fill and stroke; null where the paint is anything else.
+struct Paints {
+  xmlNode* fill = nullptr;
+  xmlNode* stroke = nullptr;
+};
+
+class Collector {
+ public:
+  explicit Collector(SvgDocument& document) : document_(document) {}
+
+  void visit(xmlNode* node, Paints paints) {
+    const std::string_view name = svg_name(node);
+    const bool is_container = contains(containers, name);
+    if (!is_container && !contains(paintables, name)) return;
+    update(node, "fill", paints.fill);
+    update(node, "stroke", paints.stroke);
+    if (is_container) {
+      for (xmlNode* child : child_elements(node)) visit(child, paints);
+    } else {
+      if (paints.fill && name != "line") add(node, PaintRole::fill, paints.fill);
+      if (paints.stroke) add(node, PaintRole::stroke, paints.stroke);
+    }
+  }
+
+  std::vector<MeshObject> objects;
+
+ private:
+  void update(const xmlNode* node, std::string_view property, xmlNode*& gradient) const {
+    const auto paint = document_.styles().declared(node, property);
+    if (!paint || lower(*paint) == "inherit") return;
+    const auto id = referenced_id(*paint);
+    xmlNode* found = id ? document_.find(*id) : nullptr;
+    gradient = found && svg_name(found) == "meshgradient" ? found : nullptr;
+  }
+
+  void add(xmlNode* node, PaintRole role, xmlNode* gradient) {
+    std::string id = attribute(node, "id").value_or("");
+    if (id.empty()) id = document_.give_id(node, std::string(svg_name(node)));
+    objects.push_back({node, std::move(id), role, gradient});
+  }
+
+  SvgDocument& document_;
+};
+
+}  // namespace
+
+std::vector<MeshObject> mesh_objects(SvgDocument& document) {
+  Collector collector(document);
+  collector.visit(document.root(), {});
+  return std::move(collector.objects);
+}
+
+Affine to_document(const MeshObject& object) {
+  Affine product;
+  for (const xmlNode* node = object.node; node; node = parent_element(node))
+    if (const auto text = attribute(node, "transform")) {
+      const auto transform = parse_transform(*text);
+      if (!transform) fail(node, "its transform " + excerpt(*text) + " is malformed");
+      product = *transform * product;
+    }
+  return product;
+}
+
+}  // namespace gradmesh

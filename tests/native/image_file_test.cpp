@@ -1,0 +1,85 @@
+#include "io/image_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "base/error.h"
+#include "io/atomic_file.h"
+
+namespace gradmesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImageFile : public testing::Test {
+ protected:
+  ImageFile()
+      : folder(fs::temp_directory_path() / ("gradmesh_image_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder);
+  }
+  ~ImageFile() override { fs::remove_all(folder); }
+
+  /// A PNG of one row with these 8-bit samples.
+  fs::path write_row(int channels, const std::vector<std::uint8_t>& samples) const {
+    const fs::path path = folder / "row.png";
+    const auto output = OIIO::ImageOutput::create(path.string());
+    OIIO::ImageSpec spec(int(samples.size()) / channels, 1, channels, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    EXPECT_TRUE(output->open(path.string(), spec));
+    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, samples.data()));
+    EXPECT_TRUE(output->close());
+    return path;
+  }
+
+  fs::path folder;
+};
+
+using Samples = std::vector<std::uint8_t>;
+
+std::string complaint(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST_F(ImageFile, RoundTrip) {
+  Image image(5, 3);
+  for (std::size_t i = 0; i < image.samples.size(); ++i) image.samples[i] = std::uint8_t(i * 37);
+  write_png(image, folder / "a.png");
+  EXPECT_EQ(read_image(folder / "a.png"), image);
+}
+
+TEST_F(ImageFile, OtherChannelsBecomeRgb) {
+  EXPECT_EQ(read_image(write_row(3, {1, 2, 3})).samples, (Samples{1, 2, 3}));
+  EXPECT_EQ(read_image(write_row(1, {7, 200})).samples, (Samples{7, 7, 7, 200, 200, 200}));
+  EXPECT_EQ(read_image(write_row(4, {10, 20, 30, 255, 10, 20, 30, 0, 0, 100, 255, 51})).samples,
+            (Samples{10, 20, 30, 255, 255, 255, 204, 224, 255}));
+  EXPECT_EQ(read_image(write_row(2, {0, 51, 90, 255})).samples,
+            (Samples{204, 204, 204, 90, 90, 90}));
+}
+
+TEST_F(ImageFile, FailuresNameTheFile) {
+  const fs::path bad = folder / "bad.png", missing = folder / "missing.png";
+  write_bytes(bad, "no image");
+  EXPECT_TRUE(
+      complaint([&] { read_image(bad); }).starts_with(bad.string() + " is not a readable image: "));
+  EXPECT_TRUE(complaint([&] {
+                read_image(missing);
+              }).starts_with(missing.string() + " is not a readable image: "));
+  const fs::path nowhere = folder / "missing" / "a.png";
+  EXPECT_EQ(complaint([&] { write_png(Image(1, 1), nowhere); }),
+            nowhere.string() + " cannot be written: No such file or directory.");
+  EXPECT_EQ(complaint([&] { write_png(Image(), bad); }),
+            bad.string() + " cannot be written: the image is empty.");
+  EXPECT_EQ(read_bytes(bad), "no image");
+}
+
+}  // namespace
+}  // namespace gradmesh

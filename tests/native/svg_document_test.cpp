@@ -1,0 +1,259 @@
+#include "io/svg_document.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "base/error.h"
+#include "io/atomic_file.h"
+#include "io/svg_mesh.h"
+#include "io/svg_objects.h"
+
+namespace gradmesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string head = "<svg xmlns=\"http://www.w3.org/2000/svg\">";
+const std::string row =
+    "<meshrow><meshpatch><stop path=\"l 1,0\"/><stop path=\"l 0,1\"/><stop path=\"l -1,0\"/>"
+    "<stop path=\"l\"/></meshpatch></meshrow>";
+const std::string gradients = "<meshgradient id=\"m\">" + row +
+                              "</meshgradient><meshgradient id=\"n\">" + row +
+                              "</meshgradient><linearGradient id=\"flat\"/>";
+
+SvgDocument parse(const std::string& text) { return SvgDocument::parse(text, "drawing.svg"); }
+
+SvgDocument parse_body(const std::string& body) {
+  return parse(head + gradients + body + "</svg>");
+}
+
+/// `id fill=GRADIENT` of every object found, in order.
+std::string listing(const std::string& body) {
+  SvgDocument document = parse_body(body);
+  std::string text;
+  for (const MeshObject& object : mesh_objects(document)) {
+    const char* role = object.role == PaintRole::fill ? " fill" : " stroke";
+    EXPECT_EQ(document.find(object.id), object.node);
+    text += object.id + role + (object.gradient == document.find("m") ? "=m; " : "=n; ");
+  }
+  return text;
+}
+
+std::string complaint(const std::function<void()>& action) {
+  testing::internal::CaptureStderr();
+  std::string message = "nothing was thrown";
+  try {
+    action();
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  return message;
+}
+
+std::string parse_complaint(const std::string& text) {
+  return complaint([&] { parse(text); });
+}
+
+/// A folder of its own for each test, removed afterwards.
+class SvgFile : public testing::Test {
+ protected:
+  SvgFile() : folder(fs::temp_directory_path() / ("gradmesh_svg_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder);
+  }
+  ~SvgFile() override { fs::remove_all(folder); }
+
+  std::size_t entries() const {
+    return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
+
+  fs::path folder;
+};
+
+TEST(SvgObjects, PaintComesFromStyleAttributeOrGroup) {
+  EXPECT_EQ(listing("<path id=\"a\" fill=\"url(#m)\" stroke=\"url(#n)\"/>"),
+            "a fill=m; a stroke=n; ");
+  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#m)\" style=\"fill:url(#n)\"/>"), "a fill=n; ");
+  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#m)\" style=\"fill:red\"/>"), "");
+  EXPECT_EQ(listing("<g fill=\"url(#m)\"><g><circle id=\"a\"/><circle id=\"b\" fill=\"none\"/>"
+                    "<circle id=\"c\" fill=\"inherit\"/></g><text id=\"d\">x</text></g>"
+                    "<circle id=\"e\"/>"),
+            "a fill=m; c fill=m; d fill=m; ");
+  EXPECT_EQ(listing("<g fill=\"url(#m)\" stroke=\"url(#n)\"><line id=\"a\"/></g>"), "a stroke=n; ");
+  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#flat)\"/><rect id=\"b\" fill=\"url(#none)\"/>"),
+            "");
+}
+
+TEST(SvgObjects, WritingsOfThePaint) {
+  for (const std::string paint :
+       {"url(#m)", "url( '#m' )", "url(#m) #abc", "url(#m) none", "URL(&quot;#m&quot;) red"})
+    EXPECT_EQ(listing("<rect id=\"a\" fill=\"" + paint + "\"/>"), "a fill=m; ") << paint;
+  EXPECT_EQ(
+      listing("<rect id=\"a\" style=\"; ;stroke:none;FILL : url(&quot;#m&quot;) !important;\"/>"),
+      "a fill=m; ");
+}
+
+TEST(SvgObjects, SimpleStyleRules) {
+  const auto with = [](const std::string& css) {
+    return listing("<style>" + css + "</style><rect id=\"a\" class=\"x y\" fill=\"none\"/>");
+  };
+  EXPECT_EQ(with("rect{fill:url(#m)}"), "a fill=m; ");
+  EXPECT_EQ(with("path, .y ,#b{fill:url(#m);}"), "a fill=m; ");
+  EXPECT_EQ(with("#a{fill:url(#m)} .y{fill:red} rect{fill:blue}"), "a fill=m; ");
+  EXPECT_EQ(with(".y{fill:url(#n)} .x{fill:url(#m)}"), "a fill=m; ");
+  EXPECT_EQ(with("<![CDATA[ /* } */ @import 'a;b'; @media print { rect{fill:red} } "
+                 "rect { stroke: none; fill: url(\"#m\") } ]]>"),
+            "a fill=m; ");
+  EXPECT_EQ(with("rect{fill:url(#m)"), "a fill=m; ");
+  // Anything more is passed over.
+  EXPECT_EQ(with("svg rect{fill:url(#m)} rect.x{fill:url(#m)} *{fill:url(#m)} {}{"), "");
+}
+
+TEST(SvgObjects, DefinitionsAreNotListed) {
+  for (const std::string element : {"defs", "clipPath", "mask", "symbol", "pattern", "marker"})
+    EXPECT_EQ(
+        listing("<" + element + "><g><rect id=\"a\" fill=\"url(#m)\"/></g></" + element + ">"), "");
+  EXPECT_EQ(listing("<x:rect xmlns:x=\"urn:other\" id=\"a\" fill=\"url(#m)\"/>"), "");
+}
+
+TEST(SvgObjects, MissingIdsAreWritten) {
+  SvgDocument document =
+      parse_body("<rect id=\"rect1\"/><rect fill=\"url(#m)\"/><rect id=\"\" fill=\"url(#m)\"/>");
+  const auto objects = mesh_objects(document);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].id, "rect2");
+  EXPECT_EQ(objects[1].id, "rect3");
+  EXPECT_NE(document.serialize().find("<rect fill=\"url(#m)\" id=\"rect2\"/>"), std::string::npos);
+  EXPECT_EQ(mesh_objects(document).at(1).id, "rect3");
+}
+
+TEST(SvgObjects, TransformToDocument) {
+  SvgDocument document = parse_body(
+      "<g transform=\"translate(100 0) scale(2)\"><g transform=\"rotate(90)\">"
+      "<path id=\"a\" fill=\"url(#m)\" transform=\"translate(1,2)\"/></g></g>");
+  const Affine map = to_document(mesh_objects(document).at(0));
+  // (3, 4) -> (4, 6) -> (-6, 4) -> (88, 8)
+  const glm::dvec2 p = map.point({3, 4});
+  EXPECT_NEAR(p.x, 88, 1e-12);
+  EXPECT_NEAR(p.y, 8, 1e-12);
+
+  SvgDocument bad = parse_body("\n<g transform=\"scale(\"><path id=\"a\" fill=\"url(#m)\"/></g>");
+  const auto objects = mesh_objects(bad);
+  EXPECT_EQ(complaint([&] { to_document(objects.at(0)); }),
+            "drawing.svg: g in line 2: its transform \"scale(\" is malformed.");
+}
+
+TEST(SvgDocument, UnreadableDocumentsGiveTheReason) {
+  const std::string start = "drawing.svg is not a readable SVG document: ";
+  EXPECT_EQ(parse_complaint(""), start + "it is empty.");
+  EXPECT_EQ(parse_complaint("plain text"), start + "Start tag expected, '<' not found (line 1).");
+  EXPECT_EQ(parse_complaint(head + "\n<g>\n<path"),
+            start + "Couldn't find end of Start Tag path line 3 (line 3).");
+  EXPECT_EQ(parse_complaint(head + "\n<g>\n</svg>"),
+            start + "Opening and ending tag mismatch: g line 2 and svg (line 3).");
+  EXPECT_EQ(parse_complaint("<html/>"), start + "its outermost element is not <svg>.");
+  EXPECT_EQ(parse_complaint("\x1f\x8b..."), start + "it is compressed, save it as plain SVG.");
+}
+
+TEST(SvgDocument, DepthIsLimited) {
+  std::string deep = head;
+  for (int i = 0; i < 100000; ++i) deep += "<g>";
+  EXPECT_TRUE(parse_complaint(deep).starts_with(
+      "drawing.svg is not a readable SVG document: Excessive depth in document"));
+}
+
+TEST(SvgDocument, KeepsWhatItDoesNotKnow) {
+  const std::string text =
+      "<?xml version=\"1.0\" encoding=\"ISO-8859-1\" standalone=\"no\"?>\n"
+      "<!DOCTYPE svg [\n<!ENTITY note \"plain\">\n]>\n"
+      "<!-- before -->\n<?render fast?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:x=\"urn:other\" x:a=\"1\">\n"
+      "  <!-- inside --><x:thing/><style><![CDATA[a > b {}]]></style>\n"
+      "  <text title=\"&note; &lt;\">caf\xe9 &note; &amp;</text>\n"
+      "</svg>\n<!-- after -->\n";
+  EXPECT_EQ(parse(text).serialize(), text);
+  EXPECT_EQ(parse(head + "\xc3\xa9</svg>").serialize(),
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + head + "\xc3\xa9</svg>\n");
+}
+
+TEST(SvgDocument, EntitiesAreTakenOnlyWhereHarmless) {
+  const auto first_color = [](const std::string& entities, const std::string& paint) {
+    SvgDocument document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
+                                 "<rect id=\"a\" style=\"" + paint + "\"/></svg>");
+    return mesh_objects(document).size();
+  };
+  EXPECT_EQ(first_color("<!ENTITY st \"fill:url(#m)\">", "&st;"), 1u);
+  EXPECT_EQ(
+      complaint([&] { first_color("<!ENTITY a \"fill\"><!ENTITY b \"&a;:url(#m)\">", "&b;"); }),
+      "drawing.svg: rect \"a\": the entity \"b\" is not a short plain text.");
+}
+
+TEST(SvgDocument, EntityBombIsNotExpanded) {
+  std::string entities = "<!ENTITY e0 \"0123456789\">";
+  for (int i = 1; i < 12; ++i) {
+    std::string ten;
+    for (int k = 0; k < 10; ++k) ten += "&e" + std::to_string(i - 1) + ";";
+    entities += "<!ENTITY e" + std::to_string(i) + " \"" + ten + "\">";
+  }
+  const std::string start = "<!DOCTYPE svg [" + entities + "]>" + head + gradients;
+  // Whether libxml2 refuses it or we do, it ends in a sentence and not in 10^12 characters.
+  for (const std::string body : {"<rect id=\"a\" style=\"&e11;\"/>",
+                                 "<rect id=\"&e11;\" fill=\"url(#m)\"/>", "<style>&e11;</style>"})
+    EXPECT_TRUE(complaint([&] {
+                  SvgDocument document = parse(start + body + "</svg>");
+                  mesh_objects(document);
+                }).starts_with("drawing.svg"))
+        << body;
+}
+
+TEST_F(SvgFile, ExternalEntitiesAreNotLoaded) {
+  write_bytes(folder / "secret.txt", "fill:url(#m)");
+  const std::string uri = "file://" + (folder / "secret.txt").string();
+  const std::string in_text = "<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
+                              gradients + "<text id=\"a\">&x;</text></svg>";
+  SvgDocument document = parse(in_text);
+  EXPECT_TRUE(mesh_objects(document).empty());
+  EXPECT_EQ(document.serialize().find("fill:url"), std::string::npos);
+  EXPECT_NE(document.serialize().find("<text id=\"a\">&x;</text>"), std::string::npos);
+  // The same as an external DTD, and in a style sheet.
+  EXPECT_EQ(parse("<!DOCTYPE svg SYSTEM \"" + uri + "\">" + head + "</svg>").find("a"), nullptr);
+  EXPECT_EQ(parse_complaint("<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
+                            "<style id=\"s\">&x;</style></svg>"),
+            "drawing.svg: style \"s\": the entity \"x\" is not a short plain text.");
+}
+
+TEST_F(SvgFile, WritesWholeFileOrNothing) {
+  const fs::path path = folder / "drawing.svg";
+  write_bytes(path, head + "<rect/></svg>");
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  SvgDocument document = SvgDocument::read_file(path);
+  document.write_file(path);
+  EXPECT_EQ(read_bytes(path), document.serialize());
+  EXPECT_EQ(fs::status(path).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  EXPECT_EQ(entries(), 1u);
+
+  const fs::path link = folder / "link.svg";
+  fs::create_symlink(path, link);
+  document.write_file(link);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(entries(), 2u);
+
+  const fs::path nowhere = folder / "missing" / "drawing.svg";
+  EXPECT_EQ(complaint([&] { document.write_file(nowhere); }),
+            nowhere.string() + " cannot be written: No such file or directory.");
+  EXPECT_EQ(complaint([&] { document.write_file(folder); }),
+            folder.string() + " cannot be written: it is not a regular file.");
+  EXPECT_EQ(complaint([&] { SvgDocument::read_file(nowhere); }),
+            nowhere.string() + " cannot be read: No such file or directory.");
+  EXPECT_EQ(complaint([&] { SvgDocument::read_file(folder); }),
+            folder.string() + " cannot be read: Is a directory.");
+  EXPECT_EQ(entries(), 2u);
+}
+
+}  // namespace
+}  // namespace gradmesh

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
+#include <vector>
+
+#include "io/svg_color.h"
+#include "io/svg_document.h"
+#include "io/svg_path.h"
+#include "io/svg_scanner.h"
+#include "io/svg_shape.h"
+#include "io/svg_transform.h"
+
+namespace gradmesh {
+namespace {
+
+void expect_near(const glm::dvec2& a, const glm::dvec2& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+}
+
+void expect_box(std::string_view path, glm::dvec2 low, glm::dvec2 high, double tolerance = 1e-12) {
+  SCOPED_TRACE(path);
+  const auto box = path_box(path);
+  ASSERT_TRUE(box && !box->empty());
+  expect_near(box->low(), low, tolerance);
+  expect_near(box->high(), high, tolerance);
+}
+
+TEST(SvgColor, AllForms) {
+  const glm::dvec4 orange(1, 165 / 255.0, 0, 1);
+  for (const std::string_view text :
+       {"orange", "ORANGE", "#ffa500", "#FFA500ff", "rgb(255,165,0)", " rgb( 255 165 0 ) ",
+        "rgba(255, 165, 0, 1)", "rgb(255 165 0 / 100%)", "#ffa500 icc-color(x, 1, 2)"})
+    EXPECT_EQ(parse_color(text), orange) << text;
+  EXPECT_EQ(parse_color("#f0a"), glm::dvec4(1, 0, 170 / 255.0, 1));
+  EXPECT_EQ(parse_color("#f0a8"), glm::dvec4(1, 0, 170 / 255.0, 136 / 255.0));
+  EXPECT_EQ(parse_color("rgb(100%, 50%, 0%)"), glm::dvec4(1, 0.5, 0, 1));
+  EXPECT_EQ(parse_color("rgb(300, -20, 0)"), glm::dvec4(1, 0, 0, 1));
+  EXPECT_EQ(parse_color("transparent"), glm::dvec4(0.0));
+  EXPECT_EQ(parse_color("aliceblue"), glm::dvec4(240, 248, 255, 255) / 255.0);
+  EXPECT_EQ(parse_color("yellowgreen"), glm::dvec4(154, 205, 50, 255) / 255.0);
+}
+
+TEST(SvgColor, Hsl) {
+  const auto expect_color = [](std::string_view text, glm::dvec4 expected) {
+    const auto color = parse_color(text);
+    ASSERT_TRUE(color) << text;
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR((*color)[i], expected[i], 1e-12) << text;
+  };
+  expect_color("hsl(0, 100%, 50%)", {1, 0, 0, 1});
+  expect_color("hsl(120deg 100% 25%)", {0, 0.5, 0, 1});
+  expect_color("hsl(-120, 100%, 50%)", {0, 0, 1, 1});
+  expect_color("hsla(60, 50%, 50%, 25%)", {0.75, 0.75, 0.25, 0.25});
+}
+
+TEST(SvgColor, OthersAreNone) {
+  for (const std::string_view text :
+       {"", "#", "#12", "#12345", "#ggg", "#-12", "#1234567890", "puce", "rgb(1,2)", "rgb(1,2,3",
+        "rgb(nan,0,0)", "rgb(1,2,3,4,5)", "rgb(1,2,3) x", "lab(1,2,3)", "currentColor", "inherit"})
+    EXPECT_FALSE(parse_color(text)) << text;
+}
+
+TEST(SvgNumber, FormsAndLimits) {
+  for (const auto& [text, value] :
+       std::vector<std::pair<std::string_view, double>>{{"1", 1},
+                                                        {" -1.5 ", -1.5},
+                                                        {"+.5", 0.5},
+                                                        {"-.5e1", -5},
+                                                        {"2E2", 200},
+                                                        {"1.", 1},
+                                                        {"1e-999", 0},
+                                                        {"-1e9", -1e9}})
+    EXPECT_EQ(parse_number(text), value) << text;
+  for (const std::string_view text : {"", "-", "+-1", "-+1", ".", "nan", "-inf", "infinity", "1e30",
+                                      "1e999", "1,5", "0x10", "1 2"})
+    EXPECT_FALSE(parse_number(text)) << text;
+}
+
+TEST(SvgTransform, EachKindAndOrder) {
+  const auto map = [](std::string_view text) {
+    const auto affine = parse_transform(text);
+    EXPECT_TRUE(affine) << text;
+    return affine.value_or(Affine{}).point({3, 5});
+  };
+  EXPECT_EQ(map(""), glm::dvec2(3, 5));
+  EXPECT_EQ(map("matrix(1 2 3 4 5 6)"), glm::dvec2(23, 32));
+  EXPECT_EQ(map("translate(10)"), glm::dvec2(13, 5));
+  EXPECT_EQ(map("translate( 10 , -2 )"), glm::dvec2(13, 3));
+  EXPECT_EQ(map("scale(2)"), glm::dvec2(6, 10));
+  EXPECT_EQ(map("scale(2-1)"), glm::dvec2(6, -5));
+  EXPECT_EQ(map("translate(10,20) , scale(2)scale(1 3)"), glm::dvec2(16, 50));
+  expect_near(map("rotate(90)"), {-5, 3}, 1e-12);
+  expect_near(map("rotate(90 3 4)"), {2, 4}, 1e-12);
+  expect_near(map("skewX(45)"), {8, 5}, 1e-12);
+  expect_near(map("skewY(45)"), {3, 8}, 1e-12);
+  for (const std::string_view text :
+       {"scale", "scale()", "scale(1 2 3)", "rotate(1 2)", "matrix(1 2 3 4 5)", "turn(1)",
+        "scale(nan)", "scale(1", "translate(1px)", "(1)"})
+    EXPECT_FALSE(parse_transform(text)) << text;
+}
+
+TEST(Affine, InverseUndoes) {
+  const Affine map = parse_transform("rotate(30) skewX(10) translate(5 7) scale(2 -3)").value();
+  expect_near((map.inverse() * map).point({3, 5}), {3, 5}, 1e-12);
+  EXPECT_NEAR(map.determinant(), -6, 1e-12);
+  expect_near(map.vector({1, 2}), map.point({4, 7}) - map.point({3, 5}), 1e-12);
+}
+
+TEST(SvgPath, BoxOfEveryCommand) {
+  expect_box("M 1 2 L 5 7", {1, 2}, {5, 7});
+  expect_box("m1 2 3 4-10-1", {-6, 2}, {4, 6});
+  expect_box("M0 0H10V-3h-12v1z", {-2, -3}, {10, 0});
+  expect_box("M0,0 C 0,4 4,4 4,0", {0, 0}, {4, 3});
+  expect_box("M0,0 c 0,4 4,4 4,0 s 4-4 4 0", {0, -3}, {8, 3});
+  expect_box("M0,0 S 4,4 4,0", {0, 0}, {4, 16 / 9.0});
+  expect_box("M0,0 Q 2,4 4,0 t 4 0", {0, -2}, {8, 2});
+  expect_box("M0 0 T 4 4", {0, 0}, {4, 4});
+  expect_box("M 1 1 h 2 z m 5 5 h 1", {1, 1}, {7, 6});
+  // A lone moveto draws nothing.
+  expect_box("M -50 -50 M 1 1 h 2", {1, 1}, {3, 1});
+  EXPECT_TRUE(path_box("M 3 4")->empty());
+  EXPECT_TRUE(path_box("  ")->empty());
+  for (const std::string_view text :
+       {"L 1 2", "1 2", "M 1", "M 0 0 X 1", "M 0 0 L 1 nan", "M 0 0 z 1", "M 0 0 A 1 1 0 2 0 5 5",
+        "M 0 0 C 1 2 3 4 5", "M 0 0 h 1e30"})
+    EXPECT_FALSE(path_box(text)) << text;
+}
+
+// An ellipse drawn from its own parameters, against the end-point form that path data has.
+TEST(SvgPath, BoxOfArcsAgainstDenseSampling) {
+  const glm::dvec2 center(7, -3), radii(5, 2);
+  for (const double rotation : {0.0, 25.0, 90.0, 160.0, -70.0})
+    for (const double begin : {0.1, 1.7, 3.3, 5.0})
+      for (const double extent : {0.3, 1.5, 3.0, 4.0, 6.0, -0.7, -2.5, -5.5}) {
+        const double phi = rotation * std::numbers::pi / 180;
+        const auto at = [&](double angle) {
+          const double x = radii.x * std::cos(angle), y = radii.y * std::sin(angle);
+          return center + glm::dvec2(std::cos(phi) * x - std::sin(phi) * y,
+                                     std::sin(phi) * x + std::cos(phi) * y);
+        };
+        glm::dvec2 low = at(begin), high = low;
+        constexpr int samples = 20000;
+        for (int i = 1; i <= samples; ++i) {
+          const glm::dvec2 p = at(begin + extent * i / samples);
+          low = glm::min(low, p);
+          high = glm::max(high, p);
+        }
+        const glm::dvec2 from = at(begin), to = at(begin + extent);
+        char path[300];
+        std::snprintf(path, sizeof path, "M %.15g %.15g A 5 2 %g %d %d %.15g %.15g", from.x, from.y,
+                      rotation, std::abs(extent) > std::numbers::pi, extent > 0, to.x, to.y);
+        // The samples miss an extremum by at most radius * step^2 / 8.
+        expect_box(path, low, high, 1e-7);
+      }
+}
+
+TEST(SvgPath, ArcsThatAreNone) {
+  // Radii too small are stretched to a half circle; none at all make a line; flags may stick.
+  expect_box("M 0 0 A 1 1 0 0 1 10 0", {0, -5}, {10, 0});
+  expect_box("M0 0a1 1 0 0110 0", {0, -5}, {10, 0});
+  expect_box("M 0 0 A 0 5 0 0 1 10 2", {0, 0}, {10, 2});
+  expect_box("M 1 2 A 5 5 0 1 1 1 2", {1, 2}, {1, 2});
+}
+
+TEST(SvgShape, BoxOfEveryShape) {
+  const auto expect_shape = [](const std::string& shape, glm::dvec2 low, glm::dvec2 high) {
+    const SvgDocument document =
+        SvgDocument::parse("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 400 300\"><" +
+                               shape + " id=\"a\"/></svg>",
+                           "drawing.svg");
+    const auto box = shape_box(document.find("a"));
+    ASSERT_TRUE(box) << shape;
+    expect_near(box->low(), low, 1e-12);
+    expect_near(box->high(), high, 1e-12);
+  };
+  expect_shape("rect x=\"1\" y=\"2\" width=\"30\" height=\"4\" rx=\"2\"", {1, 2}, {31, 6});
+  expect_shape("rect width=\"50%\" height=\"10%\"", {0, 0}, {200, 30});
+  expect_shape("rect width=\"1in\" height=\"3pc\"", {0, 0}, {96, 48});
+  expect_shape("circle cx=\"5\" cy=\"6\" r=\"2\"", {3, 4}, {7, 8});
+  expect_shape("ellipse cx=\"5\" cy=\"6\" rx=\"2\" ry=\"3\"", {3, 3}, {7, 9});
+  expect_shape("ellipse cx=\"5\" cy=\"6\" rx=\"auto\" ry=\"3\"", {2, 3}, {8, 9});
+  expect_shape("line x1=\"9\" y1=\"1\" y2=\"4\"", {0, 1}, {9, 4});
+  expect_shape("polygon points=\"1,2 3,-4,5 6\"", {1, -4}, {5, 6});
+  expect_shape("polyline points=\"1 2 3 4\"", {1, 2}, {3, 4});
+  expect_shape("path d=\"M 1 2 h 3 v 4\"", {1, 2}, {4, 6});
+}
+
+}  // namespace
+}  // namespace gradmesh
