@@ -70,6 +70,9 @@ class MeshWriter {
     const bool other_paint = paints_otherwise();
     const bool nested = other_paint || has_effects(document_.styles(), outer);
     xmlNode* group = nested ? add_child(outer, "g") : outer;
+    if (nested) set_attribute(outer, "outer", "1", gradmesh_namespace, "gradmesh");
+    if (const auto opacity = document_.styles().declared(shape, "fill-opacity"))
+      if (!is_stroke()) set_style(group, "fill-opacity", *opacity);
     const Bounds bounds = write_blocks(group, nullptr);
     hold(group, shape, bounds);
     describe_group(group);
@@ -111,7 +114,7 @@ class MeshWriter {
   void hold(xmlNode* group, const xmlNode* shape, const Bounds& bounds) {
     xmlNode* holder = add_child(defs_, is_stroke() ? "mask" : "clipPath");
     const std::string id = document_.give_id(holder, object_.id + "-shape");
-    xmlNode* copy = geometry_copy(document_, shape, holder);
+    xmlNode* copy = geometry_copy(document_.styles(), shape, holder);
     if (is_stroke()) {
       set_attribute(holder, "maskUnits", "userSpaceOnUse");
       set_attribute(holder, "x", format_number(bounds.low.x, 6));
