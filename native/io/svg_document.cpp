@@ -112,11 +112,16 @@ xmlNode* SvgDocument::find(std::string_view id) const {
   return found ? found->parent : nullptr;
 }
 
+void SvgDocument::set_id(xmlNode* node, const std::string& id) {
+  // libxml2 forgets the old id of the node by itself, and registers only what a DTD declares.
+  xmlAddID(nullptr, document_.get(), chars(id), xmlSetProp(node, chars("id"), chars(id)));
+}
+
 std::string SvgDocument::give_id(xmlNode* node, const std::string& prefix) {
   std::string id;
   do id = prefix + std::to_string(next_id_++);
   while (find(id));
-  xmlAddID(nullptr, document_.get(), chars(id), xmlSetProp(node, chars("id"), chars(id)));
+  set_id(node, id);
   return id;
 }
 

@@ -26,6 +26,8 @@ class SvgDocument {
 
   /// The first element with this id; null if there is none.
   xmlNode* find(std::string_view id) const;
+  /// Gives the element this id, which no other may have.
+  void set_id(xmlNode* node, const std::string& id);
   /// Gives the element an id that no other has: `prefix` and a number.
   std::string give_id(xmlNode* node, const std::string& prefix);
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "io/svg_group.h"
 #include "io/svg_scanner.h"
 #include "io/svg_transform.h"
 #include "io/xml_node.h"
@@ -18,19 +19,6 @@ constexpr std::array<std::string_view, 8> paintables{"path", "rect",     "circle
 
 bool contains(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// The id in `url(#id)`, with or without quotes; whatever follows is the fallback colour.
-std::optional<std::string> referenced_id(std::string_view paint) {
-  if (!lower(paint.substr(0, 4)).starts_with("url(")) return std::nullopt;
-  const std::size_t close = paint.find(')');
-  if (close == paint.npos) return std::nullopt;
-  std::string_view target = trimmed(paint.substr(4, close - 4));
-  if (target.size() >= 2 && (target.front() == '"' || target.front() == '\'') &&
-      target.back() == target.front())
-    target = trimmed(target.substr(1, target.size() - 2));
-  if (!target.starts_with('#')) return std::nullopt;
-  return std::string(target.substr(1));
 }
 
 /// The mesh gradients in force for fill and stroke; null where the paint is anything else.
@@ -47,6 +35,7 @@ class Collector {
     const std::string_view name = svg_name(node);
     const bool is_container = contains(containers, name);
     if (!is_container && !contains(paintables, name)) return;
+    if (is_mesh_group(node)) return add(node, group_role(node), nullptr);
     update(node, "fill", paints.fill);
     update(node, "stroke", paints.stroke);
     if (is_container) {
@@ -63,13 +52,11 @@ class Collector {
   void update(const xmlNode* node, std::string_view property, xmlNode*& gradient) const {
     const auto paint = document_.styles().declared(node, property);
     if (!paint || lower(*paint) == "inherit") return;
-    const auto id = referenced_id(*paint);
-    xmlNode* found = id ? document_.find(*id) : nullptr;
-    gradient = found && svg_name(found) == "meshgradient" ? found : nullptr;
+    gradient = referenced_mesh(document_, *paint);
   }
 
   void add(xmlNode* node, PaintRole role, xmlNode* gradient) {
-    std::string id = attribute(node, "id").value_or("");
+    std::string id = object_id(node);
     if (id.empty()) id = document_.give_id(node, std::string(svg_name(node)));
     objects.push_back({node, std::move(id), role, gradient});
   }
@@ -78,6 +65,31 @@ class Collector {
 };
 
 }  // namespace
+
+std::optional<std::string> referenced_id(std::string_view paint) {
+  if (!lower(paint.substr(0, 4)).starts_with("url(")) return std::nullopt;
+  const std::size_t close = paint.find(')');
+  if (close == paint.npos) return std::nullopt;
+  std::string_view target = trimmed(paint.substr(4, close - 4));
+  if (target.size() >= 2 && (target.front() == '"' || target.front() == '\'') &&
+      target.back() == target.front())
+    target = trimmed(target.substr(1, target.size() - 2));
+  if (!target.starts_with('#')) return std::nullopt;
+  return std::string(target.substr(1));
+}
+
+std::string object_id(const xmlNode* node) {
+  const xmlNode* outer = parent_element(node);
+  const bool stands_for_it =
+      is_mesh_group(node) && outer && attribute(outer, "outer", gradmesh_namespace);
+  return attribute(stands_for_it ? outer : node, "id").value_or("");
+}
+
+xmlNode* referenced_mesh(const SvgDocument& document, std::string_view paint) {
+  const auto id = referenced_id(paint);
+  xmlNode* found = id ? document.find(*id) : nullptr;
+  return found && svg_name(found) == "meshgradient" ? found : nullptr;
+}
 
 std::vector<MeshObject> mesh_objects(SvgDocument& document) {
   Collector collector(document);

@@ -2,7 +2,9 @@
 
 #include <libxml/tree.h>
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/affine.h"
@@ -12,12 +14,14 @@ namespace gradmesh {
 
 enum class PaintRole { fill, stroke };
 
-/// A shape or text whose fill or stroke is a mesh gradient. The nodes belong to the document.
+/// A shape or text whose fill or stroke is a mesh gradient, or a group that holds a simplified
+/// mesh (svg_group.h). The nodes belong to the document.
 struct MeshObject {
   xmlNode* node = nullptr;
   std::string id;
   PaintRole role = PaintRole::fill;
-  /// The meshgradient that the paint names; its patches may be another's, through href.
+  /// The meshgradient that the paint names; its patches may be another's, through href. Null for
+  /// groups.
   xmlNode* gradient = nullptr;
 };
 
@@ -26,6 +30,16 @@ struct MeshObject {
 /// (in <defs>, <clipPath>, <mask>, <symbol>, <pattern>, <marker>) is left out, as are lines' fills,
 /// which paint nothing. An object without an id gets one.
 std::vector<MeshObject> mesh_objects(SvgDocument& document);
+
+/// The id by which the person knows an object: its own or, for a group of blocks inside a group
+/// that stands for the whole object, that group's. Empty where there is none.
+std::string object_id(const xmlNode* node);
+
+/// The id in a paint `url(#id)`, with or without quotes; what follows is the fallback colour.
+std::optional<std::string> referenced_id(std::string_view paint);
+
+/// The meshgradient that a paint names; null where it names none.
+xmlNode* referenced_mesh(const SvgDocument& document, std::string_view paint);
 
 /// From the object's user space to that of the outermost <svg>: the product of the `transform`
 /// attributes of the element and of all around it; viewBox and nested viewports do not count.

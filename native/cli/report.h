@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "document/document.h"
+
+namespace gradmesh {
+
+/// {"meshes": [{"id", "method", "metric", "epsilon", "resolution", "seed", "patches_before",
+///  "patches_after", "error", "evaluations", "seconds": {"total", ...}, "stopped"}]}
+nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
+                                   const SimplifyOptions& options);
+
+/// {"file", "meshes": [{"id", "role", "simplified", "patches", "points", "t_junctions"}]}
+nlohmann::ordered_json info_json(const Document& document);
+
+}  // namespace gradmesh

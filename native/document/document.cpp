@@ -1,0 +1,122 @@
+#include "document/document.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/error.h"
+#include "io/atomic_file.h"
+#include "io/svg_group.h"
+#include "io/svg_mesh.h"
+#include "io/svg_write.h"
+#include "io/xml_node.h"
+#include "mesh/build.h"
+#include "raster/rasterizer.h"
+
+namespace gradmesh {
+namespace {
+
+/// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the
+/// file and the element.
+template <class Work>
+auto naming(const MeshObject& object, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    std::string reason = error.what();
+    if (reason.ends_with('.')) reason.pop_back();
+    fail(object.node, reason);
+  }
+}
+
+bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
+  while (node && node != ancestor) node = parent_element(node);
+  return node != nullptr;
+}
+
+}  // namespace
+
+Document::Document(SvgDocument svg, std::string name, std::string original)
+    : svg_(std::move(svg)),
+      name_(std::move(name)),
+      original_(std::move(original)),
+      objects_(mesh_objects(svg_)) {}
+
+Document Document::read_file(const std::filesystem::path& path) {
+  return parse(read_bytes(path), path.string());
+}
+
+Document Document::parse(std::string_view bytes, const std::string& name) {
+  return Document(SvgDocument::parse(bytes, name), name, std::string(bytes));
+}
+
+std::vector<MeshObject> Document::selected(const std::vector<std::string>& ids) const {
+  if (objects_.empty())
+    throw InputError(name_ + ": no object in this document is painted by a mesh gradient.");
+  if (ids.empty()) return objects_;
+  std::vector<const xmlNode*> places;
+  for (const std::string& id : ids) {
+    const xmlNode* place = svg_.find(id);
+    if (!place) throw InputError(name_ + ": there is no object with the id " + excerpt(id) + ".");
+    if (std::ranges::none_of(objects_, [&](const MeshObject& o) { return is_inside(o.node, place); }))
+      fail(place, "it is not painted by a mesh gradient");
+    places.push_back(place);
+  }
+  std::vector<MeshObject> found;
+  for (const MeshObject& object : objects_)
+    if (std::ranges::any_of(places, [&](const xmlNode* p) { return is_inside(object.node, p); }))
+      found.push_back(object);
+  return found;
+}
+
+Mesh Document::mesh(const MeshObject& object) const {
+  const MeshParts parts = is_mesh_group(object.node) ? read_mesh_group(svg_, object.node)
+                                                     : read_mesh(svg_, object);
+  return naming(object, [&] { return build_mesh(parts); });
+}
+
+Image Document::render(const MeshObject& object, int resolution) const {
+  const Mesh painted = mesh(object);
+  const Affine view = to_document(object);
+  return naming(object, [&] {
+    return make_software_rasterizer()->paint(painted, fit_frame(painted, view, resolution));
+  });
+}
+
+std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
+                                           SimplifyOptions options) {
+  std::vector<MeshReport> reports;
+  for (const MeshObject& object : selected(ids))
+    reports.push_back(simplify_object(object, options));
+  objects_ = mesh_objects(svg_);
+  return reports;
+}
+
+MeshReport Document::simplify_object(const MeshObject& object, SimplifyOptions options) {
+  Mesh simplified = mesh(object);
+  options.view = to_document(object);
+  MeshReport report{object.id, {}};
+  SimplifyResult& result = report.result;
+  result = naming(object, [&] { return gradmesh::simplify(simplified, options); });
+  if (result.patches_after == result.patches_before) return report;
+
+  const int before =
+      is_mesh_group(object.node) ? patches_before(object.node) : result.patches_before;
+  const std::string label =
+      mesh_label(result.patches_after, before, options.metric, result.error);
+  write_mesh(svg_, object, {simplified, result.frame.coons_tolerance, label, before});
+  changed_ = true;
+  return report;
+}
+
+std::string Document::bytes() const { return changed_ ? svg_.serialize() : original_; }
+
+void Document::write_file(const std::filesystem::path& path) const { write_bytes(path, bytes()); }
+
+std::string mesh_label(int patches, int patches_before, MetricKind metric, double error) {
+  char text[96];
+  std::snprintf(text, sizeof text, "Gradient mesh: %d of %d patches, %s %.4f", patches,
+                patches_before, metric == MetricKind::flip ? "FLIP" : "SSIM", error);
+  return text;
+}
+
+}  // namespace gradmesh

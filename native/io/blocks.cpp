@@ -1,0 +1,134 @@
+#include "io/blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+#include <set>
+
+namespace gradmesh {
+namespace {
+
+using Cell = Block::Cell;
+
+bool same_as_written(const glm::dvec4& a, const glm::dvec4& b) {
+  for (int i = 0; i < 3; ++i)
+    if (std::round(255 * a[i]) != std::round(255 * b[i])) return false;
+  return std::abs(a[3] - b[3]) < 1e-6;
+}
+
+class BlockFinder {
+ public:
+  explicit BlockFinder(const Mesh& mesh) : mesh_(mesh), used_(mesh.face_slots(), false) {}
+
+  std::vector<Block> run() {
+    // A rectangle can only shrink as others take its faces, so the first that is still whole when
+    // its turn comes is the largest there is.
+    std::priority_queue<Candidate> queue;
+    for (const Face f : mesh_.faces()) queue.push({largest_from(f), f});
+    std::vector<Block> blocks;
+    while (!queue.empty()) {
+      const Candidate candidate = queue.top();
+      queue.pop();
+      if (used_[candidate.seed.value]) continue;
+      const bool whole = std::ranges::none_of(
+          candidate.block.cells, [&](const Cell& c) { return used_[c.face.value]; });
+      if (!whole) {
+        queue.push({largest_from(candidate.seed), candidate.seed});
+        continue;
+      }
+      for (const Cell& c : candidate.block.cells) used_[c.face.value] = true;
+      blocks.push_back(candidate.block);
+    }
+    return blocks;
+  }
+
+ private:
+  struct Candidate {
+    Block block;
+    Face seed;
+
+    bool operator<(const Candidate& o) const {
+      const std::size_t a = block.cells.size(), b = o.block.cells.size();
+      return a != b ? a < b : seed.value > o.seed.value;
+    }
+  };
+
+  /// The cell across side `side`, if the surface goes on there without a T-junction or a step in
+  /// colour and the cell is free.
+  std::optional<Cell> across(const Cell& cell, int side) const {
+    const Halfedge h = block_side(mesh_, cell, side);
+    if (mesh_.is_bar(h)) return std::nullopt;
+    const Halfedge twin = mesh_[h].twin;
+    if (!twin.valid() || mesh_.is_parent(twin)) return std::nullopt;
+    const Face face = mesh_.face(twin);
+    if (used_[face.value]) return std::nullopt;
+    if (!same_as_written(mesh_[h].color, mesh_[mesh_.next(twin)].color) ||
+        !same_as_written(mesh_[twin].color, mesh_[mesh_.next(h)].color))
+      return std::nullopt;
+    const auto sides = mesh_.sides(face);
+    const int found = int(std::ranges::find(sides, twin) - sides.begin());
+    // The twin is the opposite side in the block: found = top + side + 2, modulo 4.
+    return Cell{face, (found - side + 6) % 4};
+  }
+
+  /// The largest rectangle with this face in its top left corner.
+  Block largest_from(Face seed) const {
+    std::vector<std::vector<Cell>> rows;
+    std::set<int> taken;
+    std::size_t width = mesh_.face_slots(), best_rows = 0, best_width = 0;
+    for (std::optional<Cell> first = Cell{seed, 0}; first;
+         first = across(rows.back().front(), 2)) {
+      std::vector<Cell> row = row_from(*first, rows.empty() ? nullptr : &rows.back(), width, taken);
+      if (row.empty()) break;
+      width = row.size();
+      rows.push_back(std::move(row));
+      if (rows.size() * width > best_rows * best_width) {
+        best_rows = rows.size();
+        best_width = width;
+      }
+    }
+    Block block{int(best_rows), int(best_width), {}};
+    for (std::size_t i = 0; i < best_rows; ++i)
+      block.cells.insert(block.cells.end(), rows[i].begin(), rows[i].begin() + best_width);
+    return block;
+  }
+
+  /// Cells to the right of `first`, each below the one of the row above, at most `width`.
+  std::vector<Cell> row_from(const Cell& first, const std::vector<Cell>* above, std::size_t width,
+                             std::set<int>& taken) const {
+    std::vector<Cell> row;
+    for (std::optional<Cell> cell = first; cell && row.size() < width;
+         cell = across(row.back(), 1)) {
+      if (above && across((*above)[row.size()], 2) != cell) break;
+      if (!taken.insert(cell->face.value).second) break;
+      row.push_back(*cell);
+    }
+    return row;
+  }
+
+  const Mesh& mesh_;
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+Halfedge block_side(const Mesh& mesh, const Cell& cell, int side) {
+  return mesh.sides(cell.face)[(cell.top + side) % 4];
+}
+
+Patch block_patch(const Mesh& mesh, const Cell& cell) {
+  const Patch patch = mesh.patch(cell.face);
+  if (cell.top == 0) return patch;
+  std::array<Cubic<Value>, 4> sides;
+  std::array<Value, 4> twists;
+  for (int k = 0; k < 4; ++k) {
+    sides[k] = patch.side((cell.top + k) % 4);
+    twists[k] = patch.twist((cell.top + k) % 4);
+  }
+  return patch_from_sides(sides, twists);
+}
+
+std::vector<Block> find_blocks(const Mesh& mesh) { return BlockFinder(mesh).run(); }
+
+}  // namespace gradmesh

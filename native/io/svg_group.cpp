@@ -1,0 +1,188 @@
+#include "io/svg_group.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "io/svg_mesh.h"
+#include "io/svg_number.h"
+#include "io/svg_transform.h"
+#include "io/xml_node.h"
+
+namespace gradmesh {
+namespace {
+
+std::optional<std::string> own_attribute(const xmlNode* node, const char* name) {
+  return attribute(node, name, gradmesh_namespace);
+}
+
+std::optional<int> own_number(const xmlNode* node, const char* name) {
+  const auto text = own_attribute(node, name);
+  int value = 0;
+  if (!text) return std::nullopt;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  if (error != std::errc{} || end != text->data() + text->size() || value < 0) return std::nullopt;
+  return value;
+}
+
+/// Reads the `curves` attribute; see svg_group.h.
+class CurveReader {
+ public:
+  CurveReader(const xmlNode* group, const std::string& text) : group_(group), rest_(text) {}
+
+  std::vector<CurveParts> read() {
+    std::vector<CurveParts> curves;
+    skip_blanks();
+    while (!rest_.empty()) {
+      CurveParts curve;
+      curve.a = side();
+      expect('|');
+      curve.b = side();
+      curves.push_back(std::move(curve));
+      if (!rest_.empty()) expect(';');
+    }
+    return curves;
+  }
+
+ private:
+  CurveSide side() {
+    CurveSide side;
+    side.halfedges.push_back(number<int>());
+    while (!rest_.empty() && rest_.front() != '|' && rest_.front() != ';') {
+      side.breaks.push_back(number<double>());
+      side.halfedges.push_back(number<int>());
+    }
+    return side;
+  }
+
+  template <class Number>
+  Number number() {
+    Number value{};
+    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+    if (error != std::errc{}) fail(group_, "its gradmesh:curves cannot be read");
+    rest_.remove_prefix(std::size_t(end - rest_.data()));
+    skip_blanks();
+    return value;
+  }
+
+  void expect(char c) {
+    if (rest_.empty() || rest_.front() != c) fail(group_, "its gradmesh:curves cannot be read");
+    rest_.remove_prefix(1);
+    skip_blanks();
+  }
+  void skip_blanks() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size()));
+  }
+
+  const xmlNode* group_;
+  std::string_view rest_;
+};
+
+void transform(Patch& patch, const Affine& affine) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      glm::dvec2& p = patch.c[i][j].position;
+      p = i % 3 == 0 && j % 3 == 0 ? affine.point(p) : affine.vector(p);
+    }
+}
+
+/// A block's grid, in the group's user space.
+MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode* path) {
+  const auto fill = document.styles().declared(path, "fill");
+  xmlNode* gradient = fill ? referenced_mesh(document, *fill) : nullptr;
+  if (!gradient) fail(group, describe(path) + " has lost its mesh gradient");
+  MeshParts block = read_mesh(document, {path, {}, PaintRole::fill, gradient});
+  if (const auto text = attribute(path, "transform")) {
+    const auto affine = parse_transform(*text);
+    if (!affine) fail(path, "its transform " + excerpt(*text) + " is malformed");
+    for (Patch& patch : block.patches) transform(patch, *affine);
+  }
+  return block;
+}
+
+void renumber(CurveSide& side, int first_face) {
+  for (int& h : side.halfedges) h += 4 * first_face;
+}
+
+}  // namespace
+
+bool is_mesh_group(const xmlNode* node) {
+  return svg_name(node) == "g" && own_attribute(node, "version").has_value();
+}
+
+PaintRole group_role(const xmlNode* group) {
+  if (own_attribute(group, "version") != "1")
+    fail(group, "it was written by a newer gradmesh than this one");
+  return own_attribute(group, "role") == "stroke" ? PaintRole::stroke : PaintRole::fill;
+}
+
+int patches_before(const xmlNode* group) {
+  const auto count = own_number(group, "patches-before");
+  if (!count) fail(group, "its gradmesh:patches-before is not a number");
+  return *count;
+}
+
+MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
+  std::map<int, MeshParts> blocks;
+  for (xmlNode* path : child_elements(group)) {
+    const auto face = own_number(path, "face");
+    if (!face) continue;
+    if (!blocks.emplace(*face, read_block(document, group, path)).second)
+      fail(group, "one of its blocks is there twice");
+  }
+  MeshParts parts;
+  for (auto& [first_face, block] : blocks) {
+    if (first_face != int(parts.patches.size())) fail(group, "one of its blocks is missing");
+    parts.patches.insert(parts.patches.end(), block.patches.begin(), block.patches.end());
+    for (CurveParts& curve : block.curves) {
+      renumber(curve.a, first_face);
+      renumber(curve.b, first_face);
+      parts.curves.push_back(std::move(curve));
+    }
+  }
+  if (parts.patches.empty()) fail(group, "it holds no blocks");
+  const std::string text = own_attribute(group, "curves").value_or("");
+  for (CurveParts& curve : CurveReader(group, text).read()) parts.curves.push_back(std::move(curve));
+  const int halfedges = 4 * int(parts.patches.size());
+  for (const CurveParts& curve : parts.curves)
+    for (const CurveSide* side : {&curve.a, &curve.b})
+      for (const int h : side->halfedges)
+        if (h < 0 || h >= halfedges) fail(group, "one of its blocks is missing");
+  return parts;
+}
+
+std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks) {
+  // Number of each leaf, and where it lies in its block.
+  struct Place {
+    int number, block;
+    bool inside;
+  };
+  std::map<Halfedge, Place> places;
+  int face = 0;
+  for (int b = 0; b < int(blocks.size()); ++b)
+    for (int i = 0; i < blocks[b].rows; ++i)
+      for (int j = 0; j < blocks[b].columns; ++j, ++face)
+        for (int side = 0; side < 4; ++side) {
+          const bool inside = (side == 0 && i > 0) || (side == 1 && j + 1 < blocks[b].columns) ||
+                              (side == 2 && i + 1 < blocks[b].rows) || (side == 3 && j > 0);
+          places[block_side(mesh, blocks[b].cell(i, j), side)] = {4 * face + side, b, inside};
+        }
+  const auto format_side = [&](Halfedge side) {
+    std::string text;
+    for (const Halfedge leaf : mesh.leaves(side)) {
+      if (!text.empty()) text += " " + format_exactly(mesh[leaf].interval.first) + " ";
+      text += std::to_string(places.at(leaf).number);
+    }
+    return text;
+  };
+  std::string text;
+  for (const Halfedge h : mesh.halfedges()) {
+    const bool named = !mesh.is_bar(h) && mesh.curve(h) == h && mesh[h].twin.valid() &&
+                       !(mesh.is_leaf(h) && places.at(h).inside);
+    if (named)
+      text += (text.empty() ? "" : "; ") + format_side(h) + " | " + format_side(mesh[h].twin);
+  }
+  return text;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <string>
+
+#include "io/blocks.h"
+#include "io/svg_document.h"
+#include "io/svg_objects.h"
+#include "mesh/parts.h"
+
+namespace gradmesh {
+
+/// A simplified mesh in a document is a group of blocks (DESIGN). Attributes of our own namespace
+/// say how the blocks hang together; shapes and colours are those of the blocks themselves.
+///   version         on the group: 1
+///   role            on the group: fill or stroke, what the mesh paints
+///   patches-before  on the group: patches of the mesh before it was first simplified
+///   curves          on the group: the curves with more than one block along them, see below
+///   face            on a block's path: number of its first face; the others follow row by row
+/// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A
+/// curve is `side | side`, a side `halfedge break halfedge ... halfedge`; curves are separated by
+/// semicolons. What is not named is joined as in a grid inside a block, or on the boundary.
+inline constexpr std::string_view gradmesh_namespace = "urn:gradmesh";
+
+bool is_mesh_group(const xmlNode* node);
+
+/// What the group says of itself. Throws InputError where it does not.
+PaintRole group_role(const xmlNode* group);
+int patches_before(const xmlNode* group);
+
+/// The mesh of a group, in the group's user space. Throws InputError where blocks are missing or
+/// do not fit together.
+MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group);
+
+/// The value of `curves` for a mesh whose faces are numbered block after block.
+std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks);
+
+}  // namespace gradmesh

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <string>
+#include <string_view>
+
+namespace gradmesh {
+
+/// A new element in the namespace of `parent`, as its last child.
+xmlNode* add_child(xmlNode* parent, const char* name);
+
+/// Sets an attribute in no namespace.
+void set_attribute(xmlNode* node, const char* name, const std::string& value);
+/// Sets an attribute in the namespace `space`, which is declared on the root with the given prefix
+/// (or that and a number) where the document does not know it yet.
+void set_attribute(xmlNode* node, const char* name, const std::string& value,
+                   std::string_view space, const char* prefix);
+void remove_attribute(xmlNode* node, const char* name);
+
+/// Takes a node out of its document and frees it, and all below it.
+void remove_node(xmlNode* node);
+
+/// The namespace of `inkscape:label`.
+inline constexpr std::string_view inkscape_namespace =
+    "http://www.inkscape.org/namespaces/inkscape";
+
+}  // namespace gradmesh
