@@ -8,10 +8,12 @@ namespace gradmesh {
 
 enum class MetricKind { flip, ssim };
 
-/// Distance of test images to one fixed reference image, 0 (equal) to 1, per pixel.
+/// Distance of test images to one fixed reference image, per pixel; 0 where they are equal.
 ///
-/// SSIM is Wang et al. 2004 as `1 - SSIM` (mean of the three channels); FLIP is the LDR metric
-/// of Andersson et al. 2020. Both treat a pixel beyond the frame as the nearest one inside.
+/// SSIM is Wang et al. 2004 as `1 - SSIM` (mean of the three channels), up to 2 where the images
+/// are anti-correlated; FLIP is the LDR metric of Andersson et al. 2020, up to 1. Both treat a
+/// pixel beyond the frame as the nearest one inside. Whatever depends on the reference alone is
+/// computed once, by the constructor; the other members may be called concurrently.
 class Metric {
  public:
   virtual ~Metric() = default;
@@ -31,9 +33,10 @@ class Metric {
   }
 };
 
+/// Any size of reference will do, also one smaller than the filters.
 std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference);
 
-/// Mean over all pixels, summed in double, row by row.
+/// Mean over all pixels, summed in double, row by row; 0 for a map without pixels.
 double mean(const Plane& map);
 
 }  // namespace gradmesh

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "metric/appearance.h"
+#include "metric/local_metric.h"
+
+namespace gradmesh {
+
+/// FLIP for low dynamic range images (Andersson et al. 2020), with its default of 67.02 pixels
+/// per degree. Symmetric in its two images.
+class Flip final : public LocalMetric {
+ public:
+  explicit Flip(Image reference);
+
+ private:
+  void score(const Image& test, const Strip& strip, Plane& map) const override;
+
+  Appearance<Plane> appearance_;
+};
+
+}  // namespace gradmesh
