@@ -84,28 +84,29 @@ Image Document::render(const MeshObject& object, int resolution) const {
 
 std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
                                            SimplifyOptions options) {
+  const std::vector<MeshObject> chosen = selected(ids);
+  std::vector<Mesh> meshes;
+  for (const MeshObject& object : chosen) meshes.push_back(mesh(object));
+
   std::vector<MeshReport> reports;
-  for (const MeshObject& object : selected(ids))
-    reports.push_back(simplify_object(object, options));
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    options.view = to_document(chosen[i]);
+    reports.push_back({chosen[i].id, naming(chosen[i], [&] {
+                         return gradmesh::simplify(meshes[i], options);
+                       })});
+  }
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const SimplifyResult& result = reports[i].result;
+    if (result.patches_after == result.patches_before) continue;
+    const int before =
+        is_mesh_group(chosen[i].node) ? patches_before(chosen[i].node) : result.patches_before;
+    const std::string label =
+        mesh_label(result.patches_after, before, options.metric, result.error);
+    write_mesh(svg_, chosen[i], {meshes[i], result.frame.coons_tolerance, label, before});
+    changed_ = true;
+  }
   objects_ = mesh_objects(svg_);
   return reports;
-}
-
-MeshReport Document::simplify_object(const MeshObject& object, SimplifyOptions options) {
-  Mesh simplified = mesh(object);
-  options.view = to_document(object);
-  MeshReport report{object.id, {}};
-  SimplifyResult& result = report.result;
-  result = naming(object, [&] { return gradmesh::simplify(simplified, options); });
-  if (result.patches_after == result.patches_before) return report;
-
-  const int before =
-      is_mesh_group(object.node) ? patches_before(object.node) : result.patches_before;
-  const std::string label =
-      mesh_label(result.patches_after, before, options.metric, result.error);
-  write_mesh(svg_, object, {simplified, result.frame.coons_tolerance, label, before});
-  changed_ = true;
-  return report;
 }
 
 std::string Document::bytes() const { return changed_ ? svg_.serialize() : original_; }

@@ -36,7 +36,8 @@ class Document {
   Image render(const MeshObject& object, int resolution) const;
 
   /// Simplifies the selected objects in place, each against itself as it was. An object that does
-  /// not come out with fewer patches stays as it is. `options.view` is set for each object.
+  /// not come out with fewer patches stays as it is. `options.view` is set for each object. Where
+  /// this throws, the document is as it was.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids, SimplifyOptions options);
 
   /// The document; the very bytes that were read where nothing was changed.
@@ -45,8 +46,6 @@ class Document {
 
  private:
   Document(SvgDocument svg, std::string name, std::string original);
-
-  MeshReport simplify_object(const MeshObject& object, SimplifyOptions options);
 
   SvgDocument svg_;
   std::string name_, original_;

@@ -1,0 +1,25 @@
+"""Takes needless patches out of gradient meshes, locally, without visible change.
+
+    import gradmesh
+    document = gradmesh.load("drawing.svg")
+    for result in gradmesh.simplify(document, epsilon=0.01):
+        print(result.id, result.patches_before, result.patches_after, result.error)
+    gradmesh.save(document, "simplified.svg")
+"""
+
+from ._core import InputError
+from ._core import version as __version__
+from .api import Document, MeshInfo, Result, load, loads, render, save, simplify
+
+__all__ = [
+    "Document",
+    "InputError",
+    "MeshInfo",
+    "Result",
+    "__version__",
+    "load",
+    "loads",
+    "render",
+    "save",
+    "simplify",
+]

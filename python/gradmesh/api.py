@@ -1,0 +1,122 @@
+"""Documents and the meshes in them. Python checks and calls; the core computes."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Callable, Iterable, Optional, Union
+
+from . import _core
+
+if TYPE_CHECKING:
+    import numpy
+
+#: Called with (edges done, edges in all, patches left, error so far); False cancels the run.
+Progress = Callable[[int, int, int, float], Optional[bool]]
+
+
+@dataclass(frozen=True)
+class MeshInfo:
+    """An object painted by a gradient mesh."""
+
+    id: str
+    role: str  #: "fill" or "stroke": what of the object the mesh paints
+    simplified: bool  #: whether it is a group of blocks that gradmesh wrote
+    patches: int
+
+
+@dataclass(frozen=True)
+class Result:
+    """What became of one mesh."""
+
+    id: str
+    patches_before: int
+    patches_after: int
+    error: float  #: of what is written, against the mesh as it was, 0 to 1
+    evaluations: int  #: merges that were painted and measured
+    stopped: str  #: "done", "budget", "cancelled" or "nothing to merge"
+    seconds: float
+
+
+class Document:
+    """An SVG document. Made by load() or loads()."""
+
+    def __init__(self, core: _core.Document):
+        self._core = core
+
+    @property
+    def meshes(self) -> list[MeshInfo]:
+        """All objects painted by gradient meshes; InputError where there is none."""
+        return [MeshInfo(**mesh) for mesh in self._core.meshes([])]
+
+    def to_bytes(self) -> bytes:
+        """The document; the bytes that were read where nothing was changed."""
+        return self._core.bytes()
+
+
+def load(path: Union[str, os.PathLike]) -> Document:
+    """Reads an SVG file. Raises InputError, whose text is one sentence for the person."""
+    return Document(_core.Document.read_file(os.fspath(path)))
+
+
+def loads(data: Union[bytes, str], name: str = "document") -> Document:
+    """Reads an SVG document from memory; `name` stands for the file in messages."""
+    if isinstance(data, str):
+        data = data.encode("utf-8")
+    return Document(_core.Document.parse(data, name))
+
+
+def simplify(
+    document: Document,
+    ids: Union[str, Iterable[str]] = (),
+    *,
+    method: str = "grid",
+    metric: str = "flip",
+    epsilon: float = 0.01,
+    resolution: int = 700,
+    seed: int = 0,
+    time_budget: float = 0.0,
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> list[Result]:
+    """Simplifies meshes of the document in place and says what became of each.
+
+    ids: objects, or groups that hold them; none: all meshes of the document.
+    epsilon: largest error allowed, 0 to 1, by `metric` ("flip" or "ssim", as 1 - SSIM), at
+    `resolution` pixels along the mesh's longer side. time_budget: seconds for each mesh, after
+    which the best so far is kept; 0: no limit. threads: 0 for all cores; the result is the same.
+
+    Raises InputError (bad input) and ValueError (bad options); the document is then unchanged.
+    """
+    results = document._core.simplify(
+        ids=[ids] if isinstance(ids, str) else list(ids),
+        method=method,
+        metric=metric,
+        epsilon=epsilon,
+        resolution=resolution,
+        seed=seed,
+        time_budget=time_budget,
+        threads=threads,
+        progress=progress,
+    )
+    return [Result(**result) for result in results]
+
+
+def render(document: Document, id: Optional[str] = None, resolution: int = 700) -> "numpy.ndarray":
+    """Paints one mesh, on white: uint8 array of shape (height, width, 3), sRGB.
+
+    `id` may be left out where the document has one mesh only.
+    """
+    if id is None:
+        meshes = document.meshes
+        if len(meshes) > 1:
+            raise ValueError(f"the document has {len(meshes)} meshes: say which one by its id")
+        id = meshes[0].id
+    if not 16 <= resolution <= 8192:
+        raise ValueError("the resolution must be between 16 and 8192 pixels")
+    return document._core.render(id, resolution)
+
+
+def save(document: Document, path: Union[str, os.PathLike]) -> None:
+    """Writes the document; the file is whole or as it was before."""
+    document._core.write_file(os.fspath(path))
