@@ -28,6 +28,12 @@ py::list meshes(const Document& document, const std::vector<std::string>& ids) {
   return list;
 }
 
+std::vector<std::string> ids(const Document& document) {
+  std::vector<std::string> found;
+  for (const MeshObject& object : document.objects()) found.push_back(object.id);
+  return found;
+}
+
 py::dict report_dict(const MeshReport& report) {
   const SimplifyResult& r = report.result;
   return py::dict(py::arg("id") = report.id, py::arg("patches_before") = r.patches_before,
@@ -94,6 +100,7 @@ PYBIND11_MODULE(_core, m) {
                     return Document::parse(std::string(bytes), name);
                   })
       .def_property_readonly("name", &Document::name)
+      .def("ids", &ids)
       .def("meshes", &meshes, py::arg("ids"))
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("method"),
            py::arg("metric"), py::arg("epsilon"), py::arg("resolution"), py::arg("seed"),

@@ -45,6 +45,11 @@ class Document:
         self._core = core
 
     @property
+    def ids(self) -> list[str]:
+        """Ids of all objects painted by gradient meshes, which are not read yet; may be empty."""
+        return list(dict.fromkeys(self._core.ids()))
+
+    @property
     def meshes(self) -> list[MeshInfo]:
         """All objects painted by gradient meshes; InputError where there is none."""
         return [MeshInfo(**mesh) for mesh in self._core.meshes([])]
@@ -88,6 +93,8 @@ def simplify(
 
     Raises InputError (bad input) and ValueError (bad options); the document is then unchanged.
     """
+    if not 0 <= seed < 2**64:
+        raise ValueError("the seed must be between 0 and 2^64 - 1.")
     results = document._core.simplify(
         ids=[ids] if isinstance(ids, str) else list(ids),
         method=method,
