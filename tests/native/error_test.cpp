@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "error/edit_error.h"
+#include "meshes.h"
+#include "ops/merge.h"
+#include "ops/split.h"
+
+namespace gradmesh {
+namespace {
+
+/// The windows of all edits together must give the number of the whole frame, whatever is merged,
+/// split, accepted and taken back.
+TEST(EditError, windows_add_up_to_the_whole_frame) {
+  for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim})
+    for (unsigned seed = 0; seed < 12; ++seed) {
+      std::mt19937 random(seed);
+      Mesh mesh = test::grid_mesh({.rows = 5, .columns = 4, .position_noise = 0.1,
+                                   .color_noise = 0.3}, seed);
+      const Frame frame = fit_frame(mesh, {}, 180);
+      EditError error(mesh, frame, metric);
+      EXPECT_EQ(error.error(), 0);
+      Journal journal(mesh);
+      for (int step = 0; step < 25; ++step) {
+        std::vector<Halfedge> edges, leaves;
+        for (const Halfedge h : mesh.halfedges()) {
+          if (mesh.is_leaf(h)) leaves.push_back(h);
+          if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
+        }
+        if (edges.empty() || random() % 4 == 0) {
+          split(journal, leaves[random() % leaves.size()], 0.4);
+        } else {
+          merge(journal, edges[random() % edges.size()]);
+        }
+        const double before = error.error();
+        const double after = error.after_edit(journal);
+        ASSERT_NEAR(after, error.whole_frame(mesh), 1e-9) << "seed " << seed << " step " << step;
+        if (random() % 2 == 0) {
+          error.accept(journal);
+          EXPECT_EQ(error.error(), after);
+        } else {
+          error.reject();
+          journal.undo();
+          EXPECT_EQ(error.error(), before);
+          ASSERT_NEAR(before, error.whole_frame(mesh), 1e-9);
+        }
+      }
+      EXPECT_GT(error.error(), 0);
+    }
+}
+
+TEST(EditError, an_exact_split_costs_nothing_visible) {
+  Mesh mesh = test::grid_mesh({.position_noise = 0.1, .color_noise = 0.3}, 2);
+  EditError error(mesh, fit_frame(mesh, {}, 300), MetricKind::flip);
+  Journal journal(mesh);
+  split(journal, mesh.sides(Face{4})[1], 0.5);
+  // The colour at the new points is rounded to 8 bits, as it will be written.
+  EXPECT_LT(error.after_edit(journal), 0.002);
+}
+
+}  // namespace
+}  // namespace gradmesh

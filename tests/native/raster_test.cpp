@@ -1,0 +1,263 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/parallel.h"
+#include "geom/written.h"
+#include "meshes.h"
+#include "ops/merge.h"
+#include "ops/split.h"
+#include "raster/fill.h"
+#include "raster/rasterizer.h"
+#include "raster/tessellate.h"
+
+namespace gradmesh {
+namespace {
+
+using test::grid_mesh;
+using test::grid_parts;
+
+/// A mesh with T-junctions, nested ones among them, from random merges and splits.
+Mesh random_mesh(unsigned seed, double noise, int steps = 25) {
+  std::mt19937 random(seed);
+  Mesh mesh = grid_mesh({.rows = 4, .columns = 4, .position_noise = noise, .color_noise = 0.3}, seed);
+  Journal journal(mesh);
+  for (int i = 0; i < steps; ++i) {
+    std::vector<Halfedge> edges, leaves;
+    for (const Halfedge h : mesh.halfedges()) {
+      if (mesh.is_leaf(h)) leaves.push_back(h);
+      if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
+    }
+    if (random() % 3 == 0 || edges.empty()) {
+      split(journal, leaves[random() % leaves.size()], 0.3 + 0.4 * double(random() % 1000) / 1000);
+    } else {
+      merge(journal, edges[random() % edges.size()]);
+    }
+  }
+  return mesh;
+}
+
+struct Tessellation {
+  std::vector<Triangle> triangles;
+  std::vector<glm::dvec2> boundary;  ///< in subpixels
+};
+
+Tessellation tessellation(const Mesh& mesh, const Frame& frame) {
+  Tessellation t;
+  Outlines outlines(mesh, frame);
+  Halfedge start;
+  for (const Face f : mesh.faces())
+    for (const Halfedge h : mesh.sides(f)) {
+      outlines.prepare(h);
+      if (!mesh.other_side(h).valid()) start = h;
+    }
+  for (const Face f : mesh.faces())
+    for (const Triangle& triangle : tessellate(mesh, f, mesh.patch(f), frame, outlines))
+      t.triangles.push_back(triangle);
+  Halfedge h = start;
+  do {
+    std::vector<Outlines::Cut> cuts = outlines.along(h);
+    cuts.pop_back();
+    for (const auto& cut : cuts) {
+      const glm::dvec2 p = frame.to_pixels.point(cut.position) * double(1 << subpixel_bits);
+      t.boundary.emplace_back(std::round(p.x), std::round(p.y));
+    }
+    // The next boundary side round the same point.
+    h = mesh.next(h);
+    while (mesh.other_side(h).valid()) {
+      const Halfedge side = mesh.other_side(h);
+      h = mesh.next(mesh.last_leaf(side));
+    }
+  } while (h != start);
+  return t;
+}
+
+bool inside(const std::vector<glm::dvec2>& polygon, glm::dvec2 p) {
+  bool in = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    // A centre exactly on the line counts as right of it, as in fill_triangle.
+    if ((a.y <= p.y) != (b.y <= p.y) &&
+        a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) <= p.x)
+      in = !in;
+  }
+  return in;
+}
+
+TEST(Raster, every_pixel_is_covered_exactly_once) {
+  int covered = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const Mesh mesh = random_mesh(seed, 0.08);
+    const Frame frame = fit_frame(mesh, {}, 157);
+    const Tessellation t = tessellation(mesh, frame);
+    Raster<int, 1> count(frame.width, frame.height);
+    const PatchColor black(Patch{}, ColorModel::bilinear);
+    for (const Triangle& triangle : t.triangles) {
+      Image one(frame.width, frame.height, 7);
+      Window box{frame.width, frame.height, 0, 0};
+      for (const Vertex& v : triangle)
+        box = {std::min<int>(box.x0, v.x / 256 - 1), std::min<int>(box.y0, v.y / 256 - 1),
+               std::max<int>(box.x1, v.x / 256 + 2), std::max<int>(box.y1, v.y / 256 + 2)};
+      box = box.clipped(frame.window());
+      fill_triangle(triangle, black, box, one);
+      for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; ++x) *count.at(x, y) += *one.at(x, y) != 7;
+    }
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) {
+        const int expected = inside(t.boundary, glm::dvec2(256 * x + 128, 256 * y + 128)) ? 1 : 0;
+        covered += expected;
+        ASSERT_EQ(*count.at(x, y), expected) << "seed " << seed << " pixel " << x << ", " << y;
+      }
+  }
+  EXPECT_GT(covered, 100000);
+}
+
+TEST(Raster, triangles_are_within_a_tenth_of_a_pixel_of_the_surface) {
+  for (const int resolution : {60, 700, 4000})
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      const Mesh mesh = random_mesh(seed, 0.2, 10);
+      const Frame frame = fit_frame(mesh, {}, resolution);
+      Outlines outlines(mesh, frame);
+      for (const Face f : mesh.faces())
+        for (const Halfedge h : mesh.sides(f)) outlines.prepare(h);
+      double most = 0;
+      for (const Face f : mesh.faces()) {
+        const Patch patch = mesh.patch(f);
+        for (const Triangle& t : tessellate(mesh, f, patch, frame, outlines)) {
+          // Corners, middles of the sides, and the centre.
+          for (const auto& w : {std::array{1., 0., 0.}, {.5, .5, 0.}, {0., .5, .5}, {.5, 0., .5},
+                                {1 / 3., 1 / 3., 1 / 3.}}) {
+            double x = 0, y = 0, u = 0, v = 0;
+            for (int k = 0; k < 3; ++k) {
+              x += w[k] * double(t[k].x) / 256;
+              y += w[k] * double(t[k].y) / 256;
+              u += w[k] * t[k].u;
+              v += w[k] * t[k].v;
+            }
+            const glm::dvec2 p = frame.to_pixels.point(patch.at(u, v).position);
+            most = std::max(most, glm::length(p - glm::dvec2(x, y)));
+          }
+        }
+      }
+      EXPECT_LE(most, 0.1) << "seed " << seed << " at " << resolution;
+    }
+}
+
+TEST(Raster, colors_are_those_of_the_surface) {
+  // A straight patch is its own inverse: the colour at each pixel is known.
+  const Patch patch = test::straight_patch({Value{{0, 0}, {1, 0, 0, 1}}, Value{{100, 0}, {0, 1, 0, 1}},
+                                            Value{{100, 50}, {0, 0, 1, 0.5}},
+                                            Value{{0, 50}, {1, 1, 1, 0}}});
+  const Mesh mesh = build_mesh({{patch}, {}, ColorModel::bilinear});
+  const Frame frame = fit_frame(mesh, {}, 300);
+  const Image image = make_software_rasterizer()->paint(mesh, frame);
+  const Affine back = frame.to_pixels.inverse();
+  int inside_pixels = 0;
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      const glm::dvec2 p = back.point({x + 0.5, y + 0.5});
+      const double u = p.y / 50, v = p.x / 100;
+      const bool in = u >= 0 && u < 1 && v >= 0 && v < 1;
+      inside_pixels += in;
+      const glm::dvec4 c = in ? patch.at(u, v).color : glm::dvec4(0);
+      for (int k = 0; k < 3; ++k) {
+        const double expected = 255 * (c.a * c[k] + 1 - c.a);
+        ASSERT_NEAR(image.at(x, y)[k], expected, 1.0) << x << ", " << y;
+      }
+    }
+  EXPECT_GT(inside_pixels, 30000);
+}
+
+TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
+  const Mesh mesh = random_mesh(3, 0.3);
+  const Frame frame = fit_frame(mesh, {}, 211);
+  const auto rasterizer = make_software_rasterizer();
+  Image whole;
+  {
+    const ThreadLimit one(1);
+    whole = rasterizer->paint(mesh, frame);
+  }
+  EXPECT_EQ(rasterizer->paint(mesh, frame), whole);
+  std::mt19937 random(1);
+  for (int round = 0; round < 50; ++round) {
+    const auto in = [&](int n) { return int(random() % unsigned(n)); };
+    const Window window{in(211), in(frame.height), in(230), in(frame.height + 20)};
+    Image part(frame.width, frame.height, 9);
+    rasterizer->paint(mesh, frame, window, part);
+    const Window seen = window.clipped(frame.window());
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) {
+        const bool in_window = x >= seen.x0 && x < seen.x1 && y >= seen.y0 && y < seen.y1;
+        for (int k = 0; k < 3; ++k)
+          ASSERT_EQ(part.at(x, y)[k], in_window ? whole.at(x, y)[k] : 9);
+      }
+  }
+}
+
+TEST(Raster, where_a_patch_folds_the_larger_v_lies_on_top) {
+  // The top and bottom sides run out to x = 130 and back: columns near v = 1 cover earlier ones.
+  std::array<Value, 4> corners{Value{{0, 0}, {1, 0, 0, 1}}, Value{{60, 0}, {0, 0, 1, 1}},
+                               Value{{60, 100}, {0, 0, 1, 1}}, Value{{0, 100}, {1, 0, 0, 1}}};
+  Patch patch = test::straight_patch(corners);
+  for (const int i : {0, 3}) {
+    patch.c[i][1].position = {500, 0};
+    patch.c[i][2].position = {-200, 0};
+  }
+  for (const int i : {1, 2})
+    for (const int j : {1, 2}) patch.c[i][j].position = {0, 0};
+  const Mesh mesh = build_mesh({{patch}, {}, ColorModel::bilinear});
+  const Frame frame = fit_frame(mesh, {}, 200);
+  const Image image = make_software_rasterizer()->paint(mesh, frame);
+  int folded = 0;
+  for (int x = 0; x < frame.width; ++x) {
+    const double wanted = frame.to_pixels.inverse().point({x + 0.5, 100.0}).x;
+    double v = -1;
+    int crossings = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const double a = patch.at(0.5, i / 20000.).position.x;
+      const double b = patch.at(0.5, (i + 1) / 20000.).position.x;
+      if ((a <= wanted) != (b <= wanted)) {
+        v = (i + 0.5) / 20000;
+        ++crossings;
+      }
+    }
+    // Close to the turning point a tenth of a pixel is a long way in v.
+    const double slope = std::abs(patch.derivative_v(0.5, v).position.x);
+    if (v < 0 || slope < 60) continue;
+    folded += crossings > 1;
+    EXPECT_NEAR(image.at(x, frame.height / 2)[2], 255 * v, 3) << x;
+  }
+  EXPECT_GT(folded, 20);
+}
+
+TEST(Frame, follows_the_paper) {
+  const Mesh mesh = grid_mesh({.rows = 1, .columns = 2});
+  const Frame frame = fit_frame(mesh, {}, 700);
+  EXPECT_EQ(frame.width, 700);
+  // 200 x 100 units and 3 more on every side.
+  EXPECT_EQ(frame.height, int(106.0 * 700 / 206));
+  EXPECT_NEAR(frame.to_pixels.point({0, 0}).x, 3.0 * 700 / 206, 1e-9);
+}
+
+TEST(Written, colors_are_rounded_and_near_coons_is_coons) {
+  std::mt19937 random(5);
+  const Patch patch = grid_parts({.position_noise = 0.2, .color_noise = 0.2}, random).patches[4];
+  const Patch exact = as_written(patch, 0);
+  EXPECT_TRUE(needs_tensor(patch, 0.01));
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) EXPECT_EQ(exact.c[i][j].position, patch.c[i][j].position);
+  for (int k = 0; k < 4; ++k)
+    for (int n = 0; n < 3; ++n) {
+      const double level = exact.corner(k).color[n] * 255;
+      EXPECT_NEAR(level, std::round(level), 1e-9);
+      EXPECT_NEAR(level, patch.corner(k).color[n] * 255, 0.5 + 1e-9);
+    }
+  const Patch coons = as_written(patch, 1e9);
+  EXPECT_FALSE(needs_tensor(coons, 1e-9));
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(coons.side(k).at(0.37).position, patch.side(k).at(0.37).position);
+}
+
+}  // namespace
+}  // namespace gradmesh
