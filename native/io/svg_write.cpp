@@ -105,7 +105,7 @@ class MeshWriter {
     const std::string order =
         document_.styles().inherited(shape, "paint-order").value_or("normal");
     const bool stroke_first = order.find("stroke") < order.find("fill");
-    keep_only_paint(document_.styles(), shape, is_stroke() ? "stroke" : "fill");
+    keep_only_paint(document_.styles(), shape, is_stroke() ? "fill" : "stroke");
     if (is_stroke() == stroke_first) {
       xmlAddChild(outer, shape);
     } else {

@@ -1,0 +1,331 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "document/document.h"
+#include "geom/written.h"
+#include "io/block_outline.h"
+#include "io/svg_group.h"
+#include "io/svg_mesh.h"
+#include "io/svg_write.h"
+#include "io/xml_node.h"
+#include "mesh/build.h"
+#include "mesh/validate.h"
+#include "meshes.h"
+#include "ops/merge.h"
+#include "ops/split.h"
+
+namespace gradmesh {
+namespace {
+
+using test::difference;
+using test::grid_mesh;
+
+constexpr const char* head =
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+    "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"400\" height=\"400\">";
+constexpr const char* gradient =
+    "<defs><meshgradient id=\"m\" x=\"0\" y=\"0\" gradientUnits=\"userSpaceOnUse\"><meshrow>"
+    "<meshpatch><stop path=\"l 100,0\" stop-color=\"#f00\"/><stop path=\"l 0,100\" "
+    "stop-color=\"#0f0\"/><stop path=\"l -100,0\" stop-color=\"#00f\"/><stop path=\"l\" "
+    "stop-color=\"#fff\"/></meshpatch></meshrow></meshgradient></defs>";
+
+SvgDocument document_of(const std::string& body) {
+  return SvgDocument::parse(head + std::string(gradient) + body + "</svg>", "drawing.svg");
+}
+
+std::string after_writing(const std::string& body, const Mesh& mesh, int which = 0) {
+  SvgDocument document = document_of(body);
+  write_mesh(document, mesh_objects(document).at(which), {mesh, 0.001, "label", 9});
+  return document.serialize();
+}
+
+/// A mesh of random merges and splits, as a document may hold it: colours of 8 bits.
+Mesh random_mesh(unsigned seed) {
+  std::mt19937 random(seed);
+  MeshParts parts = test::grid_parts(
+      {.rows = 4, .columns = 4, .position_noise = 0.08, .color_noise = 0.3}, random);
+  for (Patch& patch : parts.patches) patch = as_written(patch, 0);
+  Mesh mesh = build_mesh(parts);
+  Journal journal(mesh);
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Halfedge> edges, leaves;
+    for (const Halfedge h : mesh.halfedges()) {
+      if (mesh.is_leaf(h)) leaves.push_back(h);
+      if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
+    }
+    if (random() % 4 == 0 || edges.empty()) {
+      split(journal, leaves[random() % leaves.size()], 0.3 + 0.4 * double(random() % 1000) / 1000);
+    } else {
+      merge(journal, edges[random() % edges.size()]);
+    }
+  }
+  return mesh;
+}
+
+/// Which face of `b` each face of `a` is, by the patches.
+std::map<Face, Face> match(const Mesh& a, const Mesh& b, double tolerance) {
+  std::map<Face, Face> found;
+  std::set<Face> taken;
+  for (const Face f : a.faces())
+    for (const Face g : b.faces())
+      if (difference(as_written(a.patch(f), 0.001), as_written(b.patch(g), 0.001)) < tolerance &&
+          taken.insert(g).second) {
+        found[f] = g;
+        break;
+      }
+  return found;
+}
+
+/// Every curve as text: the faces along both sides, with the breaks between.
+std::multiset<std::string> curves(const Mesh& mesh, const std::map<Face, Face>* renamed = nullptr) {
+  std::multiset<std::string> result;
+  for (const Halfedge h : mesh.halfedges()) {
+    if (mesh.is_bar(h)) continue;
+    std::vector<std::string> sides;
+    for (const Halfedge side : {h, mesh[h].twin}) {
+      if (!side.valid()) continue;
+      std::string text;
+      for (const Halfedge leaf : mesh.leaves(side)) {
+        Face f = mesh.face(leaf);
+        const auto around = mesh.sides(f);
+        const int k = int(std::ranges::find(around, leaf) - around.begin());
+        if (renamed) f = renamed->at(f);
+        char at[32];
+        std::snprintf(at, sizeof at, "@%.9f ", mesh.span(leaf).first);
+        text += std::to_string(f.value) + "." + std::to_string(k) + at;
+      }
+      sides.push_back(text);
+    }
+    std::ranges::sort(sides);
+    std::string all;
+    for (const std::string& s : sides) all += s + "| ";
+    result.insert(all);
+  }
+  return result;
+}
+
+TEST(SvgWrite, read_back_it_is_the_same_mesh) {
+  int junctions = 0, nested = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Mesh mesh = random_mesh(seed);
+    const std::string text = after_writing("<path id=\"p\" d=\"M0,0 H400 V400 Z\" "
+                                           "fill=\"url(#m)\"/>", mesh);
+    Document document = Document::parse(text, "drawing.svg");
+    ASSERT_EQ(document.objects().size(), 1u);
+    const Mesh back = document.mesh(document.objects()[0]);
+    ASSERT_EQ(validate(back), std::vector<std::string>{}) << "seed " << seed;
+    ASSERT_EQ(back.face_count(), mesh.face_count());
+    // Nine digits of coordinates up to 400, and what T-junctions make of them.
+    const std::map<Face, Face> same = match(mesh, back, 1e-4);
+    ASSERT_EQ(same.size(), std::size_t(mesh.face_count())) << "seed " << seed;
+    EXPECT_EQ(curves(mesh, &same), curves(back)) << "seed " << seed;
+    for (const Halfedge h : mesh.halfedges()) {
+      junctions += mesh.is_stem(h);
+      nested += mesh.is_stem(h) && mesh.is_parent(h);
+    }
+  }
+  EXPECT_GT(junctions, 200);
+  EXPECT_GT(nested, 30);
+}
+
+TEST(SvgWrite, shared_points_are_the_very_same_text) {
+  const Mesh mesh = random_mesh(4);
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", mesh), "d.svg");
+  // All corners of all blocks, as they are written: as many different ones as there are points.
+  std::set<std::string> corners;
+  for (xmlNode* g : child_elements(child_elements(document.root(), "defs").at(0), "meshgradient"))
+    for (xmlNode* row : child_elements(g))
+      for (xmlNode* patch : child_elements(row))
+        for (xmlNode* stop : child_elements(patch)) {
+          const std::string path = attribute(stop, "path").value();
+          corners.insert(path.substr(path.rfind(' ') + 1));
+        }
+  EXPECT_EQ(corners.size(), std::size_t(std::ranges::distance(mesh.points())));
+}
+
+TEST(SvgWrite, takes_the_place_of_the_object) {
+  const std::string text = after_writing(
+      "<g id=\"outer\"><circle id=\"below\" r=\"5\"/>"
+      "<path id=\"p\" transform=\"rotate(30)\" style=\"fill:url(#m);fill-opacity:0.5;opacity:0.7\" "
+      "d=\"M0,0 H400 V400 Z\"><title>Pear</title></path><circle id=\"above\" r=\"5\"/></g>",
+      grid_mesh({.rows = 2, .columns = 2}));
+  SvgDocument document = SvgDocument::parse(text, "d.svg");
+  const auto children = child_elements(document.find("outer"));
+  ASSERT_EQ(children.size(), 3u);
+  xmlNode* group = children[1];
+  EXPECT_EQ(svg_name(group), "g");
+  EXPECT_EQ(attribute(group, "id"), "p");
+  EXPECT_EQ(attribute(group, "transform"), "rotate(30)");
+  const Declarations style = parse_declarations(attribute(group, "style").value());
+  EXPECT_EQ(style.at("opacity"), "0.7");
+  EXPECT_EQ(style.at("fill-opacity"), "0.5");
+  EXPECT_FALSE(style.contains("fill"));
+  EXPECT_EQ(attribute(group, "label", "http://www.inkscape.org/namespaces/inkscape"), "label");
+  ASSERT_EQ(child_elements(group, "title").size(), 1u);
+  // Clipped by the shape, which keeps its geometry and nothing else.
+  const std::string clip = attribute(group, "clip-path").value();
+  xmlNode* shape = child_elements(document.find(clip.substr(5, clip.size() - 6))).at(0);
+  EXPECT_EQ(attribute(shape, "d"), "M0,0 H400 V400 Z");
+  EXPECT_FALSE(attribute(shape, "transform") || attribute(shape, "id"));
+  // The gradient served nobody else.
+  EXPECT_EQ(document.find("m"), nullptr);
+}
+
+TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" class=\"c\" clip-path=\"url(#k)\" "
+                    "style=\"fill:url(#m);stroke:#00f;stroke-width:4;filter:url(#f)\"/>"
+                    "<style>.c { opacity: 0.5 }</style>",
+                    grid_mesh()),
+      "d.svg");
+  xmlNode* outer = document.find("p");
+  EXPECT_EQ(attribute(outer, "clip-path"), "url(#k)");
+  EXPECT_EQ(document.styles().declared(outer, "filter"), "url(#f)");
+  EXPECT_EQ(document.styles().declared(outer, "opacity"), "0.5");
+  const auto parts = child_elements(outer);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_TRUE(is_mesh_group(parts[0]));
+  EXPECT_EQ(svg_name(parts[1]), "rect");
+  EXPECT_EQ(document.styles().declared(parts[1], "fill"), "none");
+  EXPECT_EQ(document.styles().declared(parts[1], "stroke"), "#00f");
+  EXPECT_EQ(document.styles().declared(parts[1], "stroke-width"), "4");
+  // The rule must not act twice.
+  EXPECT_EQ(document.styles().declared(parts[1], "opacity"), "1");
+  EXPECT_FALSE(document.styles().declared(parts[1], "filter"));
+}
+
+TEST(SvgWrite, masks_a_stroke_in_white) {
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<g stroke-width=\"30\"><path id=\"p\" d=\"M50,50 L300,300\" fill=\"none\" "
+                    "stroke=\"url(#m)\" stroke-linecap=\"round\"/></g>",
+                    grid_mesh()),
+      "d.svg");
+  xmlNode* group = document.find("p");
+  const std::string mask = attribute(group, "mask").value();
+  xmlNode* shape = child_elements(document.find(mask.substr(5, mask.size() - 6))).at(0);
+  EXPECT_EQ(document.styles().declared(shape, "stroke"), "#ffffff");
+  EXPECT_EQ(document.styles().declared(shape, "stroke-width"), "30");
+  EXPECT_EQ(document.styles().declared(shape, "stroke-linecap"), "round");
+  EXPECT_EQ(document.styles().declared(shape, "fill"), "none");
+  EXPECT_EQ(mesh_objects(document).at(0).role, PaintRole::stroke);
+}
+
+TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
+  const std::string other = "<rect id=\"q\" width=\"9\" height=\"9\" fill=\"url(#m)\"/>";
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>" + other,
+                    grid_mesh()),
+      "d.svg");
+  ASSERT_NE(document.find("m"), nullptr);
+  const auto objects = mesh_objects(document);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[1].id, "q");
+  EXPECT_EQ(read_mesh(document, objects[1]).patches.size(), 1u);
+}
+
+TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
+  const std::string first =
+      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
+  SvgDocument document = SvgDocument::parse(first, "d.svg");
+  const Mesh other = grid_mesh({.rows = 1, .columns = 2});
+  write_mesh(document, mesh_objects(document).at(0), {other, 0.001, "again", 9});
+  const auto gradients =
+      child_elements(child_elements(document.root(), "defs").at(0), "meshgradient");
+  EXPECT_EQ(gradients.size(), 1u);
+  EXPECT_EQ(child_elements(document.find("p")).size(), 1u);
+  EXPECT_EQ(patches_before(document.find("p")), 9);
+  EXPECT_EQ(read_mesh_group(document, document.find("p")).patches.size(), 2u);
+}
+
+TEST(SvgWrite, both_paints_of_one_object) {
+  const std::string body =
+      "<rect id=\"p\" width=\"100\" height=\"100\" stroke-width=\"9\" "
+      "style=\"fill:url(#m);stroke:url(#m)\"/>";
+  SvgDocument document = document_of(body);
+  const auto objects = mesh_objects(document);
+  ASSERT_EQ(objects.size(), 2u);
+  for (const MeshObject& o : objects) write_mesh(document, o, {grid_mesh(), 0.001, "l", 9});
+  const auto after = mesh_objects(document);
+  ASSERT_EQ(after.size(), 2u);
+  EXPECT_EQ(after[0].role, PaintRole::fill);
+  EXPECT_EQ(after[1].role, PaintRole::stroke);
+  EXPECT_EQ(read_mesh_group(document, after[0].node).patches.size(), 9u);
+  EXPECT_EQ(read_mesh_group(document, after[1].node).patches.size(), 9u);
+  EXPECT_EQ(document.find("m"), nullptr);
+  // The stroke lies above the fill, and neither shape is left to paint by itself.
+  const auto parts = child_elements(document.find("p"));
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_TRUE(attribute(parts[0], "clip-path"));
+  EXPECT_TRUE(attribute(parts[1], "mask"));
+  for (const xmlNode* part : parts) EXPECT_TRUE(child_elements(part, "rect").empty());
+}
+
+TEST(SvgGroup, says_what_is_missing) {
+  const std::string good =
+      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
+  const auto complaint = [&](const auto& spoil) -> std::string {
+    SvgDocument document = SvgDocument::parse(good, "d.svg");
+    spoil(document.find("p"));
+    try {
+      build_mesh(read_mesh_group(document, document.find("p")));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto own = [](xmlNode* node, const char* name, const char* value) {
+    xmlNs* ns = xmlSearchNsByHref(node->doc, node, BAD_CAST "urn:gradmesh");
+    xmlSetNsProp(node, ns, BAD_CAST name, BAD_CAST value);
+  };
+  EXPECT_EQ(complaint([](xmlNode* g) {
+              xmlNode* block = child_elements(g)[1];
+              xmlUnlinkNode(block);
+              xmlFreeNode(block);
+            }),
+            "d.svg: g \"p\": one of its blocks is missing.");
+  EXPECT_EQ(complaint([&](xmlNode* g) { own(child_elements(g)[1], "face", "0"); }),
+            "d.svg: g \"p\": one of its blocks is there twice.");
+  EXPECT_EQ(complaint([&](xmlNode* g) { own(g, "curves", "1 | x"); }),
+            "d.svg: g \"p\": its gradmesh:curves cannot be read.");
+  EXPECT_NE(complaint([&](xmlNode* g) { own(g, "curves", "1 | 1"); }), "");
+}
+
+TEST(Blocks, hold_every_face_once_and_whole_grids_in_one) {
+  EXPECT_EQ(find_blocks(grid_mesh({.rows = 7, .columns = 5})).size(), 1u);
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    const Mesh mesh = random_mesh(seed);
+    std::set<Face> faces;
+    for (const Block& block : find_blocks(mesh)) {
+      EXPECT_EQ(block.cells.size(), std::size_t(block.rows * block.columns));
+      for (const Block::Cell& cell : block.cells) EXPECT_TRUE(faces.insert(cell.face).second);
+      for (int i = 0; i < block.rows; ++i)
+        for (int j = 0; j < block.columns; ++j) {
+          if (j + 1 < block.columns) {
+            EXPECT_EQ(mesh[block_side(mesh, block.cell(i, j), 1)].twin,
+                      block_side(mesh, block.cell(i, j + 1), 3));
+          }
+          if (i + 1 < block.rows) {
+            EXPECT_EQ(mesh[block_side(mesh, block.cell(i, j), 2)].twin,
+                      block_side(mesh, block.cell(i + 1, j), 0));
+          }
+        }
+    }
+    EXPECT_EQ(faces.size(), std::size_t(mesh.face_count()));
+  }
+}
+
+TEST(Blocks, are_cut_where_colors_step) {
+  std::mt19937 random(1);
+  MeshParts parts = test::grid_parts({.rows = 1, .columns = 2}, random);
+  for (int i : {0, 3}) parts.patches[1].c[i][0].color = {1, 0, 1, 1};
+  make_color_bilinear(parts.patches[1]);
+  EXPECT_EQ(find_blocks(build_mesh(parts)).size(), 2u);
+}
+
+}  // namespace
+}  // namespace gradmesh
