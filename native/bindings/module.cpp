@@ -107,6 +107,5 @@ PYBIND11_MODULE(_core, m) {
            py::arg("time_budget"), py::arg("threads"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))
       .def("bytes", [](const Document& d) { return py::bytes(d.bytes()); })
-      .def("write_file",
-           [](const Document& d, const std::string& path) { d.write_file(path); });
+      .def("write_file", [](const Document& d, const std::string& path) { d.write_file(path); });
 }

@@ -43,8 +43,7 @@ void run_simplify(SimplifyArguments& a) {
     reports = document.simplify(a.ids, a.options);
   }
   document.write_file(a.out);
-  if (!a.report.empty())
-    write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
+  if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
   if (a.quiet) return;
   for (const auto& [id, r] : reports)
     std::printf("%s: %d of %d patches left, %s %.5f, %.2f s (%s)\n", id.c_str(), r.patches_after,
@@ -55,8 +54,8 @@ void run_simplify(SimplifyArguments& a) {
 void run_render(const std::string& in, const std::string& out, const std::string& id,
                 int resolution) {
   const Document document = Document::read_file(in);
-  const auto objects = document.selected(id.empty() ? std::vector<std::string>{}
-                                                    : std::vector<std::string>{id});
+  const auto objects =
+      document.selected(id.empty() ? std::vector<std::string>{} : std::vector<std::string>{id});
   if (objects.size() > 1)
     throw InputError(in + ": there are " + std::to_string(objects.size()) +
                      " meshes, choose one with --id.");
@@ -75,8 +74,8 @@ double compare_meshes(const Document& a, const Document& b, MetricKind metric) {
   Frame other = frame;
   other.to_pixels = frame.to_pixels * to_document(from.front()).inverse() * to_document(to.front());
   const auto rasterizer = make_software_rasterizer();
-  return mean(make_metric(metric, rasterizer->paint(first, frame))
-                  ->map(rasterizer->paint(second, other)));
+  return mean(
+      make_metric(metric, rasterizer->paint(first, frame))->map(rasterizer->paint(second, other)));
 }
 
 void run_compare(const std::string& a, const std::string& b, MetricKind metric) {
@@ -93,7 +92,8 @@ void run_compare(const std::string& a, const std::string& b, MetricKind metric) 
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Takes needless patches out of gradient meshes, without visible change.", "gradmesh");
+  CLI::App app("Takes needless patches out of gradient meshes, without visible change.",
+               "gradmesh");
   app.set_version_flag("--version", GRADMESH_VERSION);
   app.require_subcommand(1);
 
@@ -114,19 +114,26 @@ int run(int argc, char** argv) {
       ->take_all()
       ->expected(1);
   simplify->add_option("--method", s.method, "How edges are chosen")
-      ->check(CLI::IsMember({"grid"}))->capture_default_str();
+      ->check(CLI::IsMember({"grid"}))
+      ->capture_default_str();
   simplify->add_option("--metric", s.metric, "How pictures are compared")
-      ->check(CLI::IsMember({"flip", "ssim"}))->capture_default_str();
+      ->check(CLI::IsMember({"flip", "ssim"}))
+      ->capture_default_str();
   simplify->add_option("--epsilon", s.options.epsilon, "Largest error allowed")
-      ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   simplify->add_option("--resolution", s.options.resolution, "Pixels along the longer side")
-      ->check(CLI::Range(16, 8192))->capture_default_str();
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
   simplify->add_option("--seed", s.options.seed, "Random choices follow it")->capture_default_str();
-  simplify->add_option("--time-budget", s.options.time_budget,
-                       "Seconds a mesh may take, then the best so far is kept; 0: no limit")
-      ->check(CLI::NonNegativeNumber)->capture_default_str();
+  simplify
+      ->add_option("--time-budget", s.options.time_budget,
+                   "Seconds a mesh may take, then the best so far is kept; 0: no limit")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   simplify->add_option("--threads", s.options.threads, "0: all cores")
-      ->check(CLI::NonNegativeNumber)->capture_default_str();
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   simplify->add_option("--report", s.report, "Write a report as JSON");
   simplify->add_flag("--quiet", s.quiet, "Print nothing");
   simplify->callback([&] { run_simplify(s); });
@@ -136,15 +143,18 @@ int run(int argc, char** argv) {
   render->add_option("-o,--output", out, "PNG image")->required();
   render->add_option("--id", id, "Which mesh, where there are several");
   render->add_option("--resolution", resolution, "Pixels along the longer side")
-      ->check(CLI::Range(16, 8192))->capture_default_str();
+      ->check(CLI::Range(16, 8192))
+      ->capture_default_str();
   render->callback([&] { run_render(in, out, id, resolution); });
 
   CLI::App* compare = app.add_subcommand(
-      "compare", "Print the error between two images of one size, or two documents of one mesh each");
+      "compare",
+      "Print the error between two images of one size, or two documents of one mesh each");
   compare->add_option("A", in, "Image or SVG document; the reference")->required();
   compare->add_option("B", other, "Image or SVG document")->required();
   compare->add_option("--metric", metric, "How pictures are compared")
-      ->check(CLI::IsMember({"flip", "ssim"}))->capture_default_str();
+      ->check(CLI::IsMember({"flip", "ssim"}))
+      ->capture_default_str();
   compare->callback([&] { run_compare(in, other, metric_named(metric)); });
 
   try {

@@ -57,7 +57,8 @@ std::vector<MeshObject> Document::selected(const std::vector<std::string>& ids) 
   for (const std::string& id : ids) {
     const xmlNode* place = svg_.find(id);
     if (!place) throw InputError(name_ + ": there is no object with the id " + excerpt(id) + ".");
-    if (std::ranges::none_of(objects_, [&](const MeshObject& o) { return is_inside(o.node, place); }))
+    if (std::ranges::none_of(objects_,
+                             [&](const MeshObject& o) { return is_inside(o.node, place); }))
       fail(place, "it is not painted by a mesh gradient");
     places.push_back(place);
   }
@@ -69,8 +70,8 @@ std::vector<MeshObject> Document::selected(const std::vector<std::string>& ids) 
 }
 
 Mesh Document::mesh(const MeshObject& object) const {
-  const MeshParts parts = is_mesh_group(object.node) ? read_mesh_group(svg_, object.node)
-                                                     : read_mesh(svg_, object);
+  const MeshParts parts =
+      is_mesh_group(object.node) ? read_mesh_group(svg_, object.node) : read_mesh(svg_, object);
   return naming(object, [&] { return build_mesh(parts); });
 }
 
@@ -91,9 +92,8 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
   std::vector<MeshReport> reports;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     options.view = to_document(chosen[i]);
-    reports.push_back({chosen[i].id, naming(chosen[i], [&] {
-                         return gradmesh::simplify(meshes[i], options);
-                       })});
+    reports.push_back(
+        {chosen[i].id, naming(chosen[i], [&] { return gradmesh::simplify(meshes[i], options); })});
   }
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const SimplifyResult& result = reports[i].result;

@@ -37,8 +37,7 @@ EditError::EditError(const Mesh& original, const Frame& frame, MetricKind metric
       image_(reference_),
       map_(frame.width, frame.height) {
   bounds_.resize(original.face_slots());
-  for (const Face f : original.faces())
-    bounds_[f.value] = pixel_bounds(original.patch(f), frame_);
+  for (const Face f : original.faces()) bounds_[f.value] = pixel_bounds(original.patch(f), frame_);
 }
 
 Window EditError::changed_pixels(const Journal& journal) const {
@@ -70,9 +69,8 @@ double EditError::after_edit(const Journal& journal) {
 void EditError::accept(const Journal& journal) {
   bounds_.resize(journal.mesh().face_slots());
   for (const Face f : journal.touched())
-    bounds_[f.value] = journal.mesh()[f].alive
-                           ? pixel_bounds(journal.mesh().patch(f), frame_)
-                           : Window{};
+    bounds_[f.value] =
+        journal.mesh()[f].alive ? pixel_bounds(journal.mesh().patch(f), frame_) : Window{};
 }
 
 void EditError::reject() {

@@ -18,8 +18,7 @@ struct Cubic {
 
   V derivative(double t) const {
     const double t2 = t * t;
-    return (p1 + p0 * -1.0) * (6 * t - 6 * t2) + m0 * (1 - 4 * t + 3 * t2) +
-           m1 * (3 * t2 - 2 * t);
+    return (p1 + p0 * -1.0) * (6 * t - 6 * t2) + m0 * (1 - 4 * t + 3 * t2) + m1 * (3 * t2 - 2 * t);
   }
 
   /// The same curve over [a, b], with its own parameter from 0 to 1.

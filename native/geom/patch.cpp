@@ -143,9 +143,7 @@ std::array<std::array<glm::dvec2, 2>, 2> coons_interior(const BezierNet& net) {
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
       // p(i, j): the net seen from the corner that this interior point belongs to.
-      const auto p = [&](int i, int j) {
-        return net[a ? 3 - i : i][b ? 3 - j : j].position;
-      };
+      const auto p = [&](int i, int j) { return net[a ? 3 - i : i][b ? 3 - j : j].position; };
       interior[a][b] = (-4.0 * p(0, 0) + 6.0 * (p(0, 1) + p(1, 0)) - 2.0 * (p(0, 3) + p(3, 0)) +
                         3.0 * (p(3, 1) + p(1, 3)) - p(3, 3)) /
                        9.0;

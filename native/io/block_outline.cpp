@@ -42,7 +42,8 @@ double chord_length(const Mesh& mesh, const std::vector<Halfedge>& side) {
 int steps_within(const Cubic<Value>& curve, double flatness) {
   const glm::dvec2 b0 = curve.p0.position, b1 = curve.bezier1().position;
   const glm::dvec2 b2 = curve.bezier2().position, b3 = curve.p1.position;
-  const double bend = 6 * std::max(glm::length(b0 - 2.0 * b1 + b2), glm::length(b1 - 2.0 * b2 + b3));
+  const double bend =
+      6 * std::max(glm::length(b0 - 2.0 * b1 + b2), glm::length(b1 - 2.0 * b2 + b3));
   return int(std::clamp(std::ceil(std::sqrt(bend / (8 * flatness))), 1.0, 64.0));
 }
 
@@ -61,7 +62,8 @@ Polygon offset(const Polygon& polygon, double by) {
   Polygon result;
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const glm::dvec2 before = polygon[(i + n - 1) % n], p = polygon[i], after = polygon[(i + 1) % n];
+    const glm::dvec2 before = polygon[(i + n - 1) % n], p = polygon[i],
+                     after = polygon[(i + 1) % n];
     const glm::dvec2 d1 = glm::normalize(p - before), d2 = glm::normalize(after - p);
     const glm::dvec2 n1(d1.y, -d1.x), n2(d2.y, -d2.x);
     const double turn_cosine = glm::dot(d1, d2);
@@ -107,7 +109,8 @@ Polygon convex_hull(Polygon points) {
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t base = hull.size();
     for (const glm::dvec2 p : points) {
-      while (hull.size() >= base + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+      while (hull.size() >= base + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
         hull.pop_back();
       hull.push_back(p);
     }

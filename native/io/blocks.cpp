@@ -31,8 +31,8 @@ class BlockFinder {
       const Candidate candidate = queue.top();
       queue.pop();
       if (used_[candidate.seed.value]) continue;
-      const bool whole = std::ranges::none_of(
-          candidate.block.cells, [&](const Cell& c) { return used_[c.face.value]; });
+      const bool whole = std::ranges::none_of(candidate.block.cells,
+                                              [&](const Cell& c) { return used_[c.face.value]; });
       if (!whole) {
         queue.push({largest_from(candidate.seed), candidate.seed});
         continue;
@@ -77,8 +77,7 @@ class BlockFinder {
     std::vector<std::vector<Cell>> rows;
     std::set<int> taken;
     std::size_t width = mesh_.face_slots(), best_rows = 0, best_width = 0;
-    for (std::optional<Cell> first = Cell{seed, 0}; first;
-         first = across(rows.back().front(), 2)) {
+    for (std::optional<Cell> first = Cell{seed, 0}; first; first = across(rows.back().front(), 2)) {
       std::vector<Cell> row = row_from(*first, rows.empty() ? nullptr : &rows.back(), width, taken);
       if (row.empty()) break;
       width = row.size();

@@ -142,7 +142,8 @@ MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
   }
   if (parts.patches.empty()) fail(group, "it holds no blocks");
   const std::string text = own_attribute(group, "curves").value_or("");
-  for (CurveParts& curve : CurveReader(group, text).read()) parts.curves.push_back(std::move(curve));
+  for (CurveParts& curve : CurveReader(group, text).read())
+    parts.curves.push_back(std::move(curve));
   const int halfedges = 4 * int(parts.patches.size());
   for (const CurveParts& curve : parts.curves)
     for (const CurveSide* side : {&curve.a, &curve.b})

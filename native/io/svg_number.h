@@ -12,8 +12,8 @@ inline constexpr int coordinate_digits = 9;
 /// The number with at most `digits` significant digits, independent of the locale.
 inline std::string format_number(double value, int digits = coordinate_digits) {
   char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value + 0.0, std::chars_format::general,
-                                 digits);
+  const auto end =
+      std::to_chars(text, text + sizeof text, value + 0.0, std::chars_format::general, digits);
   return {text, end.ptr};
 }
 

@@ -17,8 +17,9 @@ bool among(Names names, std::string_view name) {
 }
 
 bool is_geometry(std::string_view name) {
-  return among({"d", "x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2",
-                "y2", "points", "dx", "dy", "rotate", "textLength", "lengthAdjust", "pathLength"},
+  return among({"d",      "x",  "y",  "width",  "height",     "rx",           "ry",
+                "cx",     "cy", "r",  "x1",     "y1",         "x2",           "y2",
+                "points", "dx", "dy", "rotate", "textLength", "lengthAdjust", "pathLength"},
                name);
 }
 
@@ -75,7 +76,8 @@ bool names_id(std::string_view text, const std::string& id) {
   for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + 1)) {
     const std::size_t end = at + wanted.size();
     const unsigned char c = end < text.size() ? static_cast<unsigned char>(text[end]) : ' ';
-    if (!(std::isalnum(c) || c == '-' || c == '_' || c == '.' || c == ':' || c >= 0x80)) return true;
+    if (!(std::isalnum(c) || c == '-' || c == '_' || c == '.' || c == ':' || c >= 0x80))
+      return true;
   }
   return false;
 }
@@ -111,8 +113,8 @@ void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* gr
                                   among({"class", "style", "id"}, name));
     if (stays) continue;
     const bool describes_shape =
-        a->ns && (view(a->ns->prefix) == "sodipodi" || among({"original-d", "path-effect",
-                                                              "connector-curvature"}, name));
+        a->ns && (view(a->ns->prefix) == "sodipodi" ||
+                  among({"original-d", "path-effect", "connector-curvature"}, name));
     if (!describes_shape)
       xmlSetNsProp(group, a->ns, a->name,
                    reinterpret_cast<const xmlChar*>(text_of(a->children, shape).c_str()));
@@ -159,7 +161,8 @@ xmlNode* geometry_copy(const StyleSheet& styles, const xmlNode* shape, xmlNode* 
     Declarations fonts;
     for (const auto& [name, value] : style_of(shape))
       if (is_font(name)) fonts[name] = value;
-    for (const char* name : {"font-family", "font-size", "font-weight", "font-style", "text-anchor"})
+    for (const char* name :
+         {"font-family", "font-size", "font-weight", "font-style", "text-anchor"})
       if (const auto value = styles.inherited(shape, name)) fonts[name] = *value;
     write_style(copy, fonts);
   }
@@ -167,9 +170,9 @@ xmlNode* geometry_copy(const StyleSheet& styles, const xmlNode* shape, xmlNode* 
 }
 
 void paint_stroke_white(const StyleSheet& styles, const xmlNode* shape, xmlNode* copy) {
-  for (const char* name : {"stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
-                           "stroke-dasharray", "stroke-dashoffset", "stroke-opacity",
-                           "vector-effect"})
+  for (const char* name :
+       {"stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
+        "stroke-dasharray", "stroke-dashoffset", "stroke-opacity", "vector-effect"})
     if (const auto value = styles.inherited(shape, name)) set_style(copy, name, *value);
   set_style(copy, "fill", "none");
   set_style(copy, "stroke", "#ffffff");

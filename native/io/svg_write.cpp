@@ -102,8 +102,7 @@ class MeshWriter {
   /// The shape itself without the paint that is now in blocks; a stroke above them, a fill below,
   /// unless paint-order turns that round.
   void keep_other_paint(xmlNode* shape, xmlNode* outer, xmlNode* group) {
-    const std::string order =
-        document_.styles().inherited(shape, "paint-order").value_or("normal");
+    const std::string order = document_.styles().inherited(shape, "paint-order").value_or("normal");
     const bool stroke_first = order.find("stroke") < order.find("fill");
     keep_only_paint(document_.styles(), shape, is_stroke() ? "fill" : "stroke");
     if (is_stroke() == stroke_first) {
@@ -156,8 +155,8 @@ class MeshWriter {
     Bounds bounds;
     int face = 0;
     for (const Block& block : blocks_) {
-      const std::string gradient = write_block_gradient(
-          document_, defs_, written_.mesh, block, written_.coons_tolerance, id_ + "-mesh");
+      const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
+                                                        written_.coons_tolerance, id_ + "-mesh");
       xmlNode* path = add_child(group, "path");
       if (before) xmlAddPrevSibling(before, path);
       document_.give_id(path, id_ + "-block");
@@ -190,7 +189,8 @@ class MeshWriter {
   std::vector<Block> sorted_blocks() const {
     std::vector<std::pair<double, Block>> sized;
     for (Block& block : find_blocks(written_.mesh)) {
-      const double area = std::abs(doubled_area(block_outline(written_.mesh, block, seam_margin())));
+      const double area =
+          std::abs(doubled_area(block_outline(written_.mesh, block, seam_margin())));
       sized.emplace_back(area, std::move(block));
     }
     std::ranges::stable_sort(sized, std::greater{}, [](const auto& s) { return s.first; });

@@ -33,7 +33,9 @@ void set_attribute(xmlNode* node, const char* name, const std::string& value,
   xmlSetNsProp(node, declare_namespace(node, space, prefix), chars(name), chars(value));
 }
 
-void remove_attribute(xmlNode* node, const char* name) { xmlUnsetNsProp(node, nullptr, chars(name)); }
+void remove_attribute(xmlNode* node, const char* name) {
+  xmlUnsetNsProp(node, nullptr, chars(name));
+}
 
 void remove_node(xmlNode* node) {
   xmlUnlinkNode(node);

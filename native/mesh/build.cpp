@@ -147,8 +147,7 @@ class MeshBuilder {
       }
       at(Halfedge{h}).origin = p;
     }
-    for (const Halfedge parent : parents_)
-      at(parent).origin = at(mesh_.first_leaf(parent)).origin;
+    for (const Halfedge parent : parents_) at(parent).origin = at(mesh_.first_leaf(parent)).origin;
     for (int i = 0; i < int(mesh_.halfedges_.size()); ++i) {
       const Halfedge h{i};
       PointRecord& p = mesh_.points_[at(h).origin.value];

@@ -62,8 +62,7 @@ class Validator {
       for (const Halfedge other : {r.twin, r.parent, r.first_child, r.next_sibling})
         good = good && (!other.valid() || ok(other));
       for (const Handle handle : r.handles) good = good && (!handle.valid() || mesh_[handle].alive);
-      if (!r.first_child.valid())
-        good = good && ok(r.next) && ok(r.prev) && alive(r.face, faces);
+      if (!r.first_child.valid()) good = good && ok(r.next) && ok(r.prev) && alive(r.face, faces);
       require(good, "indices", h);
     }
   }
@@ -104,8 +103,8 @@ class Validator {
 
   void check_curve_side(Halfedge h) {
     const HalfedgeRecord& r = mesh_[h];
-    require(r.handles[0].valid() && r.handles[1].valid() && r.handles[0] != r.handles[1],
-            "handles", h);
+    require(r.handles[0].valid() && r.handles[1].valid() && r.handles[0] != r.handles[1], "handles",
+            h);
     if (r.handles[0].valid()) require(mesh_[r.handles[0]].halfedge == h, "handles", h);
     if (!r.twin.valid()) return;
     const HalfedgeRecord& t = mesh_[r.twin];

@@ -69,8 +69,7 @@ class CycleSearch {
     if (!parent.valid()) return MergeObstacle::none;
     const Halfedge back = other(parent);
     if (parent == start || back == start)
-      return by_starts && parent == start ? MergeObstacle::origin_cycle
-                                          : MergeObstacle::next_cycle;
+      return by_starts && parent == start ? MergeObstacle::origin_cycle : MergeObstacle::next_cycle;
     if (!seen.insert(std::min(parent, back)).second) return MergeObstacle::none;
     const MergeObstacle found = follow(parent, start, seen, by_starts);
     return found != MergeObstacle::none ? found : follow(back, start, seen, false);

@@ -44,7 +44,10 @@ class Split {
     close_loop(first, first_loop, parts[0]);
     close_loop(second, second_loop, parts[1]);
     // u and v keep their directions in both parts.
-    const int top = top_before == side_ ? 0 : top_before == right ? 1 : top_before == bottom ? 2 : 3;
+    const int top = top_before == side_    ? 0
+                    : top_before == right  ? 1
+                    : top_before == bottom ? 2
+                                           : 3;
     journal_.edit(first).halfedge = first_loop[top];
     journal_.edit(second).halfedge = second_loop[top];
     journal_.touch(first);

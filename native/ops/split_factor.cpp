@@ -14,9 +14,8 @@ constexpr double smallest_share = 1e-3;
 
 double dot(const Value& a, const Value& b, ColorModel model) {
   // In `bilinear` the colour tangents follow from the corners and say nothing of their own.
-  const double color = model == ColorModel::bicubic
-                           ? glm::dot(glm::dvec3(a.color), glm::dvec3(b.color))
-                           : 0.0;
+  const double color =
+      model == ColorModel::bicubic ? glm::dot(glm::dvec3(a.color), glm::dvec3(b.color)) : 0.0;
   return glm::dot(a.position, b.position) + color;
 }
 
@@ -51,8 +50,8 @@ double share_at_tail(const Mesh& mesh, Halfedge edge, const MergeEnd& tail) {
   const Value inner_in = in.m1 - mesh[edge].twist * (1.0 / 3.0);
   const Value inner_out = out.m0 + mesh[tail.out].twist * (1.0 / 3.0);
   const ColorModel model = mesh.color_model();
-  return 0.5 * (share(in.m1, out.m0, by_length, model) +
-                share(inner_in, inner_out, by_length, model));
+  return 0.5 *
+         (share(in.m1, out.m0, by_length, model) + share(inner_in, inner_out, by_length, model));
 }
 
 }  // namespace
@@ -72,8 +71,8 @@ double split_factor(const Mesh& mesh, Halfedge edge) {
     sum += 1 - share_at_tail(mesh, twin, head);
     ++ends;
   }
-  const double r = ends > 0 ? sum / ends
-                            : 0.5 * (bar_share(mesh, tail) + 1 - bar_share(mesh, head));
+  const double r =
+      ends > 0 ? sum / ends : 0.5 * (bar_share(mesh, tail) + 1 - bar_share(mesh, head));
   return std::clamp(r, smallest_share, 1 - smallest_share);
 }
 

@@ -25,9 +25,7 @@ int first_pixel_on(const Vertex& a, const Vertex& b, int row) {
   return int(ceil_div((a.x - half) * dy + at * (b.x - a.x), unit * dy));
 }
 
-std::uint8_t to_byte(float channel) {
-  return std::uint8_t(std::clamp(channel, 0.f, 255.f) + 0.5f);
-}
+std::uint8_t to_byte(float channel) { return std::uint8_t(std::clamp(channel, 0.f, 255.f) + 0.5f); }
 
 }  // namespace
 
@@ -54,8 +52,7 @@ void PatchColor::write(float u, float v, std::uint8_t* rgb) const {
     } else {
       float sum = 0;
       for (int i = 3; i >= 0; --i) {
-        const float row =
-            c_[i][0][n] + v * (c_[i][1][n] + v * (c_[i][2][n] + v * c_[i][3][n]));
+        const float row = c_[i][0][n] + v * (c_[i][1][n] + v * (c_[i][2][n] + v * c_[i][3][n]));
         sum = sum * u + row;
       }
       channel[n] = sum;
@@ -66,8 +63,7 @@ void PatchColor::write(float u, float v, std::uint8_t* rgb) const {
     rgb[n] = to_byte(alpha * std::clamp(channel[n], 0.f, 255.f) + (1 - alpha) * 255.f);
 }
 
-void fill_triangle(const Triangle& triangle, const PatchColor& color, Window window,
-                   Image& image) {
+void fill_triangle(const Triangle& triangle, const PatchColor& color, Window window, Image& image) {
   std::array<Vertex, 3> p = triangle;
   std::ranges::sort(p, {}, [](const Vertex& v) { return std::pair(v.y, v.x); });
   const int y0 = std::max(window.y0, first_pixel(p[0].y));

@@ -40,7 +40,8 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double pad
   // The small addition keeps a side of exactly `resolution` pixels from being cut by rounding.
   frame.width = std::max(1, int((size.x + 2 * pad) * scale + 1e-9));
   frame.height = std::max(1, int((size.y + 2 * pad) * scale + 1e-9));
-  const Affine fit = Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low);
+  const Affine fit =
+      Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low);
   frame.to_pixels = fit * view;
   frame.coons_tolerance = 0.01 / std::sqrt(std::abs(frame.to_pixels.determinant()));
   return frame;

@@ -68,10 +68,9 @@ void add_strip(const std::vector<Vertex>& outer, const std::vector<Vertex>& inne
                const Along& along, std::vector<Triangle>& triangles) {
   std::size_t i = 0, j = 0;
   while (i + 1 < outer.size() || j + 1 < inner.size()) {
-    const bool step_outer =
-        j + 1 == inner.size() ||
-        (i + 1 < outer.size() &&
-         along(outer[i]) + along(outer[i + 1]) <= along(inner[j]) + along(inner[j + 1]));
+    const bool step_outer = j + 1 == inner.size() ||
+                            (i + 1 < outer.size() && along(outer[i]) + along(outer[i + 1]) <=
+                                                         along(inner[j]) + along(inner[j + 1]));
     if (step_outer) {
       triangles.push_back({outer[i], outer[i + 1], inner[j]});
       ++i;

@@ -41,8 +41,7 @@ double verify(Journal& journal, const EditError& error, double epsilon) {
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
   if (watch.reason() == StopWatch::Reason::cancelled) return Stopped::cancelled;
   if (watch.reason() == StopWatch::Reason::budget) return Stopped::budget;
-  return result.patches_after == result.patches_before ? Stopped::nothing_to_merge
-                                                       : Stopped::done;
+  return result.patches_after == result.patches_before ? Stopped::nothing_to_merge : Stopped::done;
 }
 
 }  // namespace
@@ -68,8 +67,7 @@ SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
   result.patches_after = mesh.face_count();
   result.stopped = why_stopped(watch, result);
   result.seconds.total = watch.seconds();
-  result.seconds.verify =
-      result.seconds.total - result.seconds.rasterize - result.seconds.select;
+  result.seconds.verify = result.seconds.total - result.seconds.rasterize - result.seconds.select;
   return result;
 }
 

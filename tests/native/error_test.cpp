@@ -14,8 +14,8 @@ TEST(EditError, windows_add_up_to_the_whole_frame) {
   for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim})
     for (unsigned seed = 0; seed < 12; ++seed) {
       std::mt19937 random(seed);
-      Mesh mesh = test::grid_mesh({.rows = 5, .columns = 4, .position_noise = 0.1,
-                                   .color_noise = 0.3}, seed);
+      Mesh mesh = test::grid_mesh(
+          {.rows = 5, .columns = 4, .position_noise = 0.1, .color_noise = 0.3}, seed);
       const Frame frame = fit_frame(mesh, {}, 180);
       EditError error(mesh, frame, metric);
       EXPECT_EQ(error.error(), 0);

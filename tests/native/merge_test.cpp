@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "meshes.h"
 #include "mesh/dependence.h"
 #include "mesh/validate.h"
+#include "meshes.h"
 #include "ops/merge.h"
 #include "ops/merge_end.h"
 #include "ops/split.h"
@@ -123,7 +123,8 @@ TEST_F(Grid, the_five_conditions) {
   const Halfedge parent = parents()[0];
   EXPECT_EQ(can_merge(mesh, parent), MergeObstacle::parent);
   EXPECT_EQ(can_merge(mesh, mesh[parent].twin), MergeObstacle::parent);
-  for (const Halfedge bar : mesh.leaves(parent)) EXPECT_EQ(can_merge(mesh, bar), MergeObstacle::bar);
+  for (const Halfedge bar : mesh.leaves(parent))
+    EXPECT_EQ(can_merge(mesh, bar), MergeObstacle::bar);
 }
 
 /// Merges round the middle face like the vanes of a pinwheel: the fourth would close a cycle
@@ -213,8 +214,8 @@ TEST(SplitFactor, comes_from_the_lengths_where_tangents_vanish_or_point_apart) {
   for (const double tangent : {0.0, 1.0, -1.0}) {
     const auto wide = [&](double x0, double x1, bool left) {
       const auto corner = [](double x, double y) { return Value{{x, y}, {0, 0, 0, 1}}; };
-      Patch p = test::straight_patch(
-          {corner(x0, 0), corner(x1, 0), corner(x1, 50), corner(x0, 50)});
+      Patch p =
+          test::straight_patch({corner(x0, 0), corner(x1, 0), corner(x1, 50), corner(x0, 50)});
       for (const int i : {0, 3}) {
         const glm::dvec2 away = left ? p.c[i][1].position : p.c[i][2].position;
         p.c[i][left ? 2 : 1].position = tangent > 0 && !left ? glm::dvec2(0, 1) * 20.0
@@ -223,8 +224,8 @@ TEST(SplitFactor, comes_from_the_lengths_where_tangents_vanish_or_point_apart) {
       }
       return p;
     };
-    MeshParts parts{{wide(0, 30, true), wide(30, 100, false)}, grid_curves(1, 2),
-                    ColorModel::bilinear};
+    MeshParts parts{
+        {wide(0, 30, true), wide(30, 100, false)}, grid_curves(1, 2), ColorModel::bilinear};
     const Mesh mesh = build_mesh(parts);
     const double r = split_factor(mesh, Halfedge{1});
     EXPECT_TRUE(std::isfinite(r));
@@ -245,7 +246,9 @@ TEST(SplitFactor, holds_for_patches_without_any_size) {
 TEST(Branch, a_point_with_three_faces_on_the_boundary_stays) {
   // An L of three patches: 0 | 1 beside each other, 2 below 1 (Fig. 6).
   const auto unit = [](double x, double y) {
-    const auto corner = [&](double a, double b) { return Value{{x + a, y + b}, {0.5, 0.5, 0.5, 1}}; };
+    const auto corner = [&](double a, double b) {
+      return Value{{x + a, y + b}, {0.5, 0.5, 0.5, 1}};
+    };
     return test::straight_patch({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
   };
   const Mesh l = build_mesh({{unit(0, 0), unit(1, 0), unit(1, 1)},
@@ -255,9 +258,10 @@ TEST(Branch, a_point_with_three_faces_on_the_boundary_stays) {
   EXPECT_EQ(can_merge(l, Halfedge{1}), MergeObstacle::branch);
   EXPECT_EQ(can_merge(l, Halfedge{6}), MergeObstacle::branch);
   // A U: a fourth patch left of 2, below 0 but not joined with it.
-  const Mesh u = build_mesh({{unit(0, 0), unit(1, 0), unit(1, 1), unit(0, 1)},
-                             {{{{1}, {}}, {{7}, {}}}, {{{6}, {}}, {{8}, {}}}, {{{11}, {}}, {{13}, {}}}},
-                             ColorModel::bilinear});
+  const Mesh u =
+      build_mesh({{unit(0, 0), unit(1, 0), unit(1, 1), unit(0, 1)},
+                  {{{{1}, {}}, {{7}, {}}}, {{{6}, {}}, {{8}, {}}}, {{{11}, {}}, {{13}, {}}}},
+                  ColorModel::bilinear});
   for (const int h : {1, 6, 11}) EXPECT_EQ(can_merge(u, Halfedge{h}), MergeObstacle::branch);
 }
 
@@ -322,9 +326,7 @@ TEST(Build, refuses_what_does_not_fit_together) {
   expect_refused([](MeshParts& p) { p.curves[0].b.halfedges.clear(); });
   expect_refused([](MeshParts& p) { p.curves[0].a.breaks.push_back(0.5); });
   // Two bars between which no curve stands.
-  expect_refused([](MeshParts& p) {
-    p.curves = {{{{0, 10}, {0.5}}, {{4}, {}}}};
-  });
+  expect_refused([](MeshParts& p) { p.curves = {{{{0, 10}, {0.5}}, {{4}, {}}}}; });
 }
 
 }  // namespace

@@ -31,9 +31,7 @@ struct GridOptions {
 /// shared between neighbours.
 inline MeshParts grid_parts(const GridOptions& options, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto shake = [&](double by) {
-    return 100 * by * glm::dvec2(unit(random), unit(random));
-  };
+  const auto shake = [&](double by) { return 100 * by * glm::dvec2(unit(random), unit(random)); };
   const int rows = options.rows, columns = options.columns;
   std::vector<Value> corners;
   for (int i = 0; i <= rows; ++i)
@@ -86,7 +84,8 @@ inline double difference(const Patch& a, const Patch& b) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
       const Value d = a.c[i][j] - b.c[i][j];
-      for (const double x : {d.position.x, d.position.y, d.color.r, d.color.g, d.color.b, d.color.a})
+      for (const double x :
+           {d.position.x, d.position.y, d.color.r, d.color.g, d.color.b, d.color.a})
         most = std::max(most, std::abs(x));
     }
   return most;

@@ -2,9 +2,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "meshes.h"
 #include "mesh/dependence.h"
 #include "mesh/validate.h"
+#include "meshes.h"
 #include "ops/merge.h"
 #include "ops/split.h"
 
@@ -62,8 +62,12 @@ TEST(Split, then_merge_gives_back_the_patch) {
   std::mt19937 random(7);
   for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
     for (int round = 0; round < 200; ++round) {
-      Mesh mesh = grid_mesh({.rows = 3, .columns = 3, .position_noise = 0.15, .color_noise = 0.2,
-                             .color_model = model}, round);
+      Mesh mesh = grid_mesh({.rows = 3,
+                             .columns = 3,
+                             .position_noise = 0.15,
+                             .color_noise = 0.2,
+                             .color_model = model},
+                            round);
       const std::vector<Patch> before = patches(mesh);
       Journal journal(mesh);
       const Face f{std::uniform_int_distribution<int>(0, 8)(random)};
@@ -78,7 +82,8 @@ TEST(Split, then_merge_gives_back_the_patch) {
       ASSERT_TRUE(sound(mesh));
       const std::vector<Patch> after = patches(mesh);
       ASSERT_EQ(after.size(), before.size());
-      for (std::size_t i = 0; i < after.size(); ++i) EXPECT_LE(difference(before[i], after[i]), 1e-9);
+      for (std::size_t i = 0; i < after.size(); ++i)
+        EXPECT_LE(difference(before[i], after[i]), 1e-9);
     }
 }
 
@@ -102,8 +107,9 @@ TEST(Merge, random_sequences_keep_every_invariant) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     std::mt19937 random(seed);
     const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
-    Mesh mesh = grid_mesh({.rows = 1 + pick(5), .columns = 1 + pick(5), .position_noise = 0.1,
-                           .color_noise = 0.2}, seed);
+    Mesh mesh = grid_mesh(
+        {.rows = 1 + pick(5), .columns = 1 + pick(5), .position_noise = 0.1, .color_noise = 0.2},
+        seed);
     Journal journal(mesh);
     std::vector<std::vector<Patch>> history{patches(mesh)};
     for (int step = 0; step < 40; ++step) {

@@ -21,7 +21,8 @@ using test::grid_parts;
 /// A mesh with T-junctions, nested ones among them, from random merges and splits.
 Mesh random_mesh(unsigned seed, double noise, int steps = 25) {
   std::mt19937 random(seed);
-  Mesh mesh = grid_mesh({.rows = 4, .columns = 4, .position_noise = noise, .color_noise = 0.3}, seed);
+  Mesh mesh =
+      grid_mesh({.rows = 4, .columns = 4, .position_noise = noise, .color_noise = 0.3}, seed);
   Journal journal(mesh);
   for (int i = 0; i < steps; ++i) {
     std::vector<Halfedge> edges, leaves;
@@ -78,8 +79,7 @@ bool inside(const std::vector<glm::dvec2>& polygon, glm::dvec2 p) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
     // A centre exactly on the line counts as right of it, as in fill_triangle.
-    if ((a.y <= p.y) != (b.y <= p.y) &&
-        a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) <= p.x)
+    if ((a.y <= p.y) != (b.y <= p.y) && a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) <= p.x)
       in = !in;
   }
   return in;
@@ -127,7 +127,10 @@ TEST(Raster, triangles_are_within_a_tenth_of_a_pixel_of_the_surface) {
         const Patch patch = mesh.patch(f);
         for (const Triangle& t : tessellate(mesh, f, patch, frame, outlines)) {
           // Corners, middles of the sides, and the centre.
-          for (const auto& w : {std::array{1., 0., 0.}, {.5, .5, 0.}, {0., .5, .5}, {.5, 0., .5},
+          for (const auto& w : {std::array{1., 0., 0.},
+                                {.5, .5, 0.},
+                                {0., .5, .5},
+                                {.5, 0., .5},
                                 {1 / 3., 1 / 3., 1 / 3.}}) {
             double x = 0, y = 0, u = 0, v = 0;
             for (int k = 0; k < 3; ++k) {
@@ -147,9 +150,9 @@ TEST(Raster, triangles_are_within_a_tenth_of_a_pixel_of_the_surface) {
 
 TEST(Raster, colors_are_those_of_the_surface) {
   // A straight patch is its own inverse: the colour at each pixel is known.
-  const Patch patch = test::straight_patch({Value{{0, 0}, {1, 0, 0, 1}}, Value{{100, 0}, {0, 1, 0, 1}},
-                                            Value{{100, 50}, {0, 0, 1, 0.5}},
-                                            Value{{0, 50}, {1, 1, 1, 0}}});
+  const Patch patch =
+      test::straight_patch({Value{{0, 0}, {1, 0, 0, 1}}, Value{{100, 0}, {0, 1, 0, 1}},
+                            Value{{100, 50}, {0, 0, 1, 0.5}}, Value{{0, 50}, {1, 1, 1, 0}}});
   const Mesh mesh = build_mesh({{patch}, {}, ColorModel::bilinear});
   const Frame frame = fit_frame(mesh, {}, 300);
   const Image image = make_software_rasterizer()->paint(mesh, frame);
@@ -190,8 +193,7 @@ TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x) {
         const bool in_window = x >= seen.x0 && x < seen.x1 && y >= seen.y0 && y < seen.y1;
-        for (int k = 0; k < 3; ++k)
-          ASSERT_EQ(part.at(x, y)[k], in_window ? whole.at(x, y)[k] : 9);
+        for (int k = 0; k < 3; ++k) ASSERT_EQ(part.at(x, y)[k], in_window ? whole.at(x, y)[k] : 9);
       }
   }
 }
@@ -256,7 +258,8 @@ TEST(Written, colors_are_rounded_and_near_coons_is_coons) {
     }
   const Patch coons = as_written(patch, 1e9);
   EXPECT_FALSE(needs_tensor(coons, 1e-9));
-  for (int k = 0; k < 4; ++k) EXPECT_EQ(coons.side(k).at(0.37).position, patch.side(k).at(0.37).position);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_EQ(coons.side(k).at(0.37).position, patch.side(k).at(0.37).position);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "meshes.h"
 #include "mesh/validate.h"
+#include "meshes.h"
 #include "ops/split.h"
 #include "raster/rasterizer.h"
 #include "select/grid.h"
@@ -92,8 +92,8 @@ TEST(Simplify, takes_exact_splits_out_again) {
 TEST(Simplify, keeps_the_error_below_epsilon_and_says_it_truly) {
   for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim})
     for (const double epsilon : {0.002, 0.01, 0.05}) {
-      const Mesh original = grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.03,
-                                       .color_noise = 0.03}, 5);
+      const Mesh original =
+          grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.03, .color_noise = 0.03}, 5);
       Mesh mesh = original;
       SimplifyOptions options;
       options.metric = metric;
@@ -129,7 +129,8 @@ TEST(Simplify, changes_nothing_where_nothing_can_be_merged) {
 
 TEST(Simplify, is_the_same_for_any_number_of_threads_and_follows_the_seed) {
   const auto run = [](int threads, std::uint64_t seed) {
-    Mesh mesh = grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.05, .color_noise = 0.05}, 9);
+    Mesh mesh =
+        grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.05, .color_noise = 0.05}, 9);
     SimplifyOptions options;
     options.threads = threads;
     options.seed = seed;

@@ -112,8 +112,10 @@ TEST(SvgWrite, read_back_it_is_the_same_mesh) {
   int junctions = 0, nested = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Mesh mesh = random_mesh(seed);
-    const std::string text = after_writing("<path id=\"p\" d=\"M0,0 H400 V400 Z\" "
-                                           "fill=\"url(#m)\"/>", mesh);
+    const std::string text = after_writing(
+        "<path id=\"p\" d=\"M0,0 H400 V400 Z\" "
+        "fill=\"url(#m)\"/>",
+        mesh);
     Document document = Document::parse(text, "drawing.svg");
     ASSERT_EQ(document.objects().size(), 1u);
     const Mesh back = document.mesh(document.objects()[0]);
@@ -135,7 +137,8 @@ TEST(SvgWrite, read_back_it_is_the_same_mesh) {
 TEST(SvgWrite, shared_points_are_the_very_same_text) {
   const Mesh mesh = random_mesh(4);
   SvgDocument document = SvgDocument::parse(
-      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", mesh), "d.svg");
+      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", mesh),
+      "d.svg");
   // All corners of all blocks, as they are written: as many different ones as there are points.
   std::set<std::string> corners;
   for (xmlNode* g : child_elements(child_elements(document.root(), "defs").at(0), "meshgradient"))
@@ -229,8 +232,8 @@ TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
 }
 
 TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
-  const std::string first =
-      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
+  const std::string first = after_writing(
+      "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
   SvgDocument document = SvgDocument::parse(first, "d.svg");
   const Mesh other = grid_mesh({.rows = 1, .columns = 2});
   write_mesh(document, mesh_objects(document).at(0), {other, 0.001, "again", 9});
@@ -266,8 +269,8 @@ TEST(SvgWrite, both_paints_of_one_object) {
 }
 
 TEST(SvgGroup, says_what_is_missing) {
-  const std::string good =
-      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
+  const std::string good = after_writing(
+      "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
   const auto complaint = [&](const auto& spoil) -> std::string {
     SvgDocument document = SvgDocument::parse(good, "d.svg");
     spoil(document.find("p"));

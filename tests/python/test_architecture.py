@@ -1,0 +1,70 @@
+"""The folders of native/ include themselves and lower ranks only (README, "Architecture")."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+NATIVE = Path(__file__).resolve().parents[2] / "native"
+
+RANK = {
+    "base": 0,
+    "geom": 1,
+    "metric": 1,
+    "mesh": 2,
+    "ops": 3,
+    "io": 3,
+    "raster": 3,
+    "error": 4,
+    "select": 5,
+    "simplify": 6,
+    "document": 7,
+    "bindings": 8,
+    "cli": 8,
+}
+
+#: Libraries that only some folders may know.
+OWNERS = {
+    r"libxml/": {"io"},
+    r"OpenImageIO/": {"io"},
+    r"(EGL|GL|GLES\d?)/": {"raster"},
+    r"pybind11/": {"bindings"},
+    r"(CLI/|nlohmann/)": {"cli"},
+    r"tbb/": {"base"},
+}
+
+SOURCES = sorted(p for p in NATIVE.rglob("*") if p.suffix in {".h", ".cpp"})
+
+
+def includes(path):
+    return re.findall(r'^\s*#\s*include\s*["<]([^">]+)[">]', path.read_text(), re.MULTILINE)
+
+
+def test_every_folder_has_a_rank():
+    assert {p.name for p in NATIVE.iterdir() if p.is_dir()} == set(RANK)
+    assert len(SOURCES) > 50
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda p: str(p.relative_to(NATIVE)))
+def test_includes_go_downwards(path):
+    folder = path.relative_to(NATIVE).parts[0]
+    for include in includes(path):
+        target = include.split("/")[0]
+        if target in RANK and (NATIVE / include).exists():
+            assert target == folder or RANK[target] < RANK[folder], f"{path.name} includes {include}"
+        for pattern, owners in OWNERS.items():
+            if re.match(pattern, include):
+                assert folder in owners, f"{path.name} includes {include}"
+
+
+def test_metrics_know_no_meshes():
+    for path in (NATIVE / "metric").iterdir():
+        assert not any(i.startswith(("mesh/", "geom/")) for i in includes(path) if path.suffix != ".txt")
+
+
+def test_targets_link_downwards():
+    for name, rank in RANK.items():
+        text = (NATIVE / name / "CMakeLists.txt").read_text()
+        for linked in re.findall(r"gradmesh_(\w+)", text):
+            if linked in RANK and linked != name:
+                assert RANK[linked] < rank, f"{name} links {linked}"
