@@ -212,7 +212,7 @@ def transformed():
 
 
 def tensor():
-    """A small silk square: six of its nine patches are twisted inside by `tensor`."""
+    """A small silk square, twisted inside by `tensor`, with every row and column split once."""
     paints = ["#233a8e #3f7fd6 #7fd0e8 #f2f6d0", "#5a2f9a #e8f0ff #49b6d8 #2fa59a"]
     paints += ["#b93d9a #f7a8c8 #3d49b0 #8fe0c0", "#ffb46b #e8507a #8a3fb0 #2b2f7a"]
 
@@ -230,6 +230,9 @@ def tensor():
     for row, column in ((0, 1), (1, 0), (1, 2), (2, 1)):
         mesh.twist(row, column, rect(1.5, -0.7))
     mesh.twist(0, 0, rect(1.4, 0.5))
+    for split in (mesh.split_column, mesh.split_row):
+        for line in (2, 1, 0):
+            split(line, 0.5)
     border = transposed(mesh.points)
     outline = mesh.points[0] + border[-1][1:] + mesh.points[-1][-2::-1] + border[0][-2::-1]
     body = f"""<rect id="background" width="440" height="440" style="fill:#f6f1e7"/>

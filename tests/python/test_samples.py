@@ -22,7 +22,7 @@ PAINTED = {
     "stroke": {"loop": 80},
     "two": {"cap": 280, "stalk": 36},
     "transformed": {"leaf": 112},
-    "tensor": {"silk": 9},
+    "tensor": {"silk": 36},
 }
 OBJECTS = [(sample, painted) for sample, objects in PAINTED.items() for painted in objects]
 SVG = "{http://www.w3.org/2000/svg}"
