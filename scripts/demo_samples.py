@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Simplifies the samples with the extension, in a real Inkscape with a profile of its own.
+
+    demo_samples.py EXTENSION OUTPUT
+
+EXTENSION is the installed folder of the extension. For each sample OUTPUT gets NAME-before and
+NAME-after, as SVG and PNG, and stdout a line: patches, error, seconds.
+"""
+
+import os
+import re
+import shutil
+import sys
+import time
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(ROOT / "tests" / "python"), str(ROOT / "build" / "python")]
+
+import gradmesh  # noqa: E402
+from inkscape_harness import Inkscape, Timeout  # noqa: E402
+
+RAW_ID = "org.gradmesh.simplify"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+ERROR = re.compile(r"Gradient mesh: \d+ of \d+ patches, \w+ ([0-9.]+)")
+
+
+def patches(svg):
+    return {mesh.id: mesh.patches for mesh in gradmesh.load(svg).meshes}
+
+
+def largest_error(svg):
+    """The largest error that the labels of simplified meshes state."""
+    labels = (element.get(LABEL, "") for element in ET.parse(svg).iter())
+    return max(float(found[1]) for found in map(ERROR.match, labels) if found)
+
+
+def can_be_simplified(svg):
+    """Where nothing can be merged, the extension says so in a dialog, which needs a person."""
+    results = gradmesh.simplify(gradmesh.load(svg))
+    return any(result.patches_after < result.patches_before for result in results)
+
+
+def run(inkscape, sample, folder):
+    """Runs one sample; returns its line."""
+    before, after = (folder / f"{sample.stem}-{when}.svg" for when in ("before", "after"))
+    shutil.copy(sample, before)
+    after.unlink(missing_ok=True)
+    inkscape.export_png(before, before.with_suffix(".png"))
+    meshes = patches(before)
+    if not can_be_simplified(before):
+        return f"{sum(meshes.values())} patches, nothing to merge"
+    start = time.monotonic()
+    inkscape.run_extension(RAW_ID, before, after, select=list(meshes))
+    seconds = time.monotonic() - start
+    if not after.exists() or sum(patches(after).values()) >= sum(meshes.values()):
+        raise AssertionError("Inkscape left the document as it was")
+    inkscape.export_png(after, after.with_suffix(".png"))
+    return (
+        f"{sum(patches(after).values())} of {sum(meshes.values())} patches left, "
+        f"error {largest_error(after):.4f}, {seconds:.1f} s with Inkscape's own start"
+    )
+
+
+def main(extension, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    failed = 0
+    with Inkscape(display=os.environ.get("DISPLAY")) as inkscape:
+        inkscape.install(extension)
+        for sample in sorted((ROOT / "samples").glob("*.svg")):
+            try:
+                line = run(inkscape, sample, folder)
+            except (AssertionError, Timeout) as error:
+                line, failed = f"failed: {error}", 1
+            print(f"{sample.stem:12} {line}", flush=True)
+    print(f"Pictures and documents are in {folder}/.")
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2])))
