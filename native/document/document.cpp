@@ -5,11 +5,13 @@
 
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/blocks.h"
 #include "io/svg_group.h"
 #include "io/svg_mesh.h"
 #include "io/svg_write.h"
 #include "io/xml_node.h"
 #include "mesh/build.h"
+#include "metric/metric.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {
@@ -31,6 +33,26 @@ auto naming(const MeshObject& object, const Work& work) {
 bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
   while (node && node != ancestor) node = parent_element(node);
   return node != nullptr;
+}
+
+/// The blocks in which a simplified mesh is to be written. Sets the result's error to that of the
+/// mesh as a reader will find it; where the mesh lies over itself, that depends on the order. If no
+/// order keeps to epsilon, the result says that nothing could be merged.
+std::vector<Block> choose_blocks(const Mesh& original, const Mesh& simplified,
+                                 const SimplifyOptions& options, SimplifyResult& result) {
+  if (result.patches_after == result.patches_before) return {};
+  const auto rasterizer = make_software_rasterizer();
+  const auto metric = make_metric(options.metric, rasterizer->paint(original, result.frame));
+  const std::vector<Block> by_area = find_blocks(simplified);
+  for (const std::vector<Block>& blocks : {by_area, in_order_of_faces(by_area)}) {
+    const Mesh written = build_mesh(block_parts(simplified, blocks, result.frame.coons_tolerance));
+    result.error = mean(metric->map(rasterizer->paint(written, result.frame)));
+    if (result.error <= options.epsilon) return blocks;
+  }
+  result.patches_after = result.patches_before;
+  result.error = 0;
+  result.stopped = Stopped::nothing_to_merge;
+  return {};
 }
 
 }  // namespace
@@ -90,10 +112,14 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
   for (const MeshObject& object : chosen) meshes.push_back(mesh(object));
 
   std::vector<MeshReport> reports;
+  std::vector<std::vector<Block>> blocks;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     options.view = to_document(chosen[i]);
-    reports.push_back(
-        {chosen[i].id, naming(chosen[i], [&] { return gradmesh::simplify(meshes[i], options); })});
+    const Mesh original = meshes[i];
+    SimplifyResult result =
+        naming(chosen[i], [&] { return gradmesh::simplify(meshes[i], options); });
+    blocks.push_back(choose_blocks(original, meshes[i], options, result));
+    reports.push_back({chosen[i].id, result});
   }
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const SimplifyResult& result = reports[i].result;
@@ -102,7 +128,8 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
         is_mesh_group(chosen[i].node) ? patches_before(chosen[i].node) : result.patches_before;
     const std::string label =
         mesh_label(result.patches_after, before, options.metric, result.error);
-    write_mesh(svg_, chosen[i], {meshes[i], result.frame.coons_tolerance, label, before});
+    write_mesh(svg_, chosen[i],
+               {meshes[i], blocks[i], result.frame.coons_tolerance, label, before});
     changed_ = true;
   }
   objects_ = mesh_objects(svg_);

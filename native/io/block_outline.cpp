@@ -39,12 +39,18 @@ double chord_length(const Mesh& mesh, const std::vector<Halfedge>& side) {
   return sum;
 }
 
-int steps_within(const Cubic<Value>& curve, double flatness) {
-  const glm::dvec2 b0 = curve.p0.position, b1 = curve.bezier1().position;
-  const glm::dvec2 b2 = curve.bezier2().position, b3 = curve.p1.position;
-  const double bend =
-      6 * std::max(glm::length(b0 - 2.0 * b1 + b2), glm::length(b1 - 2.0 * b2 + b3));
-  return int(std::clamp(std::ceil(std::sqrt(bend / (8 * flatness))), 1.0, 64.0));
+/// Pieces into which each side of a patch is cut, so that chords are off by at most `flatness`.
+int steps_within(const Mesh& mesh, const std::array<std::vector<Halfedge>, 4>& sides,
+                 double flatness) {
+  double bend = 0;
+  for (const auto& side : sides)
+    for (const Halfedge h : side) {
+      const Cubic<Value> curve = mesh.side_of(h);
+      const glm::dvec2 b0 = curve.p0.position, b1 = curve.bezier1().position;
+      const glm::dvec2 b2 = curve.bezier2().position, b3 = curve.p1.position;
+      bend = std::max({bend, glm::length(b0 - 2.0 * b1 + b2), glm::length(b1 - 2.0 * b2 + b3)});
+    }
+  return int(std::clamp(std::ceil(std::sqrt(6 * bend / (8 * flatness))), 1.0, 64.0));
 }
 
 Polygon without_repeats(const Polygon& polygon) {
@@ -151,12 +157,11 @@ double doubled_area(const std::vector<glm::dvec2>& polygon) {
   return sum;
 }
 
-std::vector<glm::dvec2> block_outline(const Mesh& mesh, const Block& block, double flatness) {
+std::vector<glm::dvec2> block_outline(const Mesh& mesh, const Block& block, int steps) {
   Polygon outline;
   for (const auto& side : outer_sides(mesh, block))
     for (const Halfedge h : side) {
       const Cubic<Value> curve = mesh.side_of(h);
-      const int steps = steps_within(curve, flatness);
       for (int i = 0; i < steps; ++i) outline.push_back(curve.at(double(i) / steps).position);
     }
   return outline;
@@ -169,7 +174,8 @@ std::vector<glm::dvec2> grown_outline(const Mesh& mesh, const Block& block, doub
   const double by = std::max(0.5 * std::min(across, down), margin);
   const double flatness = 0.1 * by;
 
-  Polygon outline = without_repeats(block_outline(mesh, block, flatness));
+  Polygon outline =
+      without_repeats(block_outline(mesh, block, steps_within(mesh, sides, flatness)));
   if (doubled_area(outline) < 0) std::ranges::reverse(outline);
   const Polygon points = surface_points(mesh, block);
   if (outline.size() >= 3) {

@@ -15,7 +15,7 @@ std::vector<glm::dvec2> grown_outline(const Mesh& mesh, const Block& block, doub
 /// Twice the area that the block's outline encloses; the sign tells the sense of rotation.
 double doubled_area(const std::vector<glm::dvec2>& polygon);
 
-/// The block's own outline as a polygon.
-std::vector<glm::dvec2> block_outline(const Mesh& mesh, const Block& block, double flatness);
+/// The block's own outline as a polygon, each side of a patch in `steps` pieces.
+std::vector<glm::dvec2> block_outline(const Mesh& mesh, const Block& block, int steps);
 
 }  // namespace gradmesh

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <queue>
 #include <set>
+
+#include "geom/written.h"
+#include "io/block_outline.h"
 
 namespace gradmesh {
 namespace {
@@ -128,6 +132,47 @@ Patch block_patch(const Mesh& mesh, const Cell& cell) {
   return patch_from_sides(sides, twists);
 }
 
-std::vector<Block> find_blocks(const Mesh& mesh) { return BlockFinder(mesh).run(); }
+std::vector<Block> find_blocks(const Mesh& mesh) {
+  std::vector<Block> blocks = BlockFinder(mesh).run();
+  std::vector<std::pair<double, std::size_t>> order;
+  for (const Block& block : blocks)
+    order.emplace_back(-std::abs(doubled_area(block_outline(mesh, block, 8))), order.size());
+  std::ranges::sort(order);
+  std::vector<Block> sorted;
+  for (const auto& [area, i] : order) sorted.push_back(std::move(blocks[i]));
+  return sorted;
+}
+
+std::vector<Block> in_order_of_faces(std::vector<Block> blocks) {
+  const auto first_face = [](const Block& block) {
+    return std::ranges::min(block.cells, {}, &Cell::face).face;
+  };
+  std::ranges::stable_sort(blocks, {}, first_face);
+  return blocks;
+}
+
+MeshParts block_parts(const Mesh& mesh, const std::vector<Block>& blocks, double coons_tolerance) {
+  MeshParts parts;
+  parts.color_model = ColorModel::bilinear;
+  std::map<Halfedge, int> numbers;
+  for (const Block& block : blocks)
+    for (const Cell& cell : block.cells) {
+      for (int side = 0; side < 4; ++side)
+        numbers[block_side(mesh, cell, side)] = 4 * int(parts.patches.size()) + side;
+      parts.patches.push_back(as_written(block_patch(mesh, cell), coons_tolerance));
+    }
+  const auto side_parts = [&](Halfedge side) {
+    CurveSide result;
+    for (const Halfedge leaf : mesh.leaves(side)) {
+      if (!result.halfedges.empty()) result.breaks.push_back(mesh[leaf].interval.first);
+      result.halfedges.push_back(numbers.at(leaf));
+    }
+    return result;
+  };
+  for (const Halfedge h : mesh.halfedges())
+    if (!mesh.is_bar(h) && mesh.curve(h) == h && mesh[h].twin.valid())
+      parts.curves.push_back({side_parts(h), side_parts(mesh[h].twin)});
+  return parts;
+}
 
 }  // namespace gradmesh

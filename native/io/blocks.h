@@ -29,7 +29,16 @@ Halfedge block_side(const Mesh& mesh, const Block::Cell& cell, int side);
 Patch block_patch(const Mesh& mesh, const Block::Cell& cell);
 
 /// Cuts the mesh into blocks: the largest rectangle (by patches) first, then the largest of what is
-/// left. Every face is in exactly one.
+/// left. Every face is in exactly one. The order is that of painting: those of the largest area
+/// lie below, so that a click finds the smaller ones.
 std::vector<Block> find_blocks(const Mesh& mesh);
+
+/// The same blocks, each where its first face comes in the order of the mesh: for meshes that lie
+/// over themselves, where the order is seen.
+std::vector<Block> in_order_of_faces(std::vector<Block> blocks);
+
+/// The mesh as a reader of these blocks finds it: patches as they will be written, in the order
+/// in which they will be painted, and all curves.
+MeshParts block_parts(const Mesh& mesh, const std::vector<Block>& blocks, double coons_tolerance);
 
 }  // namespace gradmesh

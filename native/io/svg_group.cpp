@@ -153,35 +153,24 @@ MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
 }
 
 std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks) {
-  // Number of each leaf, and where it lies in its block.
-  struct Place {
-    int number, block;
-    bool inside;
-  };
-  std::map<Halfedge, Place> places;
-  int face = 0;
-  for (int b = 0; b < int(blocks.size()); ++b)
-    for (int i = 0; i < blocks[b].rows; ++i)
-      for (int j = 0; j < blocks[b].columns; ++j, ++face)
-        for (int side = 0; side < 4; ++side) {
-          const bool inside = (side == 0 && i > 0) || (side == 1 && j + 1 < blocks[b].columns) ||
-                              (side == 2 && i + 1 < blocks[b].rows) || (side == 3 && j > 0);
-          places[block_side(mesh, blocks[b].cell(i, j), side)] = {4 * face + side, b, inside};
-        }
-  const auto format_side = [&](Halfedge side) {
-    std::string text;
-    for (const Halfedge leaf : mesh.leaves(side)) {
-      if (!text.empty()) text += " " + format_exactly(mesh[leaf].interval.first) + " ";
-      text += std::to_string(places.at(leaf).number);
-    }
+  // Sides inside a block: a reader joins those by itself.
+  std::vector<bool> inside;
+  for (const Block& block : blocks)
+    for (int i = 0; i < block.rows; ++i)
+      for (int j = 0; j < block.columns; ++j)
+        for (const bool side : {i > 0, j + 1 < block.columns, i + 1 < block.rows, j > 0})
+          inside.push_back(side);
+  const auto format_side = [](const CurveSide& side) {
+    std::string text = std::to_string(side.halfedges[0]);
+    for (std::size_t i = 0; i < side.breaks.size(); ++i)
+      text += " " + format_exactly(side.breaks[i]) + " " + std::to_string(side.halfedges[i + 1]);
     return text;
   };
   std::string text;
-  for (const Halfedge h : mesh.halfedges()) {
-    const bool named = !mesh.is_bar(h) && mesh.curve(h) == h && mesh[h].twin.valid() &&
-                       !(mesh.is_leaf(h) && places.at(h).inside);
-    if (named)
-      text += (text.empty() ? "" : "; ") + format_side(h) + " | " + format_side(mesh[h].twin);
+  for (const CurveParts& curve : block_parts(mesh, blocks, 0).curves) {
+    const bool whole = curve.a.breaks.empty() && curve.b.breaks.empty();
+    if (whole && inside[std::size_t(curve.a.halfedges[0])]) continue;
+    text += (text.empty() ? "" : "; ") + format_side(curve.a) + " | " + format_side(curve.b);
   }
   return text;
 }

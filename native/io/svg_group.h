@@ -33,7 +33,7 @@ int patches_before(const xmlNode* group);
 /// do not fit together.
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group);
 
-/// The value of `curves` for a mesh whose faces are numbered block after block.
+/// The value of `curves` for a mesh in these blocks.
 std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks);
 
 }  // namespace gradmesh

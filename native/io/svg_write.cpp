@@ -140,7 +140,7 @@ class MeshWriter {
     own(group, "version", "1");
     own(group, "role", is_stroke() ? "stroke" : "fill");
     own(group, "patches-before", std::to_string(written_.patches_before));
-    own(group, "curves", format_curves(written_.mesh, blocks_));
+    own(group, "curves", format_curves(written_.mesh, written_.blocks));
     set_attribute(group, "label", written_.label, inkscape_namespace, "inkscape");
     // The group around it, where there is one, is what the person sees first.
     xmlNode* outer = parent_element(group);
@@ -148,13 +148,12 @@ class MeshWriter {
       set_attribute(outer, "label", written_.label, inkscape_namespace, "inkscape");
   }
 
-  /// The blocks as paths, the largest first, before `before` or at the end; their common bounds.
+  /// The blocks as paths, before `before` or at the end; their common bounds.
   Bounds write_blocks(xmlNode* group, xmlNode* before) {
-    blocks_ = sorted_blocks();
     const double margin = seam_margin();
     Bounds bounds;
     int face = 0;
-    for (const Block& block : blocks_) {
+    for (const Block& block : written_.blocks) {
       const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
                                                         written_.coons_tolerance, id_ + "-mesh");
       xmlNode* path = add_child(group, "path");
@@ -186,19 +185,6 @@ class MeshWriter {
     return d + " Z";
   }
 
-  std::vector<Block> sorted_blocks() const {
-    std::vector<std::pair<double, Block>> sized;
-    for (Block& block : find_blocks(written_.mesh)) {
-      const double area =
-          std::abs(doubled_area(block_outline(written_.mesh, block, seam_margin())));
-      sized.emplace_back(area, std::move(block));
-    }
-    std::ranges::stable_sort(sized, std::greater{}, [](const auto& s) { return s.first; });
-    std::vector<Block> blocks;
-    for (auto& [area, block] : sized) blocks.push_back(std::move(block));
-    return blocks;
-  }
-
   /// Enough that a path's smoothed edge stays off the mesh even where the whole mesh is shown as
   /// small as 50 pixels.
   double seam_margin() const {
@@ -216,7 +202,6 @@ class MeshWriter {
   const WrittenMesh& written_;
   xmlNode* defs_;
   const std::string id_;
-  std::vector<Block> blocks_;
 };
 
 }  // namespace

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "io/blocks.h"
 #include "io/svg_document.h"
 #include "io/svg_objects.h"
 #include "mesh/mesh.h"
@@ -11,6 +13,8 @@ namespace gradmesh {
 struct WrittenMesh {
   /// The mesh in the object's user space, colour model `bilinear`.
   const Mesh& mesh;
+  /// In the order in which they are painted.
+  const std::vector<Block>& blocks;
   /// As of Frame::coons_tolerance.
   double coons_tolerance;
   /// For the person, such as "Gradient mesh: 42 of 144 patches, FLIP 0.0098".

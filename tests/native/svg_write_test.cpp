@@ -37,9 +37,13 @@ SvgDocument document_of(const std::string& body) {
   return SvgDocument::parse(head + std::string(gradient) + body + "</svg>", "drawing.svg");
 }
 
+void write(SvgDocument& document, const MeshObject& object, const Mesh& mesh) {
+  write_mesh(document, object, {mesh, find_blocks(mesh), 0.001, "label", 9});
+}
+
 std::string after_writing(const std::string& body, const Mesh& mesh, int which = 0) {
   SvgDocument document = document_of(body);
-  write_mesh(document, mesh_objects(document).at(which), {mesh, 0.001, "label", 9});
+  write(document, mesh_objects(document).at(which), mesh);
   return document.serialize();
 }
 
@@ -236,7 +240,7 @@ TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
       "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
   SvgDocument document = SvgDocument::parse(first, "d.svg");
   const Mesh other = grid_mesh({.rows = 1, .columns = 2});
-  write_mesh(document, mesh_objects(document).at(0), {other, 0.001, "again", 9});
+  write(document, mesh_objects(document).at(0), other);
   const auto gradients =
       child_elements(child_elements(document.root(), "defs").at(0), "meshgradient");
   EXPECT_EQ(gradients.size(), 1u);
@@ -252,7 +256,7 @@ TEST(SvgWrite, both_paints_of_one_object) {
   SvgDocument document = document_of(body);
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 2u);
-  for (const MeshObject& o : objects) write_mesh(document, o, {grid_mesh(), 0.001, "l", 9});
+  for (const MeshObject& o : objects) write(document, o, grid_mesh());
   const auto after = mesh_objects(document);
   ASSERT_EQ(after.size(), 2u);
   EXPECT_EQ(after[0].role, PaintRole::fill);
