@@ -1,0 +1,144 @@
+"""Whatever the document is: a result, or one plain sentence. Property tests with fixed seeds."""
+
+import random
+from pathlib import Path
+
+import pytest
+
+gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not on PYTHONPATH")
+hypothesis = pytest.importorskip("hypothesis", reason="Debian package python3-hypothesis is absent")
+from hypothesis import given, settings, strategies as st  # noqa: E402
+
+SAMPLES = sorted((Path(__file__).resolve().parents[2] / "samples").glob("*.svg"))
+
+thoroughly = settings(max_examples=500, deadline=None, derandomize=True)
+moderately = settings(max_examples=120, deadline=None, derandomize=True)
+
+
+def expect_one_sentence(error, name):
+    text = str(error)
+    assert "\n" not in text
+    assert text.endswith(".")
+    assert name in text
+    assert "Traceback" not in text and "std::" not in text
+
+
+def try_all(data, name="drawing.svg"):
+    """Reads, paints and simplifies; True where the document was good."""
+    try:
+        document = gradmesh.loads(data, name)
+        for mesh in document.meshes:
+            gradmesh.render(document, mesh.id, 32)
+        gradmesh.simplify(document, resolution=32, epsilon=0.05, time_budget=2)
+        assert gradmesh.loads(document.to_bytes(), name).meshes
+    except gradmesh.InputError as error:
+        expect_one_sentence(error, name)
+        return False
+    return True
+
+
+@thoroughly
+@given(
+    sample=st.sampled_from([p for p in SAMPLES if p.stem in ("tensor", "stroke", "ellipse")]),
+    seed=st.integers(0, 2**32),
+    kind=st.sampled_from(["cut", "byte", "number", "drop", "double"]),
+)
+def test_spoiled_documents(sample, seed, kind):
+    chance = random.Random(seed)
+    text = sample.read_text()
+    at = chance.randrange(len(text))
+    if kind == "cut":
+        text = text[:at]
+    elif kind == "byte":
+        text = text[:at] + chance.choice("<>&\"' #\x00é0z-,") + text[at + 1 :]
+    else:
+        # A token inside a path, a colour or the like, put out, doubled or made extreme.
+        tokens = text.split(" ")
+        i = chance.randrange(len(tokens))
+        extreme = ["1e30", "-1e30", "NaN", "inf", "0", "1e-30", "99999999999999999999", "-0.0"]
+        if kind == "drop":
+            del tokens[i]
+        elif kind == "double":
+            tokens.insert(i, tokens[i])
+        else:
+            tokens[i] = chance.choice(extreme)
+        text = " ".join(tokens)
+    try_all(text)
+
+
+def grid_document(chance, rows, columns, noise, opacity):
+    """A rectangular mesh with random corners, handles and colours."""
+
+    def shake():
+        return complex(chance.uniform(-noise, noise), chance.uniform(-noise, noise)) * 50
+
+    corners = [[complex(50 * j, 50 * i) + shake() for j in range(columns + 1)] for i in range(rows + 1)]
+    paints = [
+        ["#%02x%02x%02x" % tuple(chance.randrange(256) for _ in range(3)) for _ in range(columns + 1)]
+        for _ in range(rows + 1)
+    ]
+
+    def stop(a, b, corner, is_known):
+        c1, c2 = a + (b - a) / 3 + shake(), a + 2 * (b - a) / 3 + shake()
+        path = "C " + " ".join(f"{p.real:.6f},{p.imag:.6f}" for p in (c1, c2, b))
+        color = f'stop-color="{paints[corner[0]][corner[1]]}" stop-opacity="{opacity}"'
+        return f'<stop path="{path}" {"" if is_known else color}/>'
+
+    text = []
+    for i in range(rows):
+        text.append("<meshrow>")
+        for j in range(columns):
+            around = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
+            text.append("<meshpatch>")
+            for side in range(4):
+                if (side == 0 and i > 0) or (side == 3 and j > 0):
+                    continue
+                a, b = around[side], around[(side + 1) % 4]
+                known = (side == 0 and j > 0) or (side == 1 and i > 0)
+                text.append(stop(corners[a[0]][a[1]], corners[b[0]][b[1]], a, known))
+            text.append("</meshpatch>")
+        text.append("</meshrow>")
+    start = corners[0][0]
+    return (
+        '<svg xmlns="http://www.w3.org/2000/svg" width="500" height="500"><defs>'
+        f'<meshgradient id="m" x="{start.real:.6f}" y="{start.imag:.6f}" gradientUnits="userSpaceOnUse">'
+        + "".join(text)
+        + '</meshgradient></defs><rect id="r" width="500" height="500" fill="url(#m)"/></svg>'
+    )
+
+
+@moderately
+@given(
+    seed=st.integers(0, 2**32),
+    rows=st.integers(1, 6),
+    columns=st.integers(1, 6),
+    noise=st.sampled_from([0.0, 0.02, 0.2, 1.0, 5.0]),
+    opacity=st.sampled_from([1, 0.5, 0]),
+    epsilon=st.sampled_from([0.0, 0.01, 0.1, 1.0]),
+    metric=st.sampled_from(["flip", "ssim"]),
+)
+def test_random_meshes(seed, rows, columns, noise, opacity, epsilon, metric):
+    data = grid_document(random.Random(seed), rows, columns, noise, opacity)
+    document = gradmesh.loads(data)
+    (before,) = document.meshes
+    assert before.patches == rows * columns
+    (result,) = gradmesh.simplify(document, epsilon=epsilon, metric=metric, resolution=80, seed=seed)
+    assert result.patches_before == before.patches
+    assert result.patches_after <= before.patches
+    assert 0 <= result.error <= epsilon
+    (after,) = gradmesh.loads(document.to_bytes()).meshes
+    assert after.patches == result.patches_after
+    assert after.id == "r"
+    if result.patches_after == before.patches:
+        assert document.to_bytes() == data.encode()
+        assert result.stopped == "nothing to merge"
+    else:
+        # Again, on what was written: never more patches, and still a good document.
+        (again,) = gradmesh.simplify(document, epsilon=epsilon, metric=metric, resolution=80)
+        assert again.patches_after <= result.patches_after
+        assert gradmesh.loads(document.to_bytes()).meshes[0].patches == again.patches_after
+
+
+def test_the_samples_themselves_are_good():
+    for sample in SAMPLES:
+        assert try_all(sample.read_bytes(), sample.name)
