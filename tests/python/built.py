@@ -1,0 +1,40 @@
+"""What was built: the program and the package, in build/ or the folder GRADMESH_BUILD names."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SAMPLES = ROOT / "samples"
+BUILD = Path(os.environ.get("GRADMESH_BUILD", ROOT / "build")).resolve()
+PROGRAM = BUILD / "gradmesh"
+PACKAGES = BUILD / "python"
+
+sys.path.insert(0, str(PACKAGES))
+
+PYTHON = "/usr/bin/python3"  # as Inkscape does
+
+
+def gradmesh(*arguments, cwd=None):
+    """Runs the command line with pipes, as a script does: a CompletedProcess with texts."""
+    return subprocess.run(
+        [PROGRAM, *map(str, arguments)],
+        cwd=cwd,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+def install_extension(folder):
+    """Installs the extension below `folder` as `cmake --install` does; its own folder there."""
+    subprocess.run(
+        ["cmake", "--install", str(BUILD), "--component", "extension"],
+        env={**os.environ, "DESTDIR": str(folder)},
+        check=True,
+        capture_output=True,
+    )
+    (inx,) = Path(folder).rglob("gradmesh_simplify.inx")
+    return inx.parent

@@ -1,0 +1,218 @@
+"""The extension keeps inkex's conventions, and does what it says when run as Inkscape runs it."""
+
+import os
+import subprocess
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+from bad_documents import BAD, TWO_PATCHES
+from built import PYTHON, ROOT, SAMPLES, install_extension
+
+INKEX = Path("/usr/share/inkscape/extensions")
+SVG = "{http://www.w3.org/2000/svg}"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+
+pytestmark = pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
+
+
+@pytest.fixture(scope="module")
+def extension(tmp_path_factory):
+    """The installed folder of the extension."""
+    return install_extension(tmp_path_factory.mktemp("installed"))
+
+
+@pytest.fixture
+def run(extension, tmp_path):
+    """Runs the extension on a text or a file with these options, as Inkscape does."""
+
+    def run(document, *options, path="/home/somebody/apple.svg", python=(PYTHON,), **env):
+        copy = tmp_path / "ink_ext_XXXXXX.svgABC123"
+        copy.write_text(document if isinstance(document, str) else document.read_text())
+        return subprocess.run(
+            [*python, "gradmesh_simplify.py", *options, str(copy)],
+            cwd=extension,
+            env={
+                **os.environ,
+                "PYTHONPATH": f"{extension.parent}{os.pathsep}{INKEX}",
+                "DOCUMENT_PATH": path,
+                "XDG_CACHE_HOME": str(tmp_path / "cache"),
+                **env,
+            },
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+
+    return run
+
+
+def is_one_sentence(text):
+    return text.endswith(".\n") and text.count("\n") == 1 and "Traceback" not in text
+
+
+def refused(done):
+    """The sentence of a run that left the document alone: Inkscape keeps it where stdout is empty."""
+    assert done.returncode != 0
+    assert done.stdout == ""
+    assert is_one_sentence(done.stderr), done.stderr
+    assert "ink_ext" not in done.stderr  # Inkscape's name for its copy tells nobody anything
+    return done.stderr
+
+
+def by_id(text):
+    return {element.get("id"): element for element in ET.fromstring(text).iter()}
+
+
+def test_inkscape_accepts_the_dialog():
+    from lxml import etree
+
+    schema = etree.RelaxNG(etree.parse(str(INKEX / "inkscape.extension.rng")))
+    schema.assertValid(etree.parse(str(ROOT / "inx" / "gradmesh_simplify.inx")))
+
+
+def test_dialog_and_script_agree(extension):
+    check = (
+        "import unittest\n"
+        "from inkex.tester.inx import InxMixin\n"
+        "class Conventions(InxMixin, unittest.TestCase):\n"
+        "    def test(self):\n"
+        "        self.assertInxIsGood('gradmesh_simplify.inx')\n"
+        "unittest.main()\n"
+    )
+    done = subprocess.run(
+        [PYTHON, "-c", check],
+        cwd=extension,
+        env={**os.environ, "PYTHONPATH": str(INKEX)},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_object_becomes_a_labelled_group_and_nothing_is_said(run):
+    before = SAMPLES / "fruit.svg"
+    done = run(before, "--id=pear")
+    assert (done.returncode, done.stderr) == (0, "")
+    pear = by_id(done.stdout)["pear"]
+    assert pear.tag == SVG + "g"
+    assert pear.get(LABEL).startswith("Gradient mesh: ")
+    assert " of 132 patches, FLIP 0.0" in pear.get(LABEL)
+
+
+def test_nothing_is_said_with_all_warnings_on(run):
+    """Inkscape shows a ResourceWarning in a dialog."""
+    done = run(SAMPLES / "fruit.svg", "--id=pear", python=(PYTHON, "-W", "default", "-X", "dev"))
+    own = [line for line in done.stderr.splitlines() if "inkex" not in line]
+    assert [line for line in own if "gradmesh" in line] == []
+    assert "ResourceWarning" not in done.stderr
+    assert done.returncode == 0
+
+
+def test_other_objects_are_not_touched(run):
+    before = (SAMPLES / "two.svg").read_text()
+    after = by_id(run(before, "--id=cap").stdout)
+    for name, element in by_id(before).items():
+        if name and name != "cap" and not name.startswith("cap-mesh") and not len(element):
+            assert after[name].attrib == element.attrib
+
+
+@pytest.mark.parametrize("chosen", [["svg1"], ["cap", "stalk"], ["stalk", "title1", "cap"]])
+def test_groups_and_mixed_selections(run, chosen):
+    done = run(SAMPLES / "two.svg", *(f"--id={name}" for name in chosen))
+    after = by_id(done.stdout)
+    assert after["cap"].tag == after["stalk"].tag == SVG + "g"
+
+
+def test_a_broken_mesh_elsewhere_does_not_matter(run):
+    broken = (
+        '<meshgradient id="broken" type="bicubic"/><rect id="other" width="9" height="9" '
+        'fill="url(#broken)"/></svg>'
+    )
+    text = (SAMPLES / "fruit.svg").read_text().replace("</svg>", broken)
+    assert 'meshgradient "broken"' in refused(run(text, "--id=other"))
+    assert by_id(run(text, "--id=pear").stdout)["pear"].tag == SVG + "g"
+
+
+def test_settings_are_used(run):
+    def label(*options):
+        return by_id(run(SAMPLES / "fruit.svg", "--id=pear", *options).stdout)["pear"].get(LABEL)
+
+    assert "SSIM" in label("--metric=ssim")
+    assert label("--epsilon=0.002") != label("--epsilon=0.03")
+    assert label("--resolution=100") != label("--resolution=700")
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ([], "Select an object"),
+        (["--id=gone"], '"gone"'),
+        (["--id=stem"], "None of the selected objects"),
+        (["--id=pear", "--metric=taste"], "'taste'"),
+        (["--id=pear", "--method=magic"], "'magic'"),
+        (["--id=pear", "--epsilon=nan"], "epsilon"),
+        (["--id=pear", "--epsilon=much"], "'much'"),
+        (["--id=pear", "--resolution=3"], "resolution"),
+        (["--id=pear", "--seed=-1"], "seed"),
+        (["--id=pear", "--time_budget=-1"], "time budget"),
+        (["--id=pear", "--colour=red"], "--colour"),
+        (["--id=pear", "--epsilon=0"], "pear: no patches can be merged within an error of 0"),
+    ],
+)
+def test_what_cannot_be_done_is_said_in_one_sentence(run, options, words):
+    assert words in refused(run(SAMPLES / "fruit.svg", *options))
+
+
+@pytest.mark.parametrize("name", sorted(set(BAD) - {"no mesh"}))
+def test_bad_documents(run, name):
+    bad = BAD[name]
+    said = refused(run(bad.text, "--id=box"))
+    assert said.startswith("apple.svg")
+    for word in bad.words:
+        assert word in said
+
+
+def test_a_document_without_a_mesh(run):
+    assert "None of the selected objects" in refused(run(BAD["no mesh"].text, "--id=box"))
+
+
+def test_a_document_that_was_never_saved_has_a_name(run):
+    assert refused(run(BAD["NaN"].text, "--id=box", path="")).startswith("the document: ")
+
+
+def test_the_document_may_come_through_a_pipe(extension):
+    done = subprocess.run(
+        [PYTHON, "gradmesh_simplify.py", "--id=pear"],
+        cwd=extension,
+        env={**os.environ, "PYTHONPATH": str(INKEX)},
+        input=(SAMPLES / "fruit.svg").read_bytes(),
+        capture_output=True,
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert b"Gradient mesh: " in done.stdout
+
+
+def test_a_missing_module_is_named(run, extension):
+    (module,) = (extension / "gradmesh").glob("_core*.so")
+    aside = module.rename(extension / "aside")
+    try:
+        said = refused(run(TWO_PATCHES, "--id=box"))
+    finally:
+        aside.rename(module)
+    assert "gradmesh._core" in said and "scripts/demo" in said
+
+
+def test_a_fault_goes_to_the_log(run, extension, tmp_path):
+    api = extension / "gradmesh" / "api.py"
+    sound = api.read_text()
+    api.write_text(sound.replace("def to_bytes(self)", "def to_nothing(self)"))
+    try:
+        said = refused(run(SAMPLES / "fruit.svg", "--id=pear"))
+    finally:
+        api.write_text(sound)
+    log = tmp_path / "cache" / "gradmesh" / "simplify.log"
+    assert "AttributeError" in said and str(log) in said
+    assert "Traceback" in log.read_text()
