@@ -125,7 +125,9 @@ int run(int argc, char** argv) {
   simplify->add_option("--resolution", s.options.resolution, "Pixels along the longer side")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
-  simplify->add_option("--seed", s.options.seed, "Random choices follow it")->capture_default_str();
+  simplify->add_option("--seed", s.options.seed, "Random choices follow it")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   simplify
       ->add_option("--time-budget", s.options.time_budget,
                    "Seconds a mesh may take, then the best so far is kept; 0: no limit")
@@ -161,6 +163,9 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "gradmesh: " << error.what() << "\n";
+    return 2;
   } catch (const std::exception& error) {
     std::cerr << "gradmesh: " << error.what() << "\n";
     return 1;

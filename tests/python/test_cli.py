@@ -1,0 +1,293 @@
+"""The command line's contract: options, reports, exit codes, silence, and files whole or untouched."""
+
+import json
+import os
+import pty
+import subprocess
+import xml.etree.ElementTree as ET
+
+import pytest
+
+from bad_documents import BAD, DOCUMENT, TWO_PATCHES
+from built import PROGRAM, SAMPLES, gradmesh
+
+OPTIONS = {
+    "--id": "pear",
+    "--method": "grid",
+    "--metric": "ssim",
+    "--epsilon": "0.02",
+    "--resolution": "300",
+    "--seed": "7",
+    "--time-budget": "50",
+    "--threads": "1",
+}
+
+
+@pytest.fixture
+def fruit(tmp_path):
+    """A copy of a sample, in a folder that is empty otherwise."""
+    path = tmp_path / "fruit.svg"
+    path.write_bytes((SAMPLES / "fruit.svg").read_bytes())
+    return path
+
+
+def files(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def refused(done, code=1):
+    """The sentence of a run that failed."""
+    assert (done.returncode, done.stdout) == (code, "")
+    assert done.stderr.startswith("gradmesh: ") and done.stderr.endswith(".\n")
+    assert done.stderr.count("\n") == 1
+    return done.stderr
+
+
+def test_help_and_version():
+    assert "simplify" in gradmesh("--help").stdout
+    assert gradmesh("--version").stdout.count(".") == 2
+    for command in ("info", "simplify", "render", "compare"):
+        done = gradmesh(command, "--help")
+        assert (done.returncode, done.stderr) == (0, "") and done.stdout
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["melt"],
+        ["info"],
+        ["simplify", "fruit.svg"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--metric", "taste"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--method", "magic"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--epsilon", "1.5"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--epsilon", "nan"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--epsilon", "much"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--resolution", "15"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--seed", "-1"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--time-budget", "-1"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--time-budget", "inf"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--threads", "-1"],
+    ],
+)
+def test_wrong_usage_is_exit_code_2(fruit, arguments):
+    done = gradmesh(*arguments, cwd=fruit.parent)
+    assert done.returncode == 2
+    assert done.stderr and not done.stdout
+    assert set(files(fruit.parent)) == {"fruit.svg"}
+
+
+def test_info():
+    lines = gradmesh("info", SAMPLES / "two.svg").stdout.splitlines()
+    assert [line.split()[0] for line in lines] == ["stalk", "cap"]
+    found = json.loads(gradmesh("info", "--json", SAMPLES / "two.svg").stdout)
+    assert found["file"] == str(SAMPLES / "two.svg")
+    assert [mesh["patches"] for mesh in found["meshes"]] == [36, 280]
+    assert {mesh["role"] for mesh in found["meshes"]} == {"fill"}
+    assert not any(mesh["simplified"] for mesh in found["meshes"])
+
+
+def test_simplify_and_its_report(fruit):
+    out, report = fruit.with_name("out.svg"), fruit.with_name("report.json")
+    before = fruit.read_bytes()
+    options = [text for pair in OPTIONS.items() for text in pair]
+    done = gradmesh("simplify", fruit, "-o", out, *options, "--report", report)
+    assert (done.returncode, done.stderr) == (0, "")  # a pipe gets no progress bar
+    assert done.stdout.startswith("pear: ")
+    (mesh,) = json.loads(report.read_text())["meshes"]
+    assert list(mesh) == (
+        "id method metric epsilon resolution seed patches_before patches_after error evaluations "
+        "seconds stopped".split()
+    )
+    assert (mesh["id"], mesh["method"], mesh["metric"]) == ("pear", "grid", "ssim")
+    assert (mesh["epsilon"], mesh["resolution"], mesh["seed"]) == (0.02, 300, 7)
+    assert mesh["patches_after"] < mesh["patches_before"] == 132
+    assert 0 < mesh["error"] <= 0.02 and mesh["evaluations"] > 0
+    assert mesh["seconds"]["total"] > 0 and mesh["stopped"] == "done"
+    (after,) = json.loads(gradmesh("info", "--json", out).stdout)["meshes"]
+    assert after["patches"] == mesh["patches_after"] and after["simplified"]
+    assert fruit.read_bytes() == before
+
+
+def test_in_may_be_out(fruit):
+    before = fruit.read_bytes()
+    assert gradmesh("simplify", fruit, "-o", fruit).returncode == 0
+    assert fruit.read_bytes() != before
+    ET.parse(fruit)
+    assert set(files(fruit.parent)) == {"fruit.svg"}
+
+
+def test_only_the_named_meshes(tmp_path):
+    def left(*options):
+        assert gradmesh("simplify", SAMPLES / "two.svg", "-o", tmp_path / "o", *options).returncode == 0
+        found = json.loads(gradmesh("info", "--json", tmp_path / "o").stdout)
+        return [mesh["simplified"] for mesh in found["meshes"]]
+
+    assert left("--id", "cap") == [False, True]
+    assert left("--id", "cap", "--id", "stalk") == left("--id", "svg1") == left() == [True, True]
+
+
+def test_nothing_to_merge_keeps_every_byte(fruit):
+    out, report = fruit.with_name("out.svg"), fruit.with_name("report.json")
+    done = gradmesh("simplify", fruit, "-o", out, "--epsilon", "0", "--report", report)
+    assert done.returncode == 0 and "nothing to merge" in done.stdout
+    assert out.read_bytes() == fruit.read_bytes()
+    (mesh,) = json.loads(report.read_text())["meshes"]
+    assert mesh["stopped"] == "nothing to merge"
+    assert mesh["patches_after"] == mesh["patches_before"]
+
+
+def test_the_time_budget_ends_a_run(tmp_path):
+    report = tmp_path / "report.json"
+    arguments = ["simplify", SAMPLES / "photo.svg", "-o", tmp_path / "out.svg"]
+    done = gradmesh(*arguments, "--resolution", "8192", "--time-budget", "0.001", "--report", report)
+    assert done.returncode == 0
+    (mesh,) = json.loads(report.read_text())["meshes"]
+    assert mesh["stopped"] == "budget"
+    ET.parse(tmp_path / "out.svg")
+
+
+@pytest.mark.parametrize("seed", ["0", "1"])
+def test_the_same_bytes_for_any_number_of_threads(tmp_path, seed):
+    outs = []
+    for threads in ("1", "2"):
+        out = tmp_path / f"{threads}.svg"
+        gradmesh("simplify", SAMPLES / "face.svg", "-o", out, "--threads", threads, "--seed", seed)
+        outs.append(out.read_bytes())
+    assert outs[0] == outs[1]
+
+
+def test_quiet(fruit):
+    done = gradmesh("simplify", fruit, "-o", fruit.with_name("out.svg"), "--quiet")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+@pytest.mark.parametrize("options, shown", [([], True), (["--quiet"], False)])
+def test_a_terminal_gets_a_progress_bar(fruit, options, shown):
+    terminal, inside = pty.openpty()
+    process = subprocess.Popen(
+        [PROGRAM, "simplify", str(fruit), "-o", str(fruit.with_name("out.svg")), *options],
+        stdin=inside,
+        stdout=subprocess.DEVNULL,
+        stderr=inside,
+    )
+    os.close(inside)
+    seen = b""
+    with os.fdopen(terminal, "rb", buffering=0) as screen:
+        while True:
+            try:
+                block = screen.read(4096)
+            except OSError:  # Linux's way to say that nobody writes any more
+                break
+            if not block:
+                break
+            seen += block
+    assert process.wait(timeout=60) == 0
+    assert (b"%" in seen and b"patches" in seen) == shown
+    assert seen.endswith(b"\r\x1b[K") if shown else seen == b""
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_documents(tmp_path, name):
+    bad, path = BAD[name], tmp_path / "bad.svg"
+    secret = tmp_path / "secret"
+    secret.write_text("#abcdef")
+    path.write_text(bad.text.replace("SECRET", secret.as_uri()))
+    before = files(tmp_path)
+    said = refused(gradmesh("simplify", path, "-o", tmp_path / "out.svg"))
+    assert str(path) in said
+    for word in bad.words:
+        assert word in said
+    assert refused(gradmesh("info", path)) == said
+    assert refused(gradmesh("simplify", path, "-o", path)) == said
+    assert refused(gradmesh("render", path, "-o", tmp_path / "out.png")) == said
+    assert files(tmp_path) == before
+
+
+def test_external_entities_are_never_read(tmp_path):
+    secret, path, out = (tmp_path / name for name in ("secret", "in.svg", "out.svg"))
+    secret.write_text("open sesame")
+    doctype = f'<!DOCTYPE svg [<!ENTITY e SYSTEM "{secret.as_uri()}">]>'
+    text = (SAMPLES / "fruit.svg").read_text()
+    path.write_text(doctype + "<svg" + text.partition("<svg")[2].replace("Pear<", "&e;<", 1))
+    assert "&e;" in path.read_text()
+    assert gradmesh("simplify", path, "-o", out).returncode == 0
+    assert "open sesame" not in out.read_text()
+
+
+def test_a_bomb_in_text_is_never_expanded(tmp_path):
+    bomb = BAD["entity bomb"].text.partition("]>")[0] + "]>"
+    path, out = tmp_path / "in.svg", tmp_path / "out.svg"
+    path.write_text(bomb + TWO_PATCHES.replace("<defs>", "<title>&a9;</title><defs>"))
+    gradmesh("simplify", path, "-o", out, "--epsilon", "0.5")
+    assert not out.exists() or out.stat().st_size < 10000
+
+
+@pytest.mark.parametrize(
+    "ids, words", [(["gone"], '"gone"'), (["plain"], '"plain"'), (["box", "gone"], '"gone"')]
+)
+def test_wrong_ids(tmp_path, ids, words):
+    path, out = tmp_path / "in.svg", tmp_path / "out.svg"
+    path.write_text(TWO_PATCHES)
+    said = refused(gradmesh("simplify", path, "-o", out, *(f"--id={name}" for name in ids)))
+    assert str(path) in said and words in said
+    assert not out.exists()
+
+
+def test_files_that_cannot_be_read_or_written(fruit):
+    gone = fruit.parent / "gone"
+    before = files(fruit.parent)
+    assert str(gone) in refused(gradmesh("info", gone))
+    assert str(fruit.parent) in refused(gradmesh("info", fruit.parent))
+    assert str(gone / "x") in refused(gradmesh("simplify", fruit, "-o", gone / "x"))
+    assert str(fruit.parent) in refused(gradmesh("simplify", fruit, "-o", fruit.parent))
+    assert str(gone / "x") in refused(gradmesh("render", fruit, "-o", gone / "x"))
+    assert str(gone) in refused(gradmesh("compare", gone, gone))
+    assert files(fruit.parent) == before
+
+
+def test_compressed_documents_are_refused(tmp_path):
+    import gzip
+
+    path = tmp_path / "in.svgz"
+    path.write_bytes(gzip.compress(TWO_PATCHES.encode()))
+    assert "compressed" in refused(gradmesh("info", path))
+
+
+def test_render(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    png = tmp_path / "out.png"
+    assert gradmesh("render", SAMPLES / "fruit.svg", "-o", png, "--resolution", "200").returncode == 0
+    with image.open(png) as picture:
+        assert max(picture.size) == 200 and picture.mode == "RGB"
+        assert len(picture.getcolors(1 << 24)) > 1000
+    said = refused(gradmesh("render", SAMPLES / "two.svg", "-o", png))
+    assert "--id" in said
+    assert gradmesh("render", SAMPLES / "two.svg", "-o", png, "--id", "cap").returncode == 0
+
+
+@pytest.mark.parametrize("metric, epsilon", [("flip", 0.01), ("ssim", 0.005)])
+def test_compare(tmp_path, metric, epsilon):
+    fruit, out, report = SAMPLES / "fruit.svg", tmp_path / "out.svg", tmp_path / "report.json"
+    options = ["--metric", metric, "--epsilon", epsilon, "--report", report]
+    gradmesh("simplify", fruit, "-o", out, *options)
+    for svg in (fruit, out):
+        gradmesh("render", svg, "-o", tmp_path / f"{svg.stem}.png")
+
+    def error(a, b):
+        return float(gradmesh("compare", a, b, "--metric", metric).stdout)
+
+    assert error(fruit, fruit) == 0
+    reported = json.loads(report.read_text())["meshes"][0]["error"]
+    assert error(fruit, out) == pytest.approx(reported, abs=2e-4)
+    assert error(tmp_path / "fruit.png", tmp_path / "out.png") == pytest.approx(reported, abs=2e-4)
+
+
+def test_what_cannot_be_compared(tmp_path):
+    for size in (100, 200):
+        gradmesh("render", SAMPLES / "fruit.svg", "-o", tmp_path / f"{size}.png", "--resolution", size)
+    assert "size" in refused(gradmesh("compare", tmp_path / "100.png", tmp_path / "200.png"))
+    assert "one mesh each" in refused(gradmesh("compare", SAMPLES / "two.svg", SAMPLES / "two.svg"))
+    empty = tmp_path / "empty.svg"
+    empty.write_text(DOCUMENT.format(defs=""))
+    assert str(empty) in refused(gradmesh("compare", SAMPLES / "fruit.svg", empty))
