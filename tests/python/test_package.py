@@ -1,0 +1,198 @@
+"""The Python package: documents, options, progress and cancelling, pictures, errors."""
+
+import gzip
+from dataclasses import astuple
+
+import pytest
+
+from bad_documents import BAD, DOCUMENT
+from built import SAMPLES
+
+import gradmesh
+
+FRUIT = SAMPLES / "fruit.svg"
+
+
+@pytest.fixture
+def fruit():
+    return gradmesh.load(FRUIT)
+
+
+def test_load_tells_what_is_there():
+    two = gradmesh.load(str(SAMPLES / "two.svg"))
+    assert two.ids == ["stalk", "cap"]
+    assert [astuple(mesh) for mesh in two.meshes] == [
+        ("stalk", "fill", False, 36),
+        ("cap", "fill", False, 280),
+    ]
+    (loop,) = gradmesh.load(SAMPLES / "stroke.svg").meshes
+    assert loop.role == "stroke"
+
+
+def test_loads_takes_text_and_bytes():
+    data = FRUIT.read_bytes()
+    assert gradmesh.loads(data).to_bytes() == data
+    assert gradmesh.loads(data.decode()).to_bytes() == data
+
+
+def test_a_document_without_meshes_has_no_ids():
+    document = gradmesh.loads(DOCUMENT.format(defs=""))
+    assert document.ids == []
+    with pytest.raises(gradmesh.InputError, match="painted by a mesh"):
+        document.meshes
+
+
+def test_simplify_changes_the_document(fruit, tmp_path):
+    (result,) = gradmesh.simplify(fruit, "pear", epsilon=0.02, metric="ssim", resolution=300, seed=3)
+    assert result.id == "pear" and result.stopped == "done"
+    assert result.patches_after < result.patches_before == 132
+    assert 0 < result.error <= 0.02
+    assert result.evaluations > 0 and result.seconds > 0
+    (mesh,) = fruit.meshes
+    assert (mesh.id, mesh.simplified, mesh.patches) == ("pear", True, result.patches_after)
+    gradmesh.save(fruit, tmp_path / "out.svg")
+    assert (tmp_path / "out.svg").read_bytes() == fruit.to_bytes()
+    assert gradmesh.load(tmp_path / "out.svg").meshes == [mesh]
+
+
+def test_ids_choose_the_meshes():
+    def simplified(ids):
+        document = gradmesh.load(SAMPLES / "two.svg")
+        gradmesh.simplify(document, ids)
+        return [mesh.id for mesh in document.meshes if mesh.simplified]
+
+    assert simplified("cap") == simplified(["cap"]) == simplified(iter(["cap"])) == ["cap"]
+    assert simplified(()) == simplified(["svg1"]) == ["stalk", "cap"]
+
+
+def test_nothing_to_merge_keeps_every_byte(fruit):
+    (result,) = gradmesh.simplify(fruit, epsilon=0)
+    assert result.stopped == "nothing to merge" and result.error == 0
+    assert fruit.to_bytes() == FRUIT.read_bytes()
+
+
+def test_progress_is_told(fruit):
+    calls = []
+    (result,) = gradmesh.simplify(fruit, progress=lambda *call: calls.append(call))
+    done, total, patches, errors = zip(*calls)
+    assert list(done) == sorted(done) and set(total) == {total[0]} and done[-1] <= total[0]
+    assert list(patches) == sorted(patches, reverse=True)
+    assert patches[-1] >= result.patches_after
+    assert all(0 <= error <= 0.01 for error in errors)
+
+
+def test_cancelling_keeps_the_best_so_far(fruit):
+    (result,) = gradmesh.simplify(fruit, progress=lambda *call: call[2] > 125)
+    assert result.stopped == "cancelled"
+    assert result.patches_after == 125 < result.patches_before
+    assert fruit.meshes[0].patches == result.patches_after
+
+
+def test_cancelling_at_once_keeps_every_byte(fruit):
+    (result,) = gradmesh.simplify(fruit, progress=lambda *_: False)
+    assert result.stopped == "cancelled" and result.patches_after == result.patches_before
+    assert fruit.to_bytes() == FRUIT.read_bytes()
+
+
+def test_the_time_budget_ends_a_run(fruit):
+    (result,) = gradmesh.simplify(fruit, resolution=4096, time_budget=1e-6)
+    assert result.stopped == "budget"
+    gradmesh.loads(fruit.to_bytes()).meshes
+
+
+class Broken(Exception):
+    pass
+
+
+@pytest.mark.parametrize("error", [Broken, KeyboardInterrupt])
+def test_an_exception_in_the_callback_comes_out(fruit, error):
+    def progress(done, *_):
+        if done > 20:
+            raise error
+
+    with pytest.raises(error):
+        gradmesh.simplify(fruit, progress=progress)
+    assert fruit.to_bytes() == FRUIT.read_bytes()
+    assert gradmesh.simplify(fruit)[0].stopped == "done"
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"method": "magic"}, "'magic'"),
+        ({"metric": "taste"}, "'taste'"),
+        ({"epsilon": -0.1}, "epsilon"),
+        ({"epsilon": float("nan")}, "epsilon"),
+        ({"resolution": 15}, "resolution"),
+        ({"seed": -1}, "seed"),
+        ({"seed": 2**64}, "seed"),
+        ({"time_budget": -1}, "time budget"),
+        ({"time_budget": float("inf")}, "time budget"),
+        ({"threads": -1}, "threads"),
+    ],
+)
+def test_bad_options(fruit, options, words):
+    with pytest.raises(ValueError, match=words) as refused:
+        gradmesh.simplify(fruit, **options)
+    assert not isinstance(refused.value, gradmesh.InputError)
+    assert fruit.to_bytes() == FRUIT.read_bytes()
+
+
+def test_bad_ids(fruit):
+    with pytest.raises(gradmesh.InputError, match='no object with the id "gone"'):
+        gradmesh.simplify(fruit, ["pear", "gone"])
+    with pytest.raises(gradmesh.InputError, match='"stem"'):
+        gradmesh.simplify(fruit, "stem")
+    assert fruit.to_bytes() == FRUIT.read_bytes()
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_documents(name):
+    def simplify():
+        gradmesh.simplify(gradmesh.loads(BAD[name].text, "apple.svg"))
+
+    with pytest.raises(gradmesh.InputError) as refused:
+        simplify()
+    said = str(refused.value)
+    assert said.startswith("apple.svg") and said.endswith(".") and "\n" not in said
+    for word in BAD[name].words:
+        assert word in said
+
+
+def test_other_bad_input(tmp_path):
+    with pytest.raises(gradmesh.InputError, match="gone.svg cannot be read"):
+        gradmesh.load(tmp_path / "gone.svg")
+    with pytest.raises(gradmesh.InputError, match="compressed"):
+        gradmesh.loads(gzip.compress(FRUIT.read_bytes()))
+    with pytest.raises(gradmesh.InputError, match="cannot be written"):
+        gradmesh.save(gradmesh.load(FRUIT), tmp_path / "gone" / "out.svg")
+
+
+def test_one_broken_mesh_leaves_all_as_they_were():
+    broken = '<rect id="bad" fill="url(#none)"/><meshgradient id="none"/></svg>'
+    text = (SAMPLES / "two.svg").read_text().replace("</svg>", broken)
+    document = gradmesh.loads(text)
+    with pytest.raises(gradmesh.InputError, match="none"):
+        gradmesh.simplify(document)
+    assert document.to_bytes().decode() == text
+    assert gradmesh.simplify(document, "cap")[0].stopped == "done"
+
+
+def test_render(fruit):
+    picture = gradmesh.render(fruit, resolution=120)
+    assert picture.dtype == "uint8" and picture.ndim == 3 and picture.shape[2] == 3
+    assert max(picture.shape) == 120
+    assert (picture[0, 0] == 255).all()  # the margin is white
+    assert len({tuple(pixel) for row in picture.tolist() for pixel in row}) > 1000
+    assert (picture == gradmesh.render(fruit, "pear", 120)).all()
+
+
+def test_render_needs_to_know_which_mesh_and_how_large(fruit):
+    two = gradmesh.load(SAMPLES / "two.svg")
+    with pytest.raises(ValueError, match="2 meshes"):
+        gradmesh.render(two)
+    assert gradmesh.render(two, "cap", 64).shape != gradmesh.render(two, "stalk", 64).shape
+    with pytest.raises(ValueError, match="resolution"):
+        gradmesh.render(fruit, resolution=15)
+    with pytest.raises(gradmesh.InputError, match='"gone"'):
+        gradmesh.render(fruit, "gone")
