@@ -8,9 +8,11 @@
 
 namespace gradmesh {
 
-/// Paints a mesh as it will be written, on white: 8-bit sRGB, one sample at each pixel's centre,
-/// no anti-aliasing, opacity over white. Patches are painted in the order of their faces, and
-/// where a patch folds over itself the larger v, then the larger u, lies on top.
+/// Paints a mesh as it will be shown, on white: 8-bit sRGB, one sample for each pixel, no
+/// anti-aliasing, opacity over white. Patches are painted in the order of their faces, and where a
+/// patch folds over itself the larger v, then the larger u, lies on top. A pixel's sample is
+///   bilinear  the one that cairo takes, and so Inkscape, of the mesh as written (forward.h)
+///   bicubic   the one at its centre, as in the paper
 class Rasterizer {
  public:
   virtual ~Rasterizer() = default;
@@ -26,8 +28,8 @@ class Rasterizer {
   }
 };
 
-/// The reference: every patch is divided until it is within a tenth of a pixel of the surface,
-/// colour is worked out at each pixel.
+/// The reference. Bicubic patches are divided until they are within a tenth of a pixel of the
+/// surface; their colour is worked out at each pixel.
 std::unique_ptr<Rasterizer> make_software_rasterizer();
 
 }  // namespace gradmesh

@@ -92,7 +92,7 @@ TEST(Raster, every_pixel_is_covered_exactly_once) {
     const Frame frame = fit_frame(mesh, {}, 157);
     const Tessellation t = tessellation(mesh, frame);
     Raster<int, 1> count(frame.width, frame.height);
-    const PatchColor black(Patch{}, ColorModel::bilinear);
+    const PatchColor black(Patch{});
     for (const Triangle& triangle : t.triangles) {
       Image one(frame.width, frame.height, 7);
       Window box{frame.width, frame.height, 0, 0};
@@ -148,12 +148,15 @@ TEST(Raster, triangles_are_within_a_tenth_of_a_pixel_of_the_surface) {
     }
 }
 
-TEST(Raster, colors_are_those_of_the_surface) {
-  // A straight patch is its own inverse: the colour at each pixel is known.
-  const Patch patch =
-      test::straight_patch({Value{{0, 0}, {1, 0, 0, 1}}, Value{{100, 0}, {0, 1, 0, 1}},
-                            Value{{100, 50}, {0, 0, 1, 0.5}}, Value{{0, 50}, {1, 1, 1, 0}}});
-  const Mesh mesh = build_mesh({{patch}, {}, ColorModel::bilinear});
+/// A straight patch is its own inverse: (u, v) at each point is known.
+Patch inverse_patch() {
+  return test::straight_patch({Value{{0, 0}, {1, 0, 0, 1}}, Value{{100, 0}, {0, 1, 0, 1}},
+                               Value{{100, 50}, {0, 0, 1, 0.5}}, Value{{0, 50}, {1, 1, 1, 0}}});
+}
+
+TEST(Raster, bicubic_colors_are_those_of_the_surface_at_the_centre) {
+  const Patch patch = inverse_patch();
+  const Mesh mesh = build_mesh({{patch}, {}, ColorModel::bicubic});
   const Frame frame = fit_frame(mesh, {}, 300);
   const Image image = make_software_rasterizer()->paint(mesh, frame);
   const Affine back = frame.to_pixels.inverse();
@@ -171,6 +174,66 @@ TEST(Raster, colors_are_those_of_the_surface) {
       }
     }
   EXPECT_GT(inside_pixels, 30000);
+}
+
+TEST(Raster, bilinear_colors_are_those_of_a_point_in_the_pixel) {
+  const Patch patch = inverse_patch();
+  const Mesh mesh = build_mesh({{patch}, {}, ColorModel::bilinear});
+  const Frame frame = fit_frame(mesh, {}, 301);
+  const Image image = make_software_rasterizer()->paint(mesh, frame);
+  const Affine back = frame.to_pixels.inverse();
+  int covered = 0;
+  double bias = 0;
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      const glm::dvec2 low = back.point({x, y}), high = back.point({x + 1, y + 1});
+      const bool touched = high.x >= 0 && low.x <= 100 && high.y >= 0 && low.y <= 50;
+      covered += touched;
+      // The patch's colours between the pixel's corners; colour is bilinear, so also in it.
+      glm::dvec3 least(255), most(touched ? 0 : 255);
+      for (const glm::dvec2 p : {low, high, glm::dvec2(low.x, high.y), glm::dvec2(high.x, low.y)}) {
+        const glm::dvec4 c =
+            patch.at(std::clamp(p.y / 50, 0., 1.), std::clamp(p.x / 100, 0., 1.)).color;
+        const glm::dvec3 seen = 255.0 * (c.a * glm::dvec3(c) + 1.0 - c.a);
+        if (touched) {
+          least = glm::min(least, seen);
+          most = glm::max(most, seen);
+        }
+      }
+      // Two roundings down, and the steps of colour that are rounded along a curve.
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_GE(image.at(x, y)[k], least[k] - 2) << x << ", " << y;
+        ASSERT_LE(image.at(x, y)[k], most[k] + 2) << x << ", " << y;
+      }
+      const glm::dvec2 centre = 0.5 * (low + high);
+      if (centre.x > 2 && centre.x < 98 && centre.y > 2 && centre.y < 10) {
+        const glm::dvec4 c = patch.at(centre.y / 50, centre.x / 100).color;
+        bias += 255 * (c.a * c.r + 1 - c.a) - image.at(x, y)[0];
+      }
+    }
+  EXPECT_GT(covered, 30000);
+  // Red falls with v near the top, and samples lie towards the larger v.
+  EXPECT_GT(bias, 0);
+}
+
+TEST(Raster, bilinear_patches_leave_no_holes) {
+  // A pixel of the surface is white only where no patch paints: the meshes hold no white.
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Mesh mesh = random_mesh(seed, 0.08);
+    const Frame frame = fit_frame(mesh, {}, 157);
+    const Tessellation t = tessellation(mesh, frame);
+    const Image image = make_software_rasterizer()->paint(mesh, frame);
+    int inside_pixels = 0;
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) {
+        if (!inside(t.boundary, glm::dvec2(256 * x + 128, 256 * y + 128))) continue;
+        ++inside_pixels;
+        const std::uint8_t* p = image.at(x, y);
+        ASSERT_FALSE(p[0] == 255 && p[1] == 255 && p[2] == 255)
+            << "seed " << seed << " pixel " << x << ", " << y;
+      }
+    EXPECT_GT(inside_pixels, 3000);
+  }
 }
 
 TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
