@@ -1,0 +1,50 @@
+"""The extension in Inkscape's window: from the menu, through its dialog, and one undo back."""
+
+import xml.etree.ElementTree as ET
+
+import pytest
+
+import inkscape_harness
+from built import SAMPLES, install_extension
+from inkscape_harness import Inkscape
+
+reason = inkscape_harness.missing(*inkscape_harness.WINDOW_PROGRAMS)
+pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
+
+# Where things are on the harness's screen once the page fits the window.
+PEAR, MENU_ITEM, APPLY, CLOSE = (750, 480), (460, 238), (459, 396), (370, 396)
+DIALOG, CANVAS, STATUS = (0, 0, 504, 416), (520, 140, 1370, 900), (450, 960, 1060, 1000)
+
+
+def test_apply_and_undo(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    svg = tmp_path / "fruit.svg"
+    svg.write_bytes((SAMPLES / "fruit.svg").read_bytes())
+
+    def seen(window, area):
+        with image.open(window.screenshot(tmp_path / "shot.png")) as shot:
+            return shot.convert("RGB").crop(area).tobytes()
+
+    with Inkscape() as inkscape:
+        inkscape.install(install_extension(tmp_path / "installed"))
+        with inkscape.window(svg) as window:
+            window.key("5")
+            window.click(*PEAR)
+            at_first = seen(window, DIALOG), seen(window, CANVAS), seen(window, STATUS)
+
+            window.key("alt+n")
+            window.click(*MENU_ITEM)
+            window.key("Right", "Return")
+            assert seen(window, DIALOG) != at_first[0], "no dialog opened"
+            window.click(*APPLY)
+            window.click(*CLOSE)
+            assert seen(window, STATUS) != at_first[2], "the selected object is still a path"
+
+            window.key("ctrl+z")
+            window.click(*PEAR)
+            assert (seen(window, CANVAS), seen(window, STATUS)) == at_first[1:]
+
+            window.key("ctrl+shift+z")
+            window.key("ctrl+s")
+    (pear,) = [element for element in ET.parse(svg).iter() if element.get("id") == "pear"]
+    assert pear.tag == "{http://www.w3.org/2000/svg}g"
