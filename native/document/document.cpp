@@ -12,7 +12,6 @@
 #include "io/xml_node.h"
 #include "mesh/build.h"
 #include "metric/metric.h"
-#include "raster/rasterizer.h"
 
 namespace gradmesh {
 namespace {
@@ -97,11 +96,12 @@ Mesh Document::mesh(const MeshObject& object) const {
   return naming(object, [&] { return build_mesh(parts); });
 }
 
-Image Document::render(const MeshObject& object, int resolution) const {
+Image Document::render(const MeshObject& object, int resolution,
+                       const Rasterizer& rasterizer) const {
   const Mesh painted = mesh(object);
   const Affine view = to_document(object);
   return naming(object, [&] {
-    return make_software_rasterizer()->paint(painted, fit_frame(painted, view, resolution));
+    return rasterizer.paint(painted, fit_frame(painted, view, resolution));
   });
 }
 
