@@ -78,7 +78,7 @@ py::list simplify_document(Document& document, const std::vector<std::string>& i
 
 py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution) {
   const auto objects = document.selected({id});
-  const Image image = document.render(objects.front(), resolution);
+  const Image image = document.render(objects.front(), resolution, *make_software_rasterizer());
   py::array_t<std::uint8_t> array({image.height, image.width, 3});
   std::memcpy(array.mutable_data(), image.samples.data(), image.samples.size());
   return array;

@@ -52,14 +52,16 @@ void run_simplify(SimplifyArguments& a) {
 }
 
 void run_render(const std::string& in, const std::string& out, const std::string& id,
-                int resolution) {
+                int resolution, bool like_inkscape) {
   const Document document = Document::read_file(in);
   const auto objects =
       document.selected(id.empty() ? std::vector<std::string>{} : std::vector<std::string>{id});
   if (objects.size() > 1)
     throw InputError(in + ": there are " + std::to_string(objects.size()) +
                      " meshes, choose one with --id.");
-  write_png(document.render(objects.front(), resolution), out);
+  const auto rasterizer =
+      like_inkscape ? make_cairo_like_rasterizer() : make_software_rasterizer();
+  write_png(document.render(objects.front(), resolution, *rasterizer), out);
 }
 
 bool is_svg(const std::string& path) { return std::filesystem::path(path).extension() == ".svg"; }
@@ -98,7 +100,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
 
   std::string in, out, other, id, metric = "flip";
-  bool as_json = false;
+  bool as_json = false, like_inkscape = false;
   int resolution = 700;
 
   CLI::App* info = app.add_subcommand("info", "List the meshes of a document");
@@ -147,7 +149,9 @@ int run(int argc, char** argv) {
   render->add_option("--resolution", resolution, "Pixels along the longer side")
       ->check(CLI::Range(16, 8192))
       ->capture_default_str();
-  render->callback([&] { run_render(in, out, id, resolution); });
+  render->add_flag("--like-inkscape", like_inkscape,
+                   "Take Inkscape's point of each pixel instead of the centre");
+  render->callback([&] { run_render(in, out, id, resolution, like_inkscape); });
 
   CLI::App* compare = app.add_subcommand(
       "compare",

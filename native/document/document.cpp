@@ -1,7 +1,6 @@
 #include "document/document.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "base/error.h"
@@ -13,7 +12,6 @@
 #include "io/xml_node.h"
 #include "mesh/build.h"
 #include "metric/metric.h"
-#include "raster/rasterizer.h"
 
 namespace gradmesh {
 namespace {
@@ -36,19 +34,6 @@ bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
   return node != nullptr;
 }
 
-/// The blocks in which a mesh can be written, in their orders.
-std::array<std::vector<Block>, 2> possible_blocks(const Mesh& mesh) {
-  const std::vector<Block> by_area = find_blocks(mesh);
-  return {by_area, in_order_of_faces(by_area)};
-}
-
-std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) {
-  std::vector<Mesh> ways;
-  for (const std::vector<Block>& blocks : possible_blocks(mesh))
-    ways.push_back(build_mesh(block_parts(mesh, blocks, frame.coons_tolerance)));
-  return ways;
-}
-
 /// The blocks in which a simplified mesh is to be written. Sets the result's error to that of the
 /// mesh as a reader will find it; where the mesh lies over itself, that depends on the order. If no
 /// order keeps to epsilon, the result says that nothing could be merged.
@@ -57,7 +42,8 @@ std::vector<Block> choose_blocks(const Mesh& original, const Mesh& simplified,
   if (result.patches_after == result.patches_before) return {};
   const auto rasterizer = make_software_rasterizer();
   const auto metric = make_metric(options.metric, rasterizer->paint(original, result.frame));
-  for (const std::vector<Block>& blocks : possible_blocks(simplified)) {
+  const std::vector<Block> by_area = find_blocks(simplified);
+  for (const std::vector<Block>& blocks : {by_area, in_order_of_faces(by_area)}) {
     const Mesh written = build_mesh(block_parts(simplified, blocks, result.frame.coons_tolerance));
     result.error = mean(metric->map(rasterizer->paint(written, result.frame)));
     if (result.error <= options.epsilon) return blocks;
@@ -110,11 +96,12 @@ Mesh Document::mesh(const MeshObject& object) const {
   return naming(object, [&] { return build_mesh(parts); });
 }
 
-Image Document::render(const MeshObject& object, int resolution) const {
+Image Document::render(const MeshObject& object, int resolution,
+                       const Rasterizer& rasterizer) const {
   const Mesh painted = mesh(object);
   const Affine view = to_document(object);
   return naming(object, [&] {
-    return make_software_rasterizer()->paint(painted, fit_frame(painted, view, resolution));
+    return rasterizer.paint(painted, fit_frame(painted, view, resolution));
   });
 }
 
@@ -124,7 +111,6 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
   std::vector<Mesh> meshes;
   for (const MeshObject& object : chosen) meshes.push_back(mesh(object));
 
-  options.ways_to_write = ways_to_write;
   std::vector<MeshReport> reports;
   std::vector<std::vector<Block>> blocks;
   for (std::size_t i = 0; i < chosen.size(); ++i) {

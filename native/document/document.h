@@ -9,6 +9,7 @@
 #include "io/svg_document.h"
 #include "io/svg_objects.h"
 #include "mesh/mesh.h"
+#include "raster/rasterizer.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
@@ -32,8 +33,8 @@ class Document {
   std::vector<MeshObject> selected(const std::vector<std::string>& ids) const;
 
   Mesh mesh(const MeshObject& object) const;
-  /// Paints one object's mesh as Rasterizer does, in a frame of its own.
-  Image render(const MeshObject& object, int resolution) const;
+  /// Paints one object's mesh in a frame of its own.
+  Image render(const MeshObject& object, int resolution, const Rasterizer& rasterizer) const;
 
   /// Simplifies the selected objects in place, each against itself as it was. An object that does
   /// not come out with fewer patches stays as it is. `options.view` is set for each object. Where

@@ -29,11 +29,13 @@ std::uint8_t to_byte(float channel) { return std::uint8_t(std::clamp(channel, 0.
 
 }  // namespace
 
-PatchColor::PatchColor(const Patch& patch) {
+PatchColor::PatchColor(const Patch& patch, ColorModel model)
+    : bilinear_(model == ColorModel::bilinear), opaque_(true) {
   // Rows of the monomial coefficients of the Hermite basis (the paper's B, Eq. 2).
   constexpr double b[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {-3, -2, -1, 3}, {2, 1, 1, -2}};
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
+  const int terms = bilinear_ ? 2 : 4;
+  for (int i = 0; i < terms; ++i)
+    for (int j = 0; j < terms; ++j) {
       glm::dvec4 sum(0.0);
       for (int k = 0; k < 4; ++k)
         for (int l = 0; l < 4; ++l) sum += patch.c[k][l].color * (b[i][k] * b[j][l]);
@@ -45,12 +47,16 @@ PatchColor::PatchColor(const Patch& patch) {
 void PatchColor::write(float u, float v, std::uint8_t* rgb) const {
   float channel[4];
   for (int n = 0; n < 4; ++n) {
-    float sum = 0;
-    for (int i = 3; i >= 0; --i) {
-      const float row = c_[i][0][n] + v * (c_[i][1][n] + v * (c_[i][2][n] + v * c_[i][3][n]));
-      sum = sum * u + row;
+    if (bilinear_) {
+      channel[n] = c_[0][0][n] + v * c_[0][1][n] + u * (c_[1][0][n] + v * c_[1][1][n]);
+    } else {
+      float sum = 0;
+      for (int i = 3; i >= 0; --i) {
+        const float row = c_[i][0][n] + v * (c_[i][1][n] + v * (c_[i][2][n] + v * c_[i][3][n]));
+        sum = sum * u + row;
+      }
+      channel[n] = sum;
     }
-    channel[n] = sum;
   }
   const float alpha = opaque_ ? 1.f : std::clamp(channel[3], 0.f, 1.f);
   for (int n = 0; n < 3; ++n)

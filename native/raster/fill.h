@@ -6,17 +6,17 @@
 
 namespace gradmesh {
 
-/// Bicubic colour of a patch at (u, v), ready to be evaluated at many pixels: 8-bit sRGB over
-/// white.
+/// Colour of a patch at (u, v), ready to be evaluated at many pixels: 8-bit sRGB over white.
 class PatchColor {
  public:
-  explicit PatchColor(const Patch& patch);
+  PatchColor(const Patch& patch, ColorModel model);
   void write(float u, float v, std::uint8_t* rgb) const;
 
  private:
   using Quad = std::array<float, 4>;
-  bool opaque_ = true;
-  /// Coefficients of u^i v^j, times 255.
+  bool bilinear_;
+  bool opaque_;
+  /// Coefficients of u^i v^j, times 255; `bilinear` needs the first two of each only.
   std::array<std::array<Quad, 4>, 4> c_{};
 };
 

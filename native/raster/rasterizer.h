@@ -8,11 +8,9 @@
 
 namespace gradmesh {
 
-/// Paints a mesh as it will be shown, on white: 8-bit sRGB, one sample for each pixel, no
+/// Paints a mesh as it will be written, on white: 8-bit sRGB, one sample a pixel, no
 /// anti-aliasing, opacity over white. Patches are painted in the order of their faces, and where a
-/// patch folds over itself the larger v, then the larger u, lies on top. A pixel's sample is
-///   bilinear  the one that cairo takes, and so Inkscape, of the mesh as written (forward.h)
-///   bicubic   the one at its centre, as in the paper
+/// patch folds over itself the larger v, then the larger u, lies on top.
 class Rasterizer {
  public:
   virtual ~Rasterizer() = default;
@@ -28,8 +26,13 @@ class Rasterizer {
   }
 };
 
-/// The reference. Bicubic patches are divided until they are within a tenth of a pixel of the
-/// surface; their colour is worked out at each pixel.
+/// The reference, which samples at the centres of pixels as the paper does: every patch is divided
+/// until it is within a tenth of a pixel of the surface, colour is worked out at each pixel.
 std::unique_ptr<Rasterizer> make_software_rasterizer();
+
+/// Paints as cairo does, and so Inkscape, down to the roundings: it takes another point
+/// of each pixel, and paints pixels that a patch only touches. To hold our surface against
+/// Inkscape's own pictures; colour model `bilinear` only.
+std::unique_ptr<Rasterizer> make_cairo_like_rasterizer();
 
 }  // namespace gradmesh

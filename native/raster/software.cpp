@@ -3,7 +3,6 @@
 #include "base/parallel.h"
 #include "geom/written.h"
 #include "raster/fill.h"
-#include "raster/forward.h"
 #include "raster/rasterizer.h"
 #include "raster/tessellate.h"
 
@@ -14,11 +13,11 @@ struct PaintedFace {
   Face face;
   Patch patch;
   Window bounds;
-  std::vector<Triangle> triangles;  ///< none where the colour is bilinear
+  std::vector<Triangle> triangles;
 };
 
-/// Rows that one thread paints at a time. A patch is sampled again in each band that it reaches.
-constexpr int band_height = 128;
+/// Rows that one thread paints at a time.
+constexpr int band_height = 32;
 
 class SoftwareRasterizer final : public Rasterizer {
  public:
@@ -26,14 +25,20 @@ class SoftwareRasterizer final : public Rasterizer {
     window = window.clipped(frame.window());
     if (window.empty()) return;
     std::vector<PaintedFace> faces = faces_in(mesh, frame, window);
-    if (mesh.color_model() == ColorModel::bicubic) tessellate_all(mesh, frame, faces);
+
+    Outlines outlines(mesh, frame);
+    for (const PaintedFace& f : faces)
+      for (const Halfedge side : mesh.sides(f.face)) outlines.prepare(side);
+    parallel_for(faces.size(), [&](std::size_t i) {
+      faces[i].triangles = tessellate(mesh, faces[i].face, faces[i].patch, frame, outlines);
+    });
 
     const int bands = (window.height() + band_height - 1) / band_height;
     parallel_for(std::size_t(bands), [&](std::size_t i) {
       Window band = window;
       band.y0 = window.y0 + int(i) * band_height;
       band.y1 = std::min(window.y1, band.y0 + band_height);
-      paint_band(faces, mesh.color_model(), frame, band, image);
+      paint_band(faces, mesh.color_model(), band, image);
     });
   }
 
@@ -50,27 +55,13 @@ class SoftwareRasterizer final : public Rasterizer {
     return faces;
   }
 
-  static void tessellate_all(const Mesh& mesh, const Frame& frame,
-                             std::vector<PaintedFace>& faces) {
-    Outlines outlines(mesh, frame);
-    for (const PaintedFace& f : faces)
-      for (const Halfedge side : mesh.sides(f.face)) outlines.prepare(side);
-    parallel_for(faces.size(), [&](std::size_t i) {
-      faces[i].triangles = tessellate(mesh, faces[i].face, faces[i].patch, frame, outlines);
-    });
-  }
-
-  static void paint_band(const std::vector<PaintedFace>& faces, ColorModel model,
-                         const Frame& frame, Window band, Image& image) {
+  static void paint_band(const std::vector<PaintedFace>& faces, ColorModel model, Window band,
+                         Image& image) {
     for (int y = band.y0; y < band.y1; ++y)
       std::fill_n(image.at(band.x0, y), 3 * band.width(), std::uint8_t(255));
     for (const PaintedFace& f : faces) {
       if (f.bounds.clipped(band).empty()) continue;
-      if (model == ColorModel::bilinear) {
-        paint_forward(f.patch, frame.to_pixels, band, image);
-        continue;
-      }
-      const PatchColor color(f.patch);
+      const PatchColor color(f.patch, model);
       for (const Triangle& triangle : f.triangles) fill_triangle(triangle, color, band, image);
     }
   }

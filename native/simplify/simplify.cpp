@@ -1,6 +1,5 @@
 #include "simplify/simplify.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -28,28 +27,15 @@ void select(const SimplifyOptions& options, MergeTrial& trial, StopWatch& watch)
   }
 }
 
-/// The smallest error of the mesh as it can be written; the first that keeps to epsilon will do.
-double error_as_written(const Mesh& mesh, const EditError& error, const SimplifyOptions& options,
-                        const Frame& frame) {
-  if (!options.ways_to_write) return error.whole_frame(mesh);
-  double best = 1;
-  for (const Mesh& written : options.ways_to_write(mesh, frame)) {
-    best = std::min(best, error.whole_frame(written));
-    if (best <= options.epsilon) break;
+/// The whole frame's error. Windows add up to it but for rounding; should that ever lie on the
+/// wrong side of epsilon, the last merges are taken back.
+double verify(Journal& journal, const EditError& error, double epsilon) {
+  double measured = error.whole_frame(journal.mesh());
+  while (measured > epsilon && journal.depth() > 0) {
+    journal.undo();
+    measured = error.whole_frame(journal.mesh());
   }
-  return best;
-}
-
-/// Measures the whole frame, of the mesh as it will be written. Its blocks are painted in another
-/// order than its faces, which may show where patches touch; should the error lie above epsilon,
-/// the last merges are taken back, ever more at a time, since each measurement takes a while.
-double verify(Journal& journal, const EditError& error, const SimplifyOptions& options,
-              const Frame& frame) {
-  for (int at_once = 1;; at_once *= 2) {
-    const double measured = error_as_written(journal.mesh(), error, options, frame);
-    if (measured <= options.epsilon || journal.depth() == 0) return measured;
-    for (int i = 0; i < at_once && journal.depth() > 0; ++i) journal.undo();
-  }
+  return measured;
 }
 
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
@@ -77,7 +63,7 @@ SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
   result.evaluations = trial.evaluations();
   result.seconds.select = watch.seconds() - result.seconds.rasterize;
 
-  result.error = verify(journal, error, options, result.frame);
+  result.error = verify(journal, error, options.epsilon);
   result.patches_after = mesh.face_count();
   result.stopped = why_stopped(watch, result);
   result.seconds.total = watch.seconds();

@@ -1,13 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
-#include <vector>
 
 #include "base/affine.h"
 #include "base/progress.h"
-#include "mesh/mesh.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
 
@@ -29,9 +26,6 @@ struct SimplifyOptions {
   int threads = 0;
   /// From mesh units to what the person sees, up to scale.
   Affine view;
-  /// The mesh as a reader will find it, in each of the ways in which it can be written. The result
-  /// keeps to epsilon in one of them at least. Empty: it is written as it is.
-  std::function<std::vector<Mesh>(const Mesh&, const Frame&)> ways_to_write;
   ProgressCallback progress;
 };
 

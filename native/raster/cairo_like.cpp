@@ -1,11 +1,13 @@
-#include "raster/forward.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "base/parallel.h"
+#include "geom/written.h"
+#include "raster/rasterizer.h"
 
 namespace gradmesh {
 namespace {
@@ -173,8 +175,11 @@ class ForwardPainter {
   Image& image_;
 };
 
-}  // namespace
-
+/// Paints a patch with bilinear colour by forward rasterization (Popescu and Rosen): the patch is
+/// sampled in steps of less than 1 / sqrt(2) pixel, v by v and along each u, so every pixel that it
+/// covers holds a sample; the last sample in a pixel colours it. That lies beside the centre,
+/// towards the larger u and v, and pixels that the patch only touches are painted too. Numbers are
+/// rounded where cairo rounds them: FLIP charges 0.03 for a single level of difference.
 void paint_forward(const Patch& patch, const Affine& to_pixels, Window window, Image& image) {
   const BezierNet net = bezier_net(patch);
   ForwardPainter::Strip whole;
@@ -185,6 +190,35 @@ void paint_forward(const Patch& patch, const Affine& to_pixels, Window window, I
   whole.start = {net[0][0].color, net[3][0].color};
   whole.end = {net[0][3].color, net[3][3].color};
   ForwardPainter(window, image).paint(whole);
+}
+
+/// Rows that one thread paints at a time. A patch is sampled again in each band that it reaches.
+constexpr int band_height = 128;
+
+class CairoLikeRasterizer final : public Rasterizer {
+ public:
+  void paint(const Mesh& mesh, const Frame& frame, Window window, Image& image) const override {
+    window = window.clipped(frame.window());
+    const int bands = (window.height() + band_height - 1) / band_height;
+    parallel_for(std::size_t(bands), [&](std::size_t i) {
+      Window band = window;
+      band.y0 = window.y0 + int(i) * band_height;
+      band.y1 = std::min(window.y1, band.y0 + band_height);
+      for (int y = band.y0; y < band.y1; ++y)
+        std::fill_n(image.at(band.x0, y), 3 * band.width(), std::uint8_t(255));
+      for (const Face f : mesh.faces()) {
+        const Patch patch = as_written(mesh.patch(f), frame.coons_tolerance);
+        if (!pixel_bounds(patch, frame).clipped(band).empty())
+          paint_forward(patch, frame.to_pixels, band, image);
+      }
+    });
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Rasterizer> make_cairo_like_rasterizer() {
+  return std::make_unique<CairoLikeRasterizer>();
 }
 
 }  // namespace gradmesh
