@@ -78,6 +78,11 @@ std::optional<std::string> referenced_id(std::string_view paint) {
   return std::string(target.substr(1));
 }
 
+std::string fallback_color(std::string_view paint) {
+  const std::size_t close = paint.find(')');
+  return close == paint.npos ? "" : std::string(trimmed(paint.substr(close + 1)));
+}
+
 std::string object_id(const xmlNode* node) {
   const xmlNode* outer = parent_element(node);
   const bool stands_for_it =

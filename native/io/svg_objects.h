@@ -38,6 +38,10 @@ std::string object_id(const xmlNode* node);
 /// The id in a paint `url(#id)`, with or without quotes; what follows is the fallback colour.
 std::optional<std::string> referenced_id(std::string_view paint);
 
+/// The colour that a paint `url(#id) colour` falls back to where meshes are not known; empty where
+/// there is none.
+std::string fallback_color(std::string_view paint);
+
 /// The meshgradient that a paint names; null where it names none.
 xmlNode* referenced_mesh(const SvgDocument& document, std::string_view paint);
 

@@ -53,8 +53,10 @@ class MeshWriter {
     std::vector<std::string> gradients;
     for (xmlNode* path : child_elements(group)) {
       if (!attribute(path, "face", gradmesh_namespace)) continue;
-      if (const auto fill = document_.styles().declared(path, "fill"))
+      if (const auto fill = document_.styles().declared(path, "fill")) {
         if (const auto id = referenced_id(*fill)) gradients.push_back(*id);
+        fallback_ = fallback_color(*fill);
+      }
       remove_node(path);
     }
     write_blocks(group, group->children);
@@ -65,6 +67,8 @@ class MeshWriter {
   void replace_shape() {
     xmlNode* shape = object_.node;
     const std::string gradient = attribute(object_.gradient, "id").value_or("");
+    if (const auto paint = document_.styles().inherited(shape, is_stroke() ? "stroke" : "fill"))
+      fallback_ = fallback_color(*paint);
     xmlNode* outer = xmlNewNode(shape->ns, reinterpret_cast<const xmlChar*>("g"));
     xmlAddPrevSibling(shape, outer);
     move_group_attributes(document_.styles(), shape, outer);
@@ -173,7 +177,9 @@ class MeshWriter {
   }
 
   std::string block_style(const std::string& gradient) const {
-    std::string style = "fill:url(#" + gradient + ");fill-rule:nonzero;stroke:none";
+    std::string style = "fill:url(#" + gradient + ")";
+    if (!fallback_.empty()) style += " " + fallback_;
+    style += ";fill-rule:nonzero;stroke:none";
     // A stroke's opacity is in its mask; a fill's is inherited from the group.
     if (is_stroke()) style += ";fill-opacity:1";
     return style;
@@ -202,6 +208,8 @@ class MeshWriter {
   const WrittenMesh& written_;
   xmlNode* defs_;
   const std::string id_;
+  /// What programs that know no meshes paint instead.
+  std::string fallback_;
 };
 
 }  // namespace

@@ -235,6 +235,20 @@ TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
   EXPECT_EQ(read_mesh(document, objects[1]).patches.size(), 1u);
 }
 
+TEST(SvgWrite, keeps_the_fallback_colour) {
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:url(#m) #abc\"/>",
+                    random_mesh(1)),
+      "d.svg");
+  for (int round = 0; round < 2; ++round) {
+    const auto blocks = child_elements(document.find("p"));
+    EXPECT_GT(blocks.size(), 1u);
+    for (const xmlNode* block : blocks)
+      EXPECT_EQ(fallback_color(document.styles().declared(block, "fill").value()), "#abc");
+    write(document, mesh_objects(document).at(0), random_mesh(2));
+  }
+}
+
 TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
   const std::string first = after_writing(
       "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
