@@ -322,6 +322,15 @@ class InkscapeWindow:
     def double_click(self, x: int, y: int) -> None:
         self.click(x, y, repeat=2)
 
+    def drag(self, x: int, y: int, to_x: int, to_y: int) -> None:
+        self._xdotool("mousemove", str(x), str(y), "mousedown", "1")
+        for i in range(1, 6):  # a single jump would be a click to Inkscape
+            at = (str(round(a + (b - a) * i / 5)) for a, b in ((x, to_x), (y, to_y)))
+            self._xdotool("mousemove", *at)
+            time.sleep(0.1)
+        self._xdotool("mouseup", "1")
+        self.settle()
+
     def screenshot(self, path) -> Path:
         """Writes the whole display; the name's ending says the format."""
         run(["import", "-window", "root", str(path)], self._env, 30)
