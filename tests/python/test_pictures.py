@@ -1,0 +1,168 @@
+"""The real Inkscape shows what gradmesh paints, before and after a mesh is simplified."""
+
+import pytest
+
+import inkscape_harness
+
+pytest.importorskip("PIL")
+pytest.importorskip("numpy")
+
+import pictures
+import svg_meshes
+from built import PROGRAM, SAMPLES
+from pictures import difference, export, flip, gradmesh, info
+from test_samples import OBJECTS, PAINTED
+
+REASON = inkscape_harness.missing()
+if not REASON and not PROGRAM.exists():
+    REASON = f"not built: {PROGRAM}"
+pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
+
+# FLIP charges 0.03 for a single level everywhere: at most one pixel in fifteen may be a level off.
+# That much is Inkscape's own doing: it paints strips of 64 pixels, and a patch that lies wholly
+# inside one is sampled with other rounding than one that reaches across.
+SAME = 0.002
+EPSILON = 0.01
+# Enough merges for several blocks and nested T-junctions in every sample.
+COARSE = 0.03
+RESOLUTIONS = (350, 700, 1400)
+SEAMS = pytest.mark.xfail(
+    strict=True, reason="where transparent blocks touch, a line of pixels is painted twice"
+)
+COARSE_OBJECTS = [
+    pytest.param(*names, marks=SEAMS) if names[0] == "opacity" else names for names in OBJECTS
+]
+
+
+@pytest.fixture(scope="module")
+def inkscape():
+    with inkscape_harness.Inkscape() as running:
+        yield running
+
+
+def simplified(folder, epsilon):
+    files = {}
+    for sample in PAINTED:
+        files[sample] = folder / f"{sample}.svg"
+        source = SAMPLES / f"{sample}.svg"
+        gradmesh("simplify", source, "-o", files[sample], "--epsilon", epsilon)
+    return files
+
+
+@pytest.fixture(scope="module")
+def coarse(tmp_path_factory):
+    """The samples, simplified so much that all have T-junctions or lost whole lines."""
+    return simplified(tmp_path_factory.mktemp("coarse"), COARSE)
+
+
+def bare_pictures(inkscape, folder, sources, resolutions):
+    """Pictures of the bare meshes by Inkscape and by gradmesh, by object and resolution."""
+    bare, ours = {}, {}
+    for sample, painted in OBJECTS:
+        document = svg_meshes.Document(sources[sample])
+        for resolution in resolutions:
+            key = painted, resolution
+            bare[key] = folder / f"{painted}-{resolution}.svg"
+            ours[key] = folder / f"{painted}-{resolution}-gradmesh.png"
+            element = document.by_id[painted]
+            pictures.write_bare_mesh(document, element, bare[key], resolution)
+            options = ["--like-inkscape", "--id", painted, "--resolution", resolution]
+            gradmesh("render", sources[sample], *options, "-o", ours[key])
+    theirs = export(inkscape, bare.values())
+    return {key: (png, ours[key]) for key, png in zip(bare, theirs)}
+
+
+@pytest.fixture(scope="module")
+def meshes(inkscape, tmp_path_factory):
+    sources = {sample: SAMPLES / f"{sample}.svg" for sample in PAINTED}
+    return bare_pictures(inkscape, tmp_path_factory.mktemp("meshes"), sources, (700,))
+
+
+@pytest.fixture(scope="module")
+def blocks(inkscape, coarse, tmp_path_factory):
+    return bare_pictures(inkscape, tmp_path_factory.mktemp("blocks"), coarse, RESOLUTIONS)
+
+
+@pytest.mark.parametrize("sample, painted", OBJECTS)
+def test_gradmesh_paints_a_mesh_as_inkscape_does(meshes, sample, painted):
+    theirs, ours = meshes[painted, 700]
+    assert flip(theirs, ours) <= SAME
+    # Nor does it differ at the mesh's own outline, which Inkscape does not smooth.
+    assert (difference(theirs, ours) > 16).sum() <= 20
+
+
+@pytest.mark.parametrize("sample, painted", OBJECTS)
+def test_the_centre_of_a_pixel_is_on_the_same_surface(meshes, tmp_path, sample, painted):
+    theirs, _ = meshes[painted, 700]
+    gradmesh("render", SAMPLES / f"{sample}.svg", "--id", painted, "-o", tmp_path / "centre.png")
+    levels = difference(theirs, tmp_path / "centre.png")
+    # Cairo rounds down, half a level, and takes a point up to half a pixel away.
+    assert levels.mean() <= 1.25
+    # It paints the pixels that the outline only touches, and takes the next patch's colour early.
+    assert (levels > 8).mean() <= 0.005
+
+
+@pytest.mark.parametrize("sample, painted", COARSE_OBJECTS)
+@pytest.mark.parametrize("resolution", RESOLUTIONS)
+def test_blocks_show_no_seams_in_inkscape(blocks, resolution, sample, painted):
+    theirs, ours = blocks[painted, resolution]
+    assert flip(theirs, ours) <= SAME
+    # Single pixels at corners; a seam has hundreds.
+    assert (difference(theirs, ours) > 16).sum() <= 20
+
+
+@pytest.fixture(scope="module")
+def pages(inkscape, tmp_path_factory):
+    """Inkscape's pictures of the samples' pages before and after, by sample."""
+    folder = tmp_path_factory.mktemp("pages")
+    after = simplified(folder, EPSILON)
+    before = {}
+    for sample in PAINTED:
+        before[sample] = folder / f"{sample}-before.svg"
+        before[sample].write_bytes((SAMPLES / f"{sample}.svg").read_bytes())
+    pngs = export(inkscape, [*before.values(), *after.values()])
+    return dict(zip(PAINTED, zip(pngs, pngs[len(PAINTED) :])))
+
+
+@pytest.mark.parametrize("sample", PAINTED)
+def test_the_page_looks_the_same_in_inkscape(pages, sample):
+    assert flip(*pages[sample]) <= EPSILON + 0.003
+
+
+def counts(svg):
+    names = ("role", "simplified", "patches", "points", "t_junctions")
+    return {painted: [mesh[name] for name in names] for painted, mesh in info(svg).items()}
+
+
+def assert_same_meshes(before, after, folder):
+    assert before.read_bytes() != after.read_bytes(), "Inkscape has written nothing of its own"
+    assert counts(before) == counts(after)
+    assert any(simplified for _, simplified, *_ in counts(before).values())
+    for painted in counts(before):
+        for source, png in ((before, "before.png"), (after, "after.png")):
+            gradmesh("render", source, "--id", painted, "-o", folder / png)
+        assert flip(folder / "before.png", folder / "after.png") <= 0.0005
+
+
+@pytest.fixture(scope="module")
+def saved(inkscape, coarse):
+    return dict(zip(coarse, export(inkscape, coarse.values(), kind="svg")))
+
+
+@pytest.mark.parametrize("sample", PAINTED)
+def test_the_mesh_survives_being_saved_by_inkscape(coarse, saved, tmp_path, sample):
+    assert_same_meshes(coarse[sample], saved[sample], tmp_path)
+
+
+# One of each kind of group: clipped, masked, and with a group around it for the filter.
+@pytest.mark.parametrize("sample", ["fruit", "stroke", "transformed"])
+def test_the_mesh_survives_being_moved_in_inkscape(inkscape, coarse, tmp_path, sample):
+    (painted,) = PAINTED[sample]
+    moved = tmp_path / "moved.svg"
+    actions = [f"select-by-id:{painted}", "transform-translate:30,20"]
+    inkscape.run_actions(coarse[sample], [*actions, f"export-filename:{moved}", "export-do"])
+    assert_same_meshes(coarse[sample], moved, tmp_path)
+    before, after = (svg_meshes.Document(svg).blocks() for svg in (coarse[sample], moved))
+    assert before.keys() == after.keys()
+    for name, net in before.items():
+        assert abs(after[name] - net - (30 + 20j)).max() < 1e-3

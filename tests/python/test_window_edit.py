@@ -1,0 +1,135 @@
+"""In Inkscape's window the blocks of a simplified mesh are one mesh: all handles, joined corners."""
+
+from collections import Counter
+
+import pytest
+
+import inkscape_harness
+from inkscape_harness import Inkscape
+
+np = pytest.importorskip("numpy")
+image = pytest.importorskip("PIL.Image")
+
+import svg_meshes
+from built import PROGRAM, SAMPLES
+from pictures import gradmesh, info
+
+REASON = inkscape_harness.missing(*inkscape_harness.WINDOW_PROGRAMS)
+if not REASON and not PROGRAM.exists():
+    REASON = f"not built: {PROGRAM}"
+pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
+
+PAGE = 480 + 600j  # of the sample "fruit"
+MESH_TOOL = (16, 511)
+DRAG = 14 + 9j  # pixels on the screen
+ROUNDING = 1e-3  # Inkscape writes eight digits, relative to the point before
+
+
+class Editing:
+    """The fruit, simplified, in Inkscape's window: its mesh selected, the mesh tool chosen, one
+    shared corner dragged, and saved."""
+
+    def __init__(self, folder):
+        self.svg = folder / "fruit.svg"
+        gradmesh("simplify", SAMPLES / "fruit.svg", "-o", self.svg, "--epsilon", 0.03)
+        self.counts_before = info(self.svg)["pear"]
+        self.before = svg_meshes.Document(self.svg).blocks()
+        with Inkscape() as inkscape, inkscape.window(self.svg) as window:
+            window.key("5")  # fits the page into the window
+            self.place_page(pixels(window.screenshot(folder / "page.png")))
+            middle = self.on_screen(240 + 340j)
+            window.double_click(round(middle.real), round(middle.imag))
+            window.key("ctrl+a")
+            self.selected = pixels(window.screenshot(folder / "selected.png"))
+            window.click(*MESH_TOOL)
+            self.handles = pixels(window.screenshot(folder / "handles.png"))
+            self.corner = self.lone_shared_corner()
+            start = self.on_screen(self.corner)
+            end = start + DRAG
+            window.drag(*(round(v) for v in (start.real, start.imag, end.real, end.imag)))
+            window.screenshot(folder / "dragged.png")
+            window.key("ctrl+s")
+            window.screenshot(folder / "saved.png")
+        self.after = svg_meshes.Document(self.svg).blocks()
+
+    def place_page(self, shot):
+        """Finds the page, the only large thing on the screen that is not grey."""
+        beige = shot[:, :, 0] - shot[:, :, 2] > 20
+        columns, rows = (longest_run(beige.sum(axis=axis) > 200) for axis in (0, 1))
+        self.origin = complex(columns[0], rows[0])
+        self.zoom = (columns[-1] + 1 - columns[0]) / PAGE.real
+        assert abs(self.zoom * PAGE.imag - (rows[-1] + 1 - rows[0])) < 3
+
+    def on_screen(self, points):
+        return self.origin + self.zoom * points
+
+    def lone_shared_corner(self):
+        """The corner of several blocks that is farthest from every other point of the mesh."""
+        points = np.unique(np.concatenate([net.ravel() for net in self.before.values()]))
+        shared = [p for p, count in shared_corners(self.before).items() if count > 1]
+        return max(shared, key=lambda p: np.partition(abs(points - p), 1)[1])
+
+
+def longest_run(flags):
+    places = np.flatnonzero(flags)
+    return max(np.split(places, np.flatnonzero(np.diff(places) > 1) + 1), key=len)
+
+
+def pixels(png):
+    with image.open(png) as picture:
+        return np.array(picture.convert("RGB"), int)
+
+
+def corners(net):
+    return net[::3, ::3]
+
+
+def shared_corners(blocks):
+    """In how many blocks each corner lies."""
+    return Counter(p for net in blocks.values() for p in np.unique(corners(net)))
+
+
+@pytest.fixture(scope="module")
+def editing(tmp_path_factory):
+    return Editing(tmp_path_factory.mktemp("window"))
+
+
+def changed_share(before, after, places):
+    """The share of places on the screen around which the two screenshots differ clearly."""
+    clear = abs(before - after).max(axis=2) > 60
+    boxes = [(int(p.imag) - 3, int(p.real) - 3) for p in places]
+    return np.mean([clear[y : y + 7, x : x + 7].any() for y, x in boxes])
+
+
+def test_every_block_shows_its_handles_at_once(editing):
+    assert len(editing.before) > 3
+    for net in editing.before.values():
+        places = editing.on_screen(corners(net).ravel())
+        assert changed_share(editing.selected, editing.handles, places) == 1
+    # Not everything has changed: the picture itself still shows between the handles.
+    rows, columns = np.mgrid[0:40, 0:40]
+    everywhere = editing.on_screen(100 + 280 * columns / 40 + 1j * (120 + 380 * rows / 40)).ravel()
+    assert changed_share(editing.selected, editing.handles, everywhere) < 0.8
+
+
+def test_a_dragged_corner_moves_in_every_block_that_has_it(editing):
+    owners = [name for name, net in editing.before.items() if editing.corner in corners(net)]
+    assert len(owners) > 1
+    moved = [
+        p
+        for name in owners
+        for p in corners(editing.after[name])[corners(editing.before[name]) == editing.corner]
+    ]
+    assert max(abs(p - moved[0]) for p in moved) < ROUNDING
+    assert abs(moved[0] - editing.corner - DRAG / editing.zoom) < 3 / editing.zoom
+
+
+def test_all_other_corners_stay_where_they_are(editing):
+    assert editing.before.keys() == editing.after.keys()
+    for name, net in editing.before.items():
+        stays = corners(net) != editing.corner
+        assert abs(corners(editing.after[name]) - corners(net))[stays].max() < ROUNDING
+
+
+def test_the_edited_file_still_holds_the_same_mesh(editing):
+    assert info(editing.svg)["pear"] == editing.counts_before
