@@ -146,7 +146,8 @@ def two():
     defs = [
         meshgradient(mushroom_cap(), "cap-mesh"),
         meshgradient(mushroom_stalk(), "stalk-rows", notation=absolute),
-        '<meshgradient id="stalk-mesh" xlink:href="#stalk-rows" gradientUnits="userSpaceOnUse"/>',
+        '<meshgradient id="stalk-mesh" x="200" y="236" xlink:href="#stalk-rows"'
+        ' gradientUnits="userSpaceOnUse"/>',
         linear("meadow", (0, "#e7f3d0", 1), (0.75, "#b7d88a", 1), (1, "#6c9d48", 1)),
     ]
     body = """<rect id="background" width="500" height="500" style="fill:url(#meadow)"/>

@@ -42,8 +42,9 @@ void run_simplify(SimplifyArguments& a) {
     a.options.progress = bar.callback();
     reports = document.simplify(a.ids, a.options);
   }
-  document.write_file(a.out);
+  // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
+  document.write_file(a.out);
   if (a.quiet) return;
   for (const auto& [id, r] : reports)
     std::printf("%s: %d of %d patches left, %s %.5f, %.2f s (%s)\n", id.c_str(), r.patches_after,

@@ -1,6 +1,7 @@
 #include "document/document.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "base/error.h"
@@ -11,7 +12,6 @@
 #include "io/svg_write.h"
 #include "io/xml_node.h"
 #include "mesh/build.h"
-#include "metric/metric.h"
 
 namespace gradmesh {
 namespace {
@@ -34,24 +34,18 @@ bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
   return node != nullptr;
 }
 
-/// The blocks in which a simplified mesh is to be written. Sets the result's error to that of the
-/// mesh as a reader will find it; where the mesh lies over itself, that depends on the order. If no
-/// order keeps to epsilon, the result says that nothing could be merged.
-std::vector<Block> choose_blocks(const Mesh& original, const Mesh& simplified,
-                                 const SimplifyOptions& options, SimplifyResult& result) {
-  if (result.patches_after == result.patches_before) return {};
-  const auto rasterizer = make_software_rasterizer();
-  const auto metric = make_metric(options.metric, rasterizer->paint(original, result.frame));
-  const std::vector<Block> by_area = find_blocks(simplified);
-  for (const std::vector<Block>& blocks : {by_area, in_order_of_faces(by_area)}) {
-    const Mesh written = build_mesh(block_parts(simplified, blocks, result.frame.coons_tolerance));
-    result.error = mean(metric->map(rasterizer->paint(written, result.frame)));
-    if (result.error <= options.epsilon) return blocks;
-  }
-  result.patches_after = result.patches_before;
-  result.error = 0;
-  result.stopped = Stopped::nothing_to_merge;
-  return {};
+/// The blocks in which a mesh can be written, in either order.
+std::array<std::vector<Block>, 2> possible_blocks(const Mesh& mesh) {
+  const std::vector<Block> by_area = find_blocks(mesh);
+  return {by_area, in_order_of_faces(by_area)};
+}
+
+/// The mesh as a reader will find it in these blocks.
+std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) {
+  std::vector<Mesh> ways;
+  for (const std::vector<Block>& blocks : possible_blocks(mesh))
+    ways.push_back(build_mesh(block_parts(mesh, blocks, frame.coons_tolerance)));
+  return ways;
 }
 
 }  // namespace
@@ -100,9 +94,8 @@ Image Document::render(const MeshObject& object, int resolution,
                        const Rasterizer& rasterizer) const {
   const Mesh painted = mesh(object);
   const Affine view = to_document(object);
-  return naming(object, [&] {
-    return rasterizer.paint(painted, fit_frame(painted, view, resolution));
-  });
+  return naming(object,
+                [&] { return rasterizer.paint(painted, fit_frame(painted, view, resolution)); });
 }
 
 std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
@@ -111,15 +104,12 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
   std::vector<Mesh> meshes;
   for (const MeshObject& object : chosen) meshes.push_back(mesh(object));
 
+  options.ways_to_write = ways_to_write;
   std::vector<MeshReport> reports;
-  std::vector<std::vector<Block>> blocks;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     options.view = to_document(chosen[i]);
-    const Mesh original = meshes[i];
-    SimplifyResult result =
-        naming(chosen[i], [&] { return gradmesh::simplify(meshes[i], options); });
-    blocks.push_back(choose_blocks(original, meshes[i], options, result));
-    reports.push_back({chosen[i].id, result});
+    reports.push_back(
+        {chosen[i].id, naming(chosen[i], [&] { return gradmesh::simplify(meshes[i], options); })});
   }
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const SimplifyResult& result = reports[i].result;
@@ -128,8 +118,8 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
         is_mesh_group(chosen[i].node) ? patches_before(chosen[i].node) : result.patches_before;
     const std::string label =
         mesh_label(result.patches_after, before, options.metric, result.error);
-    write_mesh(svg_, chosen[i],
-               {meshes[i], blocks[i], result.frame.coons_tolerance, label, before});
+    const std::vector<Block> blocks = possible_blocks(meshes[i])[result.way];
+    write_mesh(svg_, chosen[i], {meshes[i], blocks, result.frame.coons_tolerance, label, before});
     changed_ = true;
   }
   objects_ = mesh_objects(svg_);

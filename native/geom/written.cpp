@@ -42,7 +42,7 @@ Patch as_written(const Patch& patch, double tolerance) {
     for (int j : {0, 3}) {
       glm::dvec4& color = written.c[i][j].color;
       color = {round_to_8_bits(color.r), round_to_8_bits(color.g), round_to_8_bits(color.b),
-               std::clamp(color.a, 0.0, 1.0)};
+               round_to_8_bits(color.a)};
     }
   make_color_bilinear(written);
   return written;

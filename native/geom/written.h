@@ -4,10 +4,10 @@
 
 namespace gradmesh {
 
-/// The patch as an SVG document can hold it, for the colour model `bilinear`: corner colours
-/// rounded to 8 bits (opacity is not), colours bilinear between them, and the interior control
-/// points those of the Coons patch where all four are within `tolerance` of these (in the unit
-/// of the positions), since then no `tensor` is written.
+/// The patch as an SVG document can hold it, for the colour model `bilinear`: corner colours and
+/// opacities rounded to 8 bits (opacities become the greys of a mask), colours bilinear between
+/// them, and the interior control points those of the Coons patch where all four are within
+/// `tolerance` of these (in the unit of the positions), since then no `tensor` is written.
 Patch as_written(const Patch& patch, double tolerance);
 
 /// Whether the patch needs `tensor`.

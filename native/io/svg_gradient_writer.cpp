@@ -14,8 +14,8 @@ namespace {
 
 class GradientWriter {
  public:
-  GradientWriter(const Mesh& mesh, const Block& block, double coons_tolerance)
-      : mesh_(mesh), block_(block), coons_tolerance_(coons_tolerance) {}
+  GradientWriter(const Mesh& mesh, const Block& block, double coons_tolerance, MeshChannel channel)
+      : mesh_(mesh), block_(block), coons_tolerance_(coons_tolerance), channel_(channel) {}
 
   void write(xmlNode* gradient) {
     for (int row = 0; row < block_.rows; ++row) {
@@ -54,23 +54,30 @@ class GradientWriter {
                       from_corner(2, 2, 3, 3) + " " + from_corner(2, 1, 3, 0));
   }
 
-  static std::string color_style(const glm::dvec4& color) {
+  std::string color_style(const glm::dvec4& color) const {
     const auto byte = [](double c) { return unsigned(std::lround(std::clamp(c, 0.0, 1.0) * 255)); };
+    const glm::dvec4 shown = channel_ == MeshChannel::color ? color : glm::dvec4(color.a);
     char hex[8];
-    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", byte(color.r), byte(color.g), byte(color.b));
-    return std::string("stop-color:") + hex +
-           ";stop-opacity:" + format_number(std::clamp(color.a, 0.0, 1.0), 6);
+    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", byte(shown.r), byte(shown.g), byte(shown.b));
+    return std::string("stop-color:") + hex + ";stop-opacity:1";
   }
 
   const Mesh& mesh_;
   const Block& block_;
   double coons_tolerance_;
+  MeshChannel channel_;
 };
 
 }  // namespace
 
+bool is_translucent(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.halfedges(), [&](Halfedge h) {
+    return mesh.is_leaf(h) && std::lround(255 * mesh[h].color.a) != 255;
+  });
+}
+
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
-                                 const Block& block, double coons_tolerance,
+                                 const Block& block, double coons_tolerance, MeshChannel channel,
                                  const std::string& prefix) {
   xmlNode* gradient = add_child(defs, "meshgradient");
   const std::string id = document.give_id(gradient, prefix);
@@ -79,7 +86,7 @@ std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mes
   set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
   set_attribute(gradient, "x", format_number(start.x));
   set_attribute(gradient, "y", format_number(start.y));
-  GradientWriter(mesh, block, coons_tolerance).write(gradient);
+  GradientWriter(mesh, block, coons_tolerance, channel).write(gradient);
   return id;
 }
 

@@ -104,6 +104,41 @@ void renumber(CurveSide& side, int first_face) {
   for (int& h : side.halfedges) h += 4 * first_face;
 }
 
+/// The patches of all blocks below `parent`, the group or its mask, by their numbers, and the
+/// curves inside each block.
+MeshParts read_blocks(const SvgDocument& document, const xmlNode* group, const xmlNode* parent) {
+  std::map<int, MeshParts> blocks;
+  for (xmlNode* path : child_elements(parent)) {
+    const auto face = own_number(path, "face");
+    if (!face) continue;
+    if (!blocks.emplace(*face, read_block(document, group, path)).second)
+      fail(group, "one of its blocks is there twice");
+  }
+  MeshParts parts;
+  for (auto& [first_face, block] : blocks) {
+    if (first_face != int(parts.patches.size())) fail(group, "one of its blocks is missing");
+    parts.patches.insert(parts.patches.end(), block.patches.begin(), block.patches.end());
+    for (CurveParts& curve : block.curves) {
+      renumber(curve.a, first_face);
+      renumber(curve.b, first_face);
+      parts.curves.push_back(std::move(curve));
+    }
+  }
+  if (parts.patches.empty()) fail(group, "it holds no blocks");
+  return parts;
+}
+
+void set_opacities(const xmlNode* group, const MeshParts& greys, MeshParts& parts) {
+  if (greys.patches.size() != parts.patches.size())
+    fail(group, "its mask does not hold the opacities of all its blocks");
+  for (std::size_t f = 0; f < parts.patches.size(); ++f) {
+    for (const int i : {0, 3})
+      for (const int j : {0, 3})
+        parts.patches[f].c[i][j].color.a = greys.patches[f].c[i][j].color.r;
+    make_color_bilinear(parts.patches[f]);
+  }
+}
+
 }  // namespace
 
 bool is_mesh_group(const xmlNode* node) {
@@ -122,25 +157,18 @@ int patches_before(const xmlNode* group) {
   return *count;
 }
 
+xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group) {
+  const auto reference = attribute(group, "mask");
+  const auto id = reference ? referenced_id(*reference) : std::nullopt;
+  xmlNode* mask = id ? document.find(*id) : nullptr;
+  return mask && own_attribute(mask, "opacity") ? mask : nullptr;
+}
+
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
-  std::map<int, MeshParts> blocks;
-  for (xmlNode* path : child_elements(group)) {
-    const auto face = own_number(path, "face");
-    if (!face) continue;
-    if (!blocks.emplace(*face, read_block(document, group, path)).second)
-      fail(group, "one of its blocks is there twice");
-  }
-  MeshParts parts;
-  for (auto& [first_face, block] : blocks) {
-    if (first_face != int(parts.patches.size())) fail(group, "one of its blocks is missing");
-    parts.patches.insert(parts.patches.end(), block.patches.begin(), block.patches.end());
-    for (CurveParts& curve : block.curves) {
-      renumber(curve.a, first_face);
-      renumber(curve.b, first_face);
-      parts.curves.push_back(std::move(curve));
-    }
-  }
-  if (parts.patches.empty()) fail(group, "it holds no blocks");
+  MeshParts parts = read_blocks(document, group, group);
+  if (const xmlNode* mask = opacity_mask(document, group))
+    set_opacities(group, read_blocks(document, group, mask), parts);
+
   const std::string text = own_attribute(group, "curves").value_or("");
   for (CurveParts& curve : CurveReader(group, text).read())
     parts.curves.push_back(std::move(curve));

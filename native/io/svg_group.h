@@ -18,6 +18,8 @@ namespace gradmesh {
 ///   patches-before  on the group: patches of the mesh before it was first simplified
 ///   curves          on the group: the curves with more than one block along them, see below
 ///   face            on a block's path: number of its first face; the others follow row by row
+///   opacity         on the mask that holds the opacities, as blocks in grey, where there are any
+///   outer           on groups around the group that stand for the same object
 /// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A
 /// curve is `side | side`, a side `halfedge break halfedge ... halfedge`; curves are separated by
 /// semicolons. What is not named is joined as in a grid inside a block, or on the boundary.
@@ -28,6 +30,9 @@ bool is_mesh_group(const xmlNode* node);
 /// What the group says of itself. Throws InputError where it does not.
 PaintRole group_role(const xmlNode* group);
 int patches_before(const xmlNode* group);
+
+/// The mask that holds the opacities of the group's mesh; null where the mesh is opaque.
+xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group);
 
 /// The mesh of a group, in the group's user space. Throws InputError where blocks are missing or
 /// do not fit together.

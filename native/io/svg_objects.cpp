@@ -84,10 +84,11 @@ std::string fallback_color(std::string_view paint) {
 }
 
 std::string object_id(const xmlNode* node) {
-  const xmlNode* outer = parent_element(node);
-  const bool stands_for_it =
-      is_mesh_group(node) && outer && attribute(outer, "outer", gradmesh_namespace);
-  return attribute(stands_for_it ? outer : node, "id").value_or("");
+  if (is_mesh_group(node))
+    for (const xmlNode* outer = parent_element(node);
+         outer && attribute(outer, "outer", gradmesh_namespace); outer = parent_element(outer))
+      node = outer;
+  return attribute(node, "id").value_or("");
 }
 
 xmlNode* referenced_mesh(const SvgDocument& document, std::string_view paint) {

@@ -1,25 +1,16 @@
 #include "io/svg_write.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
-#include "io/block_outline.h"
+#include "io/svg_blocks_writer.h"
 #include "io/svg_gradient_writer.h"
 #include "io/svg_group.h"
 #include "io/svg_number.h"
 #include "io/svg_paint.h"
+#include "io/svg_scanner.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
 
 namespace gradmesh {
 namespace {
-
-struct Bounds {
-  glm::dvec2 low{std::numeric_limits<double>::infinity()};
-  glm::dvec2 high{-std::numeric_limits<double>::infinity()};
-};
 
 class MeshWriter {
  public:
@@ -50,8 +41,17 @@ class MeshWriter {
 
   void renew_group() {
     xmlNode* group = object_.node;
+    remove_opacity_mask(group);
+    std::vector<std::string> gradients = remove_blocks(group);
+    write_blocks(group, group->children);
+    describe_group(group);
+    for (const std::string& id : gradients) remove_if_unused(document_, id);
+  }
+
+  /// Removes the blocks in a group or mask; the gradients that they used.
+  std::vector<std::string> remove_blocks(xmlNode* parent) {
     std::vector<std::string> gradients;
-    for (xmlNode* path : child_elements(group)) {
+    for (xmlNode* path : child_elements(parent)) {
       if (!attribute(path, "face", gradmesh_namespace)) continue;
       if (const auto fill = document_.styles().declared(path, "fill")) {
         if (const auto id = referenced_id(*fill)) gradients.push_back(*id);
@@ -59,8 +59,15 @@ class MeshWriter {
       }
       remove_node(path);
     }
-    write_blocks(group, group->children);
-    describe_group(group);
+    return gradients;
+  }
+
+  void remove_opacity_mask(xmlNode* group) {
+    xmlNode* mask = opacity_mask(document_, group);
+    if (!mask) return;
+    const std::vector<std::string> gradients = remove_blocks(mask);
+    remove_node(mask);
+    remove_attribute(group, "mask");
     for (const std::string& id : gradients) remove_if_unused(document_, id);
   }
 
@@ -69,30 +76,47 @@ class MeshWriter {
     const std::string gradient = attribute(object_.gradient, "id").value_or("");
     if (const auto paint = document_.styles().inherited(shape, is_stroke() ? "stroke" : "fill"))
       fallback_ = fallback_color(*paint);
+    const std::string fill_opacity =
+        document_.styles().inherited(shape, "fill-opacity").value_or("1");
     xmlNode* outer = xmlNewNode(shape->ns, reinterpret_cast<const xmlChar*>("g"));
     xmlAddPrevSibling(shape, outer);
     move_group_attributes(document_.styles(), shape, outer);
 
     // One group, so that a double click is enough to get at the blocks, unless what else the object
-    // paints, or an effect that comes before clipping, needs a group of its own.
+    // paints, or an effect that comes before clipping, needs a group of its own. A group has one
+    // mask: a stroke's goes around that of the opacities.
     const bool other_paint = paints_otherwise();
+    const bool two_masks = is_stroke() && is_translucent(written_.mesh);
     const bool nested = other_paint || has_effects(document_.styles(), outer);
-    xmlNode* group = nested ? add_child(outer, "g") : outer;
-    if (nested) set_attribute(outer, "outer", "1", gradmesh_namespace, "gradmesh");
-    if (const auto opacity = document_.styles().declared(shape, "fill-opacity"))
-      if (!is_stroke()) set_style(group, "fill-opacity", *opacity);
-    const Bounds bounds = write_blocks(group, nullptr);
-    hold(group, shape, bounds);
+    xmlNode* holder = nested ? add_inner_group(outer) : outer;
+    xmlNode* group = two_masks ? add_inner_group(holder) : holder;
+    if (!is_stroke()) multiply_opacity(group, fill_opacity);
+    const Box box = write_blocks(group, nullptr);
+    hold(holder, shape, box);
     describe_group(group);
 
     xmlUnlinkNode(shape);
     if (other_paint) {
-      keep_other_paint(shape, outer, group);
+      keep_other_paint(shape, outer, holder);
     } else {
       xmlFreeNode(shape);
     }
     document_.set_id(outer, id_);
     remove_if_unused(document_, gradient);
+  }
+
+  /// A group in `outer`, which stands for the whole object.
+  static xmlNode* add_inner_group(xmlNode* outer) {
+    set_attribute(outer, "outer", "1", gradmesh_namespace, "gradmesh");
+    return add_child(outer, "g");
+  }
+
+  /// The opacity of the fill, which must not act on each block by itself.
+  void multiply_opacity(xmlNode* group, const std::string& by) {
+    const auto factor = parse_fraction(by);
+    if (!factor || *factor == 1) return;
+    const std::string own = document_.styles().declared(group, "opacity").value_or("1");
+    set_style(group, "opacity", format_number(parse_fraction(own).value_or(1) * *factor, 6));
   }
 
   bool is_stroke() const { return object_.role == PaintRole::stroke; }
@@ -118,16 +142,12 @@ class MeshWriter {
   }
 
   /// Clips the group by the shape or masks it by its stroke.
-  void hold(xmlNode* group, const xmlNode* shape, const Bounds& bounds) {
+  void hold(xmlNode* group, const xmlNode* shape, const Box& box) {
     xmlNode* holder = add_child(defs_, is_stroke() ? "mask" : "clipPath");
     const std::string id = document_.give_id(holder, id_ + "-shape");
     xmlNode* copy = geometry_copy(document_.styles(), shape, holder);
     if (is_stroke()) {
-      set_attribute(holder, "maskUnits", "userSpaceOnUse");
-      set_attribute(holder, "x", format_number(bounds.low.x, 6));
-      set_attribute(holder, "y", format_number(bounds.low.y, 6));
-      set_attribute(holder, "width", format_number(bounds.high.x - bounds.low.x, 6));
-      set_attribute(holder, "height", format_number(bounds.high.y - bounds.low.y, 6));
+      set_mask_region(holder, box);
       paint_stroke_white(document_.styles(), shape, copy);
       set_attribute(group, "mask", "url(#" + id + ")");
     } else {
@@ -135,6 +155,14 @@ class MeshWriter {
       set_clip_rule(document_.styles(), shape, copy);
       set_attribute(group, "clip-path", "url(#" + id + ")");
     }
+  }
+
+  static void set_mask_region(xmlNode* mask, const Box& box) {
+    set_attribute(mask, "maskUnits", "userSpaceOnUse");
+    set_attribute(mask, "x", format_number(box.low().x, 6));
+    set_attribute(mask, "y", format_number(box.low().y, 6));
+    set_attribute(mask, "width", format_number(box.size().x, 6));
+    set_attribute(mask, "height", format_number(box.size().y, 6));
   }
 
   void describe_group(xmlNode* group) {
@@ -147,60 +175,24 @@ class MeshWriter {
     own(group, "curves", format_curves(written_.mesh, written_.blocks));
     set_attribute(group, "label", written_.label, inkscape_namespace, "inkscape");
     // The group around it, where there is one, is what the person sees first.
-    xmlNode* outer = parent_element(group);
-    if (outer && attribute(outer, "outer", gradmesh_namespace))
+    for (xmlNode* outer = parent_element(group);
+         outer && attribute(outer, "outer", gradmesh_namespace); outer = parent_element(outer))
       set_attribute(outer, "label", written_.label, inkscape_namespace, "inkscape");
   }
 
-  /// The blocks as paths, before `before` or at the end; their common bounds.
-  Bounds write_blocks(xmlNode* group, xmlNode* before) {
-    const double margin = seam_margin();
-    Bounds bounds;
-    int face = 0;
-    for (const Block& block : written_.blocks) {
-      const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
-                                                        written_.coons_tolerance, id_ + "-mesh");
-      xmlNode* path = add_child(group, "path");
-      if (before) xmlAddPrevSibling(before, path);
-      document_.give_id(path, id_ + "-block");
-      const std::vector<glm::dvec2> outline = grown_outline(written_.mesh, block, margin);
-      for (const glm::dvec2 p : outline) {
-        bounds.low = glm::min(bounds.low, p);
-        bounds.high = glm::max(bounds.high, p);
-      }
-      set_attribute(path, "d", path_data(outline));
-      set_attribute(path, "style", block_style(gradient));
-      set_attribute(path, "face", std::to_string(face), gradmesh_namespace, "gradmesh");
-      face += int(block.cells.size());
+  /// The blocks and, where the mesh is not opaque, the mask of their opacities.
+  Box write_blocks(xmlNode* group, xmlNode* before) {
+    const BlocksWriter writer(document_, defs_, written_, id_, fallback_);
+    const Box box = writer.write(group, before, MeshChannel::color);
+    if (is_translucent(written_.mesh)) {
+      xmlNode* mask = add_child(defs_, "mask");
+      const std::string id = document_.give_id(mask, id_ + "-opacity-mask");
+      set_attribute(mask, "opacity", "1", gradmesh_namespace, "gradmesh");
+      set_mask_region(mask, box);
+      writer.write(mask, nullptr, MeshChannel::opacity);
+      set_attribute(group, "mask", "url(#" + id + ")");
     }
-    return bounds;
-  }
-
-  std::string block_style(const std::string& gradient) const {
-    std::string style = "fill:url(#" + gradient + ")";
-    if (!fallback_.empty()) style += " " + fallback_;
-    style += ";fill-rule:nonzero;stroke:none";
-    // A stroke's opacity is in its mask; a fill's is inherited from the group.
-    if (is_stroke()) style += ";fill-opacity:1";
-    return style;
-  }
-
-  static std::string path_data(const std::vector<glm::dvec2>& polygon) {
-    std::string d;
-    for (const glm::dvec2 p : polygon) d += (d.empty() ? "M " : " L ") + format_point(p, 6);
-    return d + " Z";
-  }
-
-  /// Enough that a path's smoothed edge stays off the mesh even where the whole mesh is shown as
-  /// small as 50 pixels.
-  double seam_margin() const {
-    Bounds bounds;
-    for (const Point p : written_.mesh.points()) {
-      bounds.low = glm::min(bounds.low, written_.mesh.position(p));
-      bounds.high = glm::max(bounds.high, written_.mesh.position(p));
-    }
-    const glm::dvec2 size = bounds.high - bounds.low;
-    return 0.02 * std::max(size.x, size.y);
+    return box;
   }
 
   SvgDocument& document_;

@@ -27,15 +27,30 @@ void select(const SimplifyOptions& options, MergeTrial& trial, StopWatch& watch)
   }
 }
 
-/// The whole frame's error. Windows add up to it but for rounding; should that ever lie on the
-/// wrong side of epsilon, the last merges are taken back.
-double verify(Journal& journal, const EditError& error, double epsilon) {
-  double measured = error.whole_frame(journal.mesh());
-  while (measured > epsilon && journal.depth() > 0) {
-    journal.undo();
-    measured = error.whole_frame(journal.mesh());
+/// Measures the whole frame, of the mesh as it will be written, into `result`; whether that keeps
+/// to epsilon.
+bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& options,
+             SimplifyResult& result) {
+  std::vector<Mesh> ways;
+  if (options.ways_to_write) ways = options.ways_to_write(mesh, result.frame);
+  if (ways.empty()) ways.push_back(mesh);
+  for (result.way = 0; result.way < int(ways.size()); ++result.way) {
+    result.error = error.whole_frame(ways[result.way]);
+    if (result.error <= options.epsilon) return true;
   }
-  return measured;
+  return false;
+}
+
+/// Blocks are painted in another order than faces, which shows where a mesh lies over itself.
+/// Should the error as written be above epsilon, the last merges are taken back, ever more at a
+/// time.
+void verify(Journal& journal, const EditError& error, const SimplifyOptions& options,
+            SimplifyResult& result) {
+  for (int at_once = 1; journal.depth() > 0; at_once *= 2) {
+    if (measure(journal.mesh(), error, options, result)) return;
+    for (int i = 0; i < at_once && journal.depth() > 0; ++i) journal.undo();
+  }
+  result.error = 0;
 }
 
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
@@ -63,7 +78,7 @@ SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
   result.evaluations = trial.evaluations();
   result.seconds.select = watch.seconds() - result.seconds.rasterize;
 
-  result.error = verify(journal, error, options.epsilon);
+  verify(journal, error, options, result);
   result.patches_after = mesh.face_count();
   result.stopped = why_stopped(watch, result);
   result.seconds.total = watch.seconds();

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "base/affine.h"
 #include "base/progress.h"
+#include "mesh/mesh.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
 
@@ -26,6 +29,9 @@ struct SimplifyOptions {
   int threads = 0;
   /// From mesh units to what the person sees, up to scale.
   Affine view;
+  /// The mesh as a reader will find it, in each way in which it can be written: the error that
+  /// counts is that of the first way that keeps to epsilon. Empty: it is written as it is.
+  std::function<std::vector<Mesh>(const Mesh&, const Frame&)> ways_to_write;
   ProgressCallback progress;
 };
 
@@ -35,6 +41,8 @@ struct SimplifyResult {
   int patches_before = 0, patches_after = 0;
   /// Error of the surface that will be written, measured on the whole frame.
   double error = 0;
+  /// Which of the ways to write it has this error.
+  int way = 0;
   int evaluations = 0;
   Stopped stopped = Stopped::done;
   /// Where the time went, in seconds.

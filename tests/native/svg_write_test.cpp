@@ -169,8 +169,9 @@ TEST(SvgWrite, takes_the_place_of_the_object) {
   EXPECT_EQ(attribute(group, "id"), "p");
   EXPECT_EQ(attribute(group, "transform"), "rotate(30)");
   const Declarations style = parse_declarations(attribute(group, "style").value());
-  EXPECT_EQ(style.at("opacity"), "0.7");
-  EXPECT_EQ(style.at("fill-opacity"), "0.5");
+  // Of the object and of its fill together: blocks must not be see-through one by one.
+  EXPECT_EQ(style.at("opacity"), "0.35");
+  EXPECT_FALSE(style.contains("fill-opacity"));
   EXPECT_FALSE(style.contains("fill"));
   EXPECT_EQ(attribute(group, "label", "http://www.inkscape.org/namespaces/inkscape"), "label");
   ASSERT_EQ(child_elements(group, "title").size(), 1u);
@@ -233,6 +234,48 @@ TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[1].id, "q");
   EXPECT_EQ(read_mesh(document, objects[1]).patches.size(), 1u);
+}
+
+TEST(SvgWrite, opacities_are_a_mask_of_greys) {
+  std::mt19937 random(3);
+  MeshParts parts = test::grid_parts({.rows = 3, .columns = 3, .color_noise = 0.2}, random);
+  for (Patch& patch : parts.patches) {
+    for (const int i : {0, 3})
+      for (const int j : {0, 3})
+        patch.c[i][j].color.a = patch.c[i][j].position.x < 150 ? 1 : 102 / 255.0;
+    patch = as_written(patch, 0);
+  }
+  Mesh mesh = build_mesh(parts);
+  Journal journal(mesh);
+  merge(journal, test::between(mesh, Face{3}, Face{4}));
+  for (const char* paint : {"fill", "stroke"}) {
+    const std::string body = "<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:none;" +
+                             std::string(paint) + ":url(#m)\"/>";
+    SvgDocument document = SvgDocument::parse(after_writing(body, mesh), "d.svg");
+    for (int round = 0; round < 2; ++round) {
+      const auto objects = mesh_objects(document);
+      ASSERT_EQ(objects.size(), 1u);
+      EXPECT_EQ(objects[0].id, "p");
+      // Where two blocks paint one pixel, an opaque one leaves no trace.
+      for (const xmlNode* g :
+           child_elements(child_elements(document.root(), "defs").at(0), "meshgradient"))
+        for (const xmlNode* row : child_elements(g))
+          for (const xmlNode* patch : child_elements(row))
+            for (const xmlNode* stop : child_elements(patch))
+              EXPECT_TRUE(
+                  attribute(stop, "style").value_or("stop-opacity:1").ends_with("stop-opacity:1"));
+      const Mesh back = build_mesh(read_mesh_group(document, objects[0].node));
+      EXPECT_EQ(match(mesh, back, 1e-4).size(), std::size_t(mesh.face_count()));
+      write(document, objects[0], mesh);
+    }
+    // Opaque now: the mask goes.
+    write(document, mesh_objects(document)[0], grid_mesh());
+    EXPECT_EQ(opacity_mask(document, mesh_objects(document)[0].node), nullptr);
+    EXPECT_EQ(child_elements(child_elements(document.root(), "defs").at(0), "meshgradient").size(),
+              1u);
+    EXPECT_EQ(child_elements(child_elements(document.root(), "defs").at(0), "mask").size(),
+              std::string(paint) == "stroke" ? 1u : 0u);
+  }
 }
 
 TEST(SvgWrite, keeps_the_fallback_colour) {

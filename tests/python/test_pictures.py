@@ -26,12 +26,6 @@ EPSILON = 0.01
 # Enough merges for several blocks and nested T-junctions in every sample.
 COARSE = 0.03
 RESOLUTIONS = (350, 700, 1400)
-SEAMS = pytest.mark.xfail(
-    strict=True, reason="where transparent blocks touch, a line of pixels is painted twice"
-)
-COARSE_OBJECTS = [
-    pytest.param(*names, marks=SEAMS) if names[0] == "opacity" else names for names in OBJECTS
-]
 
 
 @pytest.fixture(scope="module")
@@ -102,7 +96,7 @@ def test_the_centre_of_a_pixel_is_on_the_same_surface(meshes, tmp_path, sample, 
     assert (levels > 8).mean() <= 0.005
 
 
-@pytest.mark.parametrize("sample, painted", COARSE_OBJECTS)
+@pytest.mark.parametrize("sample, painted", OBJECTS)
 @pytest.mark.parametrize("resolution", RESOLUTIONS)
 def test_blocks_show_no_seams_in_inkscape(blocks, resolution, sample, painted):
     theirs, ours = blocks[painted, resolution]

@@ -1,0 +1,63 @@
+#include "io/svg_blocks_writer.h"
+
+#include <algorithm>
+
+#include "io/block_outline.h"
+#include "io/svg_group.h"
+#include "io/svg_number.h"
+#include "io/xml_edit.h"
+
+namespace gradmesh {
+namespace {
+
+std::string path_data(const std::vector<glm::dvec2>& polygon) {
+  std::string d;
+  for (const glm::dvec2 p : polygon) d += (d.empty() ? "M " : " L ") + format_point(p, 6);
+  return d + " Z";
+}
+
+}  // namespace
+
+BlocksWriter::BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMesh& written,
+                           const std::string& id, const std::string& fallback)
+    : document_(document), defs_(defs), written_(written), id_(id), fallback_(fallback) {}
+
+Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) const {
+  const bool color = channel == MeshChannel::color;
+  const double margin = seam_margin();
+  Box box;
+  int face = 0;
+  for (const Block& block : written_.blocks) {
+    const std::string gradient =
+        write_block_gradient(document_, defs_, written_.mesh, block, written_.coons_tolerance,
+                             channel, id_ + (color ? "-mesh" : "-opacity"));
+    xmlNode* path = add_child(parent, "path");
+    if (before) xmlAddPrevSibling(before, path);
+    document_.give_id(path, id_ + (color ? "-block" : "-opacity-block"));
+    const std::vector<glm::dvec2> outline = grown_outline(written_.mesh, block, margin);
+    for (const glm::dvec2 p : outline) box.add(p);
+    set_attribute(path, "d", path_data(outline));
+    set_attribute(path, "style", style(gradient, channel));
+    set_attribute(path, "face", std::to_string(face), gradmesh_namespace, "gradmesh");
+    face += int(block.cells.size());
+  }
+  return box;
+}
+
+std::string BlocksWriter::style(const std::string& gradient, MeshChannel channel) const {
+  std::string style = "fill:url(#" + gradient + ")";
+  if (channel == MeshChannel::color && !fallback_.empty()) style += " " + fallback_;
+  // Blocks are opaque: two may paint a pixel between them. What the object's paint and opacity
+  // leave to inherit must not act here.
+  return style + ";fill-rule:nonzero;fill-opacity:1;stroke:none";
+}
+
+/// Enough that a path's smoothed edge stays off the mesh even where the whole mesh is shown as
+/// small as 50 pixels.
+double BlocksWriter::seam_margin() const {
+  Box box;
+  for (const Point p : written_.mesh.points()) box.add(written_.mesh.position(p));
+  return 0.02 * std::max(box.size().x, box.size().y);
+}
+
+}  // namespace gradmesh
