@@ -60,8 +60,7 @@ void run_render(const std::string& in, const std::string& out, const std::string
   if (objects.size() > 1)
     throw InputError(in + ": there are " + std::to_string(objects.size()) +
                      " meshes, choose one with --id.");
-  const auto rasterizer =
-      like_inkscape ? make_cairo_like_rasterizer() : make_software_rasterizer();
+  const auto rasterizer = like_inkscape ? make_cairo_like_rasterizer() : make_software_rasterizer();
   write_png(document.render(objects.front(), resolution, *rasterizer), out);
 }
 

@@ -36,6 +36,13 @@ EditError::EditError(const Mesh& original, const Frame& frame, MetricKind metric
       metric_(make_metric(metric, reference_)),
       image_(reference_),
       map_(frame.width, frame.height) {
+  frame_.masked_opacity =
+      original.color_model() == ColorModel::bilinear && is_translucent(original);
+  if (frame_.masked_opacity) {
+    image_ = rasterizer_->paint(original, frame_);
+    map_ = metric_->map(image_);
+    sum_ = sum(map_, map_.window());
+  }
   bounds_.resize(original.face_slots());
   for (const Face f : original.faces()) bounds_[f.value] = pixel_bounds(original.patch(f), frame_);
 }

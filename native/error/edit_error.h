@@ -15,7 +15,9 @@ namespace gradmesh {
 /// changes something, and the number is that of the whole frame.
 class EditError {
  public:
-  /// Paints `original`, which becomes the reference.
+  /// Paints `original`, which becomes the reference. What is held against it is painted as it will
+  /// be written, which may cost something before anything is merged: a translucent mesh of the
+  /// model `bilinear` has its opacities in a mask.
   EditError(const Mesh& original, const Frame& frame, MetricKind metric);
 
   /// Error of the mesh as last accepted.

@@ -26,7 +26,7 @@ bool needs_tensor(const Patch& patch, double tolerance) {
   return distance_from_coons(bezier_net(patch)) > tolerance;
 }
 
-Patch as_written(const Patch& patch, double tolerance) {
+Patch as_written(const Patch& patch, double tolerance, bool masked_opacity) {
   BezierNet net = bezier_net(patch);
   Patch written = patch;
   if (distance_from_coons(net) <= tolerance) {
@@ -42,7 +42,7 @@ Patch as_written(const Patch& patch, double tolerance) {
     for (int j : {0, 3}) {
       glm::dvec4& color = written.c[i][j].color;
       color = {round_to_8_bits(color.r), round_to_8_bits(color.g), round_to_8_bits(color.b),
-               round_to_8_bits(color.a)};
+               masked_opacity ? round_to_8_bits(color.a) : std::clamp(color.a, 0.0, 1.0)};
     }
   make_color_bilinear(written);
   return written;

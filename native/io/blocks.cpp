@@ -154,12 +154,13 @@ std::vector<Block> in_order_of_faces(std::vector<Block> blocks) {
 MeshParts block_parts(const Mesh& mesh, const std::vector<Block>& blocks, double coons_tolerance) {
   MeshParts parts;
   parts.color_model = ColorModel::bilinear;
+  const bool masked = is_translucent(mesh);
   std::map<Halfedge, int> numbers;
   for (const Block& block : blocks)
     for (const Cell& cell : block.cells) {
       for (int side = 0; side < 4; ++side)
         numbers[block_side(mesh, cell, side)] = 4 * int(parts.patches.size()) + side;
-      parts.patches.push_back(as_written(block_patch(mesh, cell), coons_tolerance));
+      parts.patches.push_back(as_written(block_patch(mesh, cell), coons_tolerance, masked));
     }
   const auto side_parts = [&](Halfedge side) {
     CurveSide result;

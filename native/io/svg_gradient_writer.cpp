@@ -70,12 +70,6 @@ class GradientWriter {
 
 }  // namespace
 
-bool is_translucent(const Mesh& mesh) {
-  return std::ranges::any_of(mesh.halfedges(), [&](Halfedge h) {
-    return mesh.is_leaf(h) && std::lround(255 * mesh[h].color.a) != 255;
-  });
-}
-
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
                                  const Block& block, double coons_tolerance, MeshChannel channel,
                                  const std::string& prefix) {

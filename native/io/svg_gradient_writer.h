@@ -13,9 +13,6 @@ namespace gradmesh {
 /// a mesh that has any are written as greys, for a mask.
 enum class MeshChannel { color, opacity };
 
-/// Whether a mesh is not opaque everywhere, as written.
-bool is_translucent(const Mesh& mesh);
-
 /// Adds to `defs` a meshgradient in userSpaceOnUse that holds the block, in Inkscape's own form
 /// (FACTS 1: closing end points present). Each point is rounded once and written absolutely, so
 /// that blocks that share it name the very same coordinates and Inkscape's mesh tool joins them.

@@ -1,5 +1,8 @@
 #include "mesh/mesh.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gradmesh {
 
 std::vector<Halfedge> Mesh::children(Halfedge parent) const {
@@ -77,6 +80,12 @@ Patch Mesh::patch(Face f) const {
   Patch patch = patch_from_sides(curves, twists);
   if (color_model_ == ColorModel::bilinear) make_color_bilinear(patch);
   return patch;
+}
+
+bool is_translucent(const Mesh& mesh) {
+  return std::ranges::any_of(mesh.halfedges(), [&](Halfedge h) {
+    return mesh.is_leaf(h) && std::lround(255 * mesh[h].color.a) != 255;
+  });
 }
 
 }  // namespace gradmesh

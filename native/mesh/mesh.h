@@ -101,4 +101,7 @@ class Mesh {
   ColorModel color_model_ = ColorModel::bilinear;
 };
 
+/// Whether a mesh is not opaque everywhere, as 8 bits tell.
+bool is_translucent(const Mesh& mesh);
+
 }  // namespace gradmesh

@@ -207,7 +207,7 @@ class CairoLikeRasterizer final : public Rasterizer {
       for (int y = band.y0; y < band.y1; ++y)
         std::fill_n(image.at(band.x0, y), 3 * band.width(), std::uint8_t(255));
       for (const Face f : mesh.faces()) {
-        const Patch patch = as_written(mesh.patch(f), frame.coons_tolerance);
+        const Patch patch = as_written(mesh.patch(f), frame.coons_tolerance, frame.masked_opacity);
         if (!pixel_bounds(patch, frame).clipped(band).empty())
           paint_forward(patch, frame.to_pixels, band, image);
       }

@@ -29,8 +29,8 @@ std::uint8_t to_byte(float channel) { return std::uint8_t(std::clamp(channel, 0.
 
 }  // namespace
 
-PatchColor::PatchColor(const Patch& patch, ColorModel model)
-    : bilinear_(model == ColorModel::bilinear), opaque_(true) {
+PatchColor::PatchColor(const Patch& patch, ColorModel model, bool masked_opacity)
+    : bilinear_(model == ColorModel::bilinear), opaque_(true), masked_opacity_(masked_opacity) {
   // Rows of the monomial coefficients of the Hermite basis (the paper's B, Eq. 2).
   constexpr double b[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {-3, -2, -1, 3}, {2, 1, 1, -2}};
   const int terms = bilinear_ ? 2 : 4;
@@ -58,7 +58,12 @@ void PatchColor::write(float u, float v, std::uint8_t* rgb) const {
       channel[n] = sum;
     }
   }
-  const float alpha = opaque_ ? 1.f : std::clamp(channel[3], 0.f, 1.f);
+  float alpha = opaque_ ? 1.f : std::clamp(channel[3], 0.f, 1.f);
+  if (masked_opacity_ && !opaque_) {
+    // The picture under the mask, and the mask, have 8 bits each.
+    alpha = float(to_byte(255 * alpha)) / 255;
+    for (int n = 0; n < 3; ++n) channel[n] = float(to_byte(channel[n]));
+  }
   for (int n = 0; n < 3; ++n)
     rgb[n] = to_byte(alpha * std::clamp(channel[n], 0.f, 255.f) + (1 - alpha) * 255.f);
 }

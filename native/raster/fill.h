@@ -9,13 +9,14 @@ namespace gradmesh {
 /// Colour of a patch at (u, v), ready to be evaluated at many pixels: 8-bit sRGB over white.
 class PatchColor {
  public:
-  PatchColor(const Patch& patch, ColorModel model);
+  PatchColor(const Patch& patch, ColorModel model, bool masked_opacity = false);
   void write(float u, float v, std::uint8_t* rgb) const;
 
  private:
   using Quad = std::array<float, 4>;
   bool bilinear_;
   bool opaque_;
+  bool masked_opacity_;
   /// Coefficients of u^i v^j, times 255; `bilinear` needs the first two of each only.
   std::array<std::array<Quad, 4>, 4> c_{};
 };

@@ -14,6 +14,9 @@ struct Frame {
   /// How far an interior control point may be from the Coons patch's, in mesh units, for the
   /// writer to leave `tensor` out; a hundredth of a pixel.
   double coons_tolerance = 0;
+  /// Whether opacities are painted as the writer holds them, in a mask of 8 bits a pixel. The
+  /// original is painted without.
+  bool masked_opacity = false;
 
   Window window() const { return {0, 0, width, height}; }
 };

@@ -38,7 +38,7 @@ class SoftwareRasterizer final : public Rasterizer {
       Window band = window;
       band.y0 = window.y0 + int(i) * band_height;
       band.y1 = std::min(window.y1, band.y0 + band_height);
-      paint_band(faces, mesh.color_model(), band, image);
+      paint_band(faces, mesh.color_model(), frame, band, image);
     });
   }
 
@@ -48,20 +48,20 @@ class SoftwareRasterizer final : public Rasterizer {
     for (const Face f : mesh.faces()) {
       Patch patch = mesh.patch(f);
       if (mesh.color_model() == ColorModel::bilinear)
-        patch = as_written(patch, frame.coons_tolerance);
+        patch = as_written(patch, frame.coons_tolerance, frame.masked_opacity);
       const Window bounds = pixel_bounds(patch, frame);
       if (!bounds.clipped(window).empty()) faces.push_back({f, patch, bounds, {}});
     }
     return faces;
   }
 
-  static void paint_band(const std::vector<PaintedFace>& faces, ColorModel model, Window band,
-                         Image& image) {
+  static void paint_band(const std::vector<PaintedFace>& faces, ColorModel model,
+                         const Frame& frame, Window band, Image& image) {
     for (int y = band.y0; y < band.y1; ++y)
       std::fill_n(image.at(band.x0, y), 3 * band.width(), std::uint8_t(255));
     for (const PaintedFace& f : faces) {
       if (f.bounds.clipped(band).empty()) continue;
-      const PatchColor color(f.patch, model);
+      const PatchColor color(f.patch, model, frame.masked_opacity);
       for (const Triangle& triangle : f.triangles) fill_triangle(triangle, color, band, image);
     }
   }

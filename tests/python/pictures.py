@@ -94,6 +94,8 @@ def write_bare_mesh(document, element, path, resolution=700):
     group = ET.SubElement(root, SVG + "g", transform=_matrix_text(matrix))
     if blocks:
         group.extend(copy.deepcopy(blocks))
+        if mask := document.opacity_mask(first):
+            group.set("mask", f"url(#{mask})")
     else:
         group.append(_large_rectangle(document, element, root))
     ET.ElementTree(root).write(path)

@@ -101,9 +101,18 @@ class Document:
         start = complex(float(gradient.get("x", 0)), float(gradient.get("y", 0)))
         return apply(self.units(element), read_net(rows, start))
 
+    def opacity_mask(self, block):
+        """The id of the mask that holds the opacities of a block's group, if there is one."""
+        found = re.match(r"url\(#([^)]+)\)", self._parent[block].get("mask", ""))
+        return found[1] if found and self.by_id[found[1]].get(GRADMESH + "opacity") else None
+
     def blocks(self):
         """The nets of all blocks in the document, by the id of their path, in the document."""
-        paths = [e for e in self.root.iter(SVG + "path") if e.get(GRADMESH + "face")]
+        paths = [
+            e
+            for e in self.root.iter(SVG + "path")
+            if e.get(GRADMESH + "face") and self._parent[e].tag != SVG + "mask"
+        ]
         return {p.get("id"): apply(self.to_document(p), self.net(p)) for p in paths}
 
 

@@ -100,9 +100,14 @@ def test_the_centre_of_a_pixel_is_on_the_same_surface(meshes, tmp_path, sample, 
 @pytest.mark.parametrize("resolution", RESOLUTIONS)
 def test_blocks_show_no_seams_in_inkscape(blocks, resolution, sample, painted):
     theirs, ours = blocks[painted, resolution]
-    assert flip(theirs, ours) <= SAME
+    levels = difference(theirs, ours)
+    if sample == "opacity":
+        # The mask and the picture under it have 8 bits each: a level up or down, everywhere.
+        assert (levels > 2).mean() <= 0.001
+    else:
+        assert flip(theirs, ours) <= SAME
     # Single pixels at corners; a seam has hundreds.
-    assert (difference(theirs, ours) > 16).sum() <= 20
+    assert (levels > 16).sum() <= 20
 
 
 @pytest.fixture(scope="module")
