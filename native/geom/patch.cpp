@@ -151,6 +151,15 @@ std::array<std::array<glm::dvec2, 2>, 2> coons_interior(const BezierNet& net) {
   return interior;
 }
 
+void transform(Patch& patch, const Affine& affine) {
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      glm::dvec2& position = patch.c[i][j].position;
+      const bool is_corner = i % 3 == 0 && j % 3 == 0;
+      position = is_corner ? affine.point(position) : affine.vector(position);
+    }
+}
+
 void make_color_bilinear(Patch& patch) {
   auto& c = patch.c;
   const glm::dvec4 c0 = c[0][0].color, c1 = c[3][0].color;

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "base/affine.h"
 #include "base/value.h"
 #include "geom/cubic.h"
 
@@ -53,6 +54,9 @@ Patch patch_from_bezier(const BezierNet& net);
 /// Positions of the interior control points b11, b12, b21, b22 of the Coons patch with the
 /// net's boundary (SVG 2 without `tensor`; formula in PDF 32000-1, 8.7.4.5.8).
 std::array<std::array<glm::dvec2, 2>, 2> coons_interior(const BezierNet& net);
+
+/// The patch under an affine map of its positions.
+void transform(Patch& patch, const Affine& affine);
 
 /// Replaces every colour tangent and twist by those of the bilinear blend of the four corner
 /// colours: all the colour that an SVG patch can hold.

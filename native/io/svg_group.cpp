@@ -78,14 +78,6 @@ class CurveReader {
   std::string_view rest_;
 };
 
-void transform(Patch& patch, const Affine& affine) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      glm::dvec2& p = patch.c[i][j].position;
-      p = i % 3 == 0 && j % 3 == 0 ? affine.point(p) : affine.vector(p);
-    }
-}
-
 /// A block's grid, in the group's user space.
 MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode* path) {
   const auto fill = document.styles().declared(path, "fill");

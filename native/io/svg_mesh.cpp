@@ -272,15 +272,6 @@ Affine gradient_to_user(const MeshObject& object, bool in_box) {
   return to_user;
 }
 
-void transform(Patch& patch, const Affine& affine) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      glm::dvec2& position = patch.c[i][j].position;
-      const bool is_corner = i % 3 == 0 && j % 3 == 0;
-      position = is_corner ? affine.point(position) : affine.vector(position);
-    }
-}
-
 }  // namespace
 
 MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {

@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "error/edit_error.h"
-#include "meshes.h"
-#include "ops/merge.h"
-#include "ops/split.h"
+#include "random_meshes.h"
 
 namespace gradmesh {
 namespace {
@@ -21,16 +19,7 @@ TEST(EditError, windows_add_up_to_the_whole_frame) {
       EXPECT_EQ(error.error(), 0);
       Journal journal(mesh);
       for (int step = 0; step < 25; ++step) {
-        std::vector<Halfedge> edges, leaves;
-        for (const Halfedge h : mesh.halfedges()) {
-          if (mesh.is_leaf(h)) leaves.push_back(h);
-          if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
-        }
-        if (edges.empty() || random() % 4 == 0) {
-          split(journal, leaves[random() % leaves.size()], 0.4);
-        } else {
-          merge(journal, edges[random() % edges.size()]);
-        }
+        test::change_at_random(journal, random);
         const double before = error.error();
         const double after = error.after_edit(journal);
         ASSERT_NEAR(after, error.whole_frame(mesh), 1e-9) << "seed " << seed << " step " << step;

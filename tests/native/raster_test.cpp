@@ -5,9 +5,7 @@
 
 #include "base/parallel.h"
 #include "geom/written.h"
-#include "meshes.h"
-#include "ops/merge.h"
-#include "ops/split.h"
+#include "random_meshes.h"
 #include "raster/fill.h"
 #include "raster/rasterizer.h"
 #include "raster/tessellate.h"
@@ -18,25 +16,11 @@ namespace {
 using test::grid_mesh;
 using test::grid_parts;
 
-/// A mesh with T-junctions, nested ones among them, from random merges and splits.
 Mesh random_mesh(unsigned seed, double noise, int steps = 25) {
   std::mt19937 random(seed);
-  Mesh mesh =
-      grid_mesh({.rows = 4, .columns = 4, .position_noise = noise, .color_noise = 0.3}, seed);
-  Journal journal(mesh);
-  for (int i = 0; i < steps; ++i) {
-    std::vector<Halfedge> edges, leaves;
-    for (const Halfedge h : mesh.halfedges()) {
-      if (mesh.is_leaf(h)) leaves.push_back(h);
-      if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
-    }
-    if (random() % 3 == 0 || edges.empty()) {
-      split(journal, leaves[random() % leaves.size()], 0.3 + 0.4 * double(random() % 1000) / 1000);
-    } else {
-      merge(journal, edges[random() % edges.size()]);
-    }
-  }
-  return mesh;
+  const MeshParts parts =
+      grid_parts({.rows = 4, .columns = 4, .position_noise = noise, .color_noise = 0.3}, random);
+  return test::changed_mesh(parts, seed, steps, 3);
 }
 
 struct Tessellation {

@@ -14,9 +14,7 @@
 #include "io/xml_node.h"
 #include "mesh/build.h"
 #include "mesh/validate.h"
-#include "meshes.h"
-#include "ops/merge.h"
-#include "ops/split.h"
+#include "random_meshes.h"
 
 namespace gradmesh {
 namespace {
@@ -53,21 +51,7 @@ Mesh random_mesh(unsigned seed) {
   MeshParts parts = test::grid_parts(
       {.rows = 4, .columns = 4, .position_noise = 0.08, .color_noise = 0.3}, random);
   for (Patch& patch : parts.patches) patch = as_written(patch, 0);
-  Mesh mesh = build_mesh(parts);
-  Journal journal(mesh);
-  for (int i = 0; i < 20; ++i) {
-    std::vector<Halfedge> edges, leaves;
-    for (const Halfedge h : mesh.halfedges()) {
-      if (mesh.is_leaf(h)) leaves.push_back(h);
-      if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
-    }
-    if (random() % 4 == 0 || edges.empty()) {
-      split(journal, leaves[random() % leaves.size()], 0.3 + 0.4 * double(random() % 1000) / 1000);
-    } else {
-      merge(journal, edges[random() % edges.size()]);
-    }
-  }
-  return mesh;
+  return test::changed_mesh(parts, seed, 20);
 }
 
 /// Which face of `b` each face of `a` is, by the patches.

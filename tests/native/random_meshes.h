@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "meshes.h"
+#include "ops/merge.h"
+#include "ops/split.h"
+
+namespace gradmesh::test {
+
+/// A random merge or, with a chance of one in `split_chance` and where nothing can be merged, a
+/// random split, as one operation of the journal.
+inline void change_at_random(Journal& journal, std::mt19937& random, unsigned split_chance = 4) {
+  const Mesh& mesh = journal.mesh();
+  std::vector<Halfedge> edges, leaves;
+  for (const Halfedge h : mesh.halfedges()) {
+    if (mesh.is_leaf(h)) leaves.push_back(h);
+    if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
+  }
+  if (random() % split_chance == 0 || edges.empty()) {
+    split(journal, leaves[random() % leaves.size()], 0.3 + 0.4 * double(random() % 1000) / 1000);
+  } else {
+    merge(journal, edges[random() % edges.size()]);
+  }
+}
+
+/// A mesh with T-junctions, nested ones among them: parts changed at random.
+inline Mesh changed_mesh(const MeshParts& parts, unsigned seed, int steps,
+                         unsigned split_chance = 4) {
+  std::mt19937 random(seed);
+  Mesh mesh = build_mesh(parts);
+  Journal journal(mesh);
+  for (int i = 0; i < steps; ++i) change_at_random(journal, random, split_chance);
+  return mesh;
+}
+
+}  // namespace gradmesh::test
