@@ -83,7 +83,8 @@ std::optional<glm::dvec4> parse_function(std::string_view text) {
   if (!is_rgb && name != "hsl" && name != "hsla") return std::nullopt;
   const auto parsed = parse_arguments(scanner);
   if (!parsed) return std::nullopt;
-  const auto& [arguments, count] = *parsed;
+  const std::array<Argument, 4>& arguments = parsed->first;
+  const int count = parsed->second;
   const auto fraction = [&](int i, double whole) {
     const Argument& argument = arguments[std::size_t(i)];
     return std::clamp(argument.value / (argument.percent ? 100.0 : whole), 0.0, 1.0);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <ranges>
 #include <vector>
 
 #include "geom/patch.h"
+#include "mesh/alive_range.h"
 #include "mesh/elements.h"
 #include "mesh/parts.h"
 
@@ -14,14 +14,6 @@ namespace gradmesh {
 /// Elements that an operation took out stay in the arrays, not alive, until the operation is
 /// undone.
 class Mesh {
- private:
-  template <class Element, class Records>
-  static auto alive(const Records& records) {
-    return std::views::iota(0, int(records.size())) |
-           std::views::filter([&records](int i) { return records[i].alive; }) |
-           std::views::transform([](int i) { return Element{i}; });
-  }
-
  public:
   ColorModel color_model() const { return color_model_; }
 
@@ -31,10 +23,10 @@ class Mesh {
   const HalfedgeRecord& operator[](Halfedge h) const { return halfedges_[h.value]; }
 
   /// The elements that are alive, in the order of their indices.
-  auto points() const { return alive<Point>(points_); }
-  auto handles() const { return alive<Handle>(handles_); }
-  auto faces() const { return alive<Face>(faces_); }
-  auto halfedges() const { return alive<Halfedge>(halfedges_); }
+  auto points() const { return AliveRange<Point, PointRecord>(points_); }
+  auto handles() const { return AliveRange<Handle, HandleRecord>(handles_); }
+  auto faces() const { return AliveRange<Face, FaceRecord>(faces_); }
+  auto halfedges() const { return AliveRange<Halfedge, HalfedgeRecord>(halfedges_); }
 
   /// Sizes of the arrays, counting what is not alive: bounds for arrays beside the mesh.
   std::size_t face_slots() const { return faces_.size(); }

@@ -14,8 +14,9 @@ using ConstAppearanceRow = Appearance<const float*>;
 /// The row of every plane from column x on; pointers to const where the planes are.
 template <class Planes>
 auto row_at(Planes& planes, int x, int y) {
-  return Appearance{planes.lightness.at(x, y), planes.a.at(x, y), planes.b.at(x, y),
-                    planes.edge.at(x, y), planes.point.at(x, y)};
+  return Appearance<decltype(planes.a.at(x, y))>{planes.lightness.at(x, y), planes.a.at(x, y),
+                                                 planes.b.at(x, y), planes.edge.at(x, y),
+                                                 planes.point.at(x, y)};
 }
 
 /// Maps a colour distance to 0..1 so that the greatest one, green against blue, becomes 1 and

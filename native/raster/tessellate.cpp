@@ -147,7 +147,8 @@ std::vector<Outlines::Cut> Outlines::along(Halfedge leaf) const {
 
 std::vector<Triangle> tessellate(const Mesh& mesh, Face face, const Patch& patch,
                                  const Frame& frame, const Outlines& outlines) {
-  const auto [nu, nv] = inside_steps(bezier_net(patch), frame);
+  const Steps steps = inside_steps(bezier_net(patch), frame);
+  const int nu = steps.u, nv = steps.v;
   std::vector<Vertex> grid;
   for (int j = 1; j < nv; ++j)
     for (int i = 1; i < nu; ++i) {
