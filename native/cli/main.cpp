@@ -66,7 +66,7 @@ void run_render(const std::string& in, const std::string& out, const std::string
 
 bool is_svg(const std::string& path) { return std::filesystem::path(path).extension() == ".svg"; }
 
-/// The error between the meshes with one id in two documents, in the frame of the first.
+/// The error between the only meshes of two documents, in the frame of the first.
 double compare_meshes(const Document& a, const Document& b, MetricKind metric) {
   const auto from = a.selected({}), to = b.selected({});
   if (from.size() != 1 || to.size() != 1)

@@ -3,24 +3,23 @@
 namespace gradmesh {
 
 void Journal::begin() {
-  operations_.push_back({});
-  Operation& op = operations_.back();
-  op.sizes = {mesh_.points_.size(), mesh_.handles_.size(), mesh_.faces_.size(),
-              mesh_.halfedges_.size()};
+  Operation& op = operations_.emplace_back();
+  const auto count = [this]<class Record>(Before<Record>& before) {
+    before.size = records<Record>().size();
+  };
+  std::apply([&](auto&... before) { (count(before), ...); }, op.before);
   op.face_count = mesh_.face_count_;
   ++stamp_;
 }
 
 void Journal::undo() {
-  Operation& op = operations_.back();
-  const auto restore = [](auto& records, const auto& saved, std::size_t size) {
-    records.resize(size);
-    for (const auto& [element, record] : saved) records[element.value] = record;
+  const Operation& op = operations_.back();
+  const auto restore = [this]<class Record>(const Before<Record>& before) {
+    records<Record>().resize(before.size);
+    for (const auto& [element, record] : before.saved)
+      records<Record>()[std::size_t(element.value)] = record;
   };
-  restore(mesh_.points_, op.points, op.sizes[0]);
-  restore(mesh_.handles_, op.handles, op.sizes[1]);
-  restore(mesh_.faces_, op.faces, op.sizes[2]);
-  restore(mesh_.halfedges_, op.halfedges, op.sizes[3]);
+  std::apply([&](const auto&... before) { (restore(before), ...); }, op.before);
   mesh_.face_count_ = op.face_count;
   operations_.pop_back();
   // Stamps of the operation taken back must not hide what the one before it has not saved.
@@ -35,7 +34,7 @@ bool Journal::mark(std::vector<std::uint64_t>& stamps, std::size_t i) {
 }
 
 void Journal::touch(Face face) {
-  if (mark(stamps_[4], std::size_t(face.value))) operations_.back().touched.push_back(face);
+  if (mark(touched_in_, std::size_t(face.value))) operations_.back().touched.push_back(face);
 }
 
 void Journal::touch_curve(Halfedge curve) {

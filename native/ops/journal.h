@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,13 +35,17 @@ class Journal {
   // --- for operations ---
   template <class Record>
   Record& edit(Index<Record> element) {
-    return save(element, table<Record>());
+    Before<Record>& before = std::get<Before<Record>>(operations_.back().before);
+    const std::size_t i = std::size_t(element.value);
+    Record& record = records<Record>()[i];
+    if (i < before.size && mark(std::get<Stamps<Record>>(saved_in_).stamps, i))
+      before.saved.emplace_back(element, record);
+    return record;
   }
   template <class Record>
   Index<Record> add(Record record) {
-    auto& records = *table<Record>().records;
-    records.push_back(record);
-    return {int(records.size()) - 1};
+    records<Record>().push_back(record);
+    return {int(records<Record>().size()) - 1};
   }
   template <class Record>
   void remove(Index<Record> element) {
@@ -62,32 +68,33 @@ class Journal {
   template <class Record>
   using Saved = std::vector<std::pair<Index<Record>, Record>>;
 
+  /// What an operation found: how many records of a kind, and those that it edited.
+  template <class Record>
+  struct Before {
+    std::size_t size = 0;
+    Saved<Record> saved;
+  };
+  /// For each slot of a kind of record, the last operation that saved it.
+  template <class Record>
+  struct Stamps {
+    std::vector<std::uint64_t> stamps;
+  };
+  template <template <class> class Of>
+  using ForEachKind =
+      std::tuple<Of<PointRecord>, Of<HandleRecord>, Of<FaceRecord>, Of<HalfedgeRecord>>;
+
   struct Operation {
-    Saved<PointRecord> points;
-    Saved<HandleRecord> handles;
-    Saved<FaceRecord> faces;
-    Saved<HalfedgeRecord> halfedges;
-    std::array<std::size_t, 4> sizes;
+    ForEachKind<Before> before;
     int face_count;
     std::vector<Face> touched;
   };
 
   template <class Record>
-  struct Table {
-    std::vector<Record>* records;
-    Saved<Record>* saved;
-    std::vector<std::uint64_t>* stamps;
-    std::size_t size_before;
-  };
-  template <class Record>
-  Table<Record> table();
-
-  template <class Record>
-  Record& save(Index<Record> element, Table<Record> table) {
-    const std::size_t i = std::size_t(element.value);
-    if (i < table.size_before && mark(*table.stamps, i))
-      table.saved->emplace_back(element, (*table.records)[i]);
-    return (*table.records)[i];
+  std::vector<Record>& records() {
+    if constexpr (std::is_same_v<Record, PointRecord>) return mesh_.points_;
+    if constexpr (std::is_same_v<Record, HandleRecord>) return mesh_.handles_;
+    if constexpr (std::is_same_v<Record, FaceRecord>) return mesh_.faces_;
+    if constexpr (std::is_same_v<Record, HalfedgeRecord>) return mesh_.halfedges_;
   }
 
   /// True the first time that slot i is marked in this operation.
@@ -96,28 +103,8 @@ class Journal {
   Mesh& mesh_;
   std::vector<Operation> operations_;
   std::uint64_t stamp_ = 0;
-  std::array<std::vector<std::uint64_t>, 5> stamps_;
+  ForEachKind<Stamps> saved_in_;
+  std::vector<std::uint64_t> touched_in_;
 };
-
-template <>
-inline Journal::Table<PointRecord> Journal::table() {
-  Operation& op = operations_.back();
-  return {&mesh_.points_, &op.points, &stamps_[0], op.sizes[0]};
-}
-template <>
-inline Journal::Table<HandleRecord> Journal::table() {
-  Operation& op = operations_.back();
-  return {&mesh_.handles_, &op.handles, &stamps_[1], op.sizes[1]};
-}
-template <>
-inline Journal::Table<FaceRecord> Journal::table() {
-  Operation& op = operations_.back();
-  return {&mesh_.faces_, &op.faces, &stamps_[2], op.sizes[2]};
-}
-template <>
-inline Journal::Table<HalfedgeRecord> Journal::table() {
-  Operation& op = operations_.back();
-  return {&mesh_.halfedges_, &op.halfedges, &stamps_[3], op.sizes[3]};
-}
 
 }  // namespace gradmesh
