@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "geom/box.h"
 #include "io/svg_document.h"
 #include "io/svg_gradient_writer.h"
-#include "io/svg_path.h"
 #include "io/svg_write.h"
 
 namespace gradmesh {

@@ -1,26 +1,11 @@
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <optional>
 #include <string_view>
 
+#include "geom/box.h"
+
 namespace gradmesh {
-
-/// Bounding box with lowest and highest coordinates; empty until a point is added.
-class Box {
- public:
-  void add(glm::dvec2 p);
-  /// The cubic Bezier curve, with its exact extrema.
-  void add_cubic(glm::dvec2 p0, glm::dvec2 p1, glm::dvec2 p2, glm::dvec2 p3);
-  bool empty() const { return empty_; }
-  glm::dvec2 low() const { return low_; }
-  glm::dvec2 high() const { return high_; }
-  glm::dvec2 size() const { return high_ - low_; }
-
- private:
-  glm::dvec2 low_{0.0}, high_{0.0};
-  bool empty_ = true;
-};
 
 /// The exact box of SVG path data, all commands; empty if nothing is drawn (a lone moveto draws
 /// nothing). Nothing if the data is malformed or has numbers beyond Scanner's limit.

@@ -1,26 +1,12 @@
 #include "raster/frame.h"
 
+#include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
-#include <limits>
 
 #include "base/error.h"
+#include "geom/box.h"
 
 namespace gradmesh {
-namespace {
-
-struct Box {
-  glm::dvec2 low{std::numeric_limits<double>::infinity()};
-  glm::dvec2 high{-std::numeric_limits<double>::infinity()};
-
-  void add(glm::dvec2 p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-};
-
-}  // namespace
-
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double padding) {
   constexpr int steps = 8;
   Box box;
@@ -30,7 +16,7 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double pad
       for (int j = 0; j <= steps; ++j)
         box.add(view.point(patch.at(double(i) / steps, double(j) / steps).position));
   }
-  const glm::dvec2 size = box.high - box.low;
+  const glm::dvec2 size = box.size();
   const double longer = std::max(size.x, size.y);
   if (!(longer > 0)) throw InputError("the mesh has no size.");
 
@@ -41,7 +27,7 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double pad
   frame.width = std::max(1, int((size.x + 2 * pad) * scale + 1e-9));
   frame.height = std::max(1, int((size.y + 2 * pad) * scale + 1e-9));
   const Affine fit =
-      Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low);
+      Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low());
   frame.to_pixels = fit * view;
   frame.coons_tolerance = 0.01 / std::sqrt(std::abs(frame.to_pixels.determinant()));
   return frame;
@@ -53,8 +39,8 @@ Window pixel_bounds(const Patch& patch, const Frame& frame) {
     for (const Value& b : row) box.add(frame.to_pixels.point(b.position));
   // Far beyond any frame, and still an int.
   const auto pixel = [](double x) { return int(std::clamp(x, -1e6, 1e6)); };
-  return {pixel(std::floor(box.low.x)) - 1, pixel(std::floor(box.low.y)) - 1,
-          pixel(std::ceil(box.high.x)) + 1, pixel(std::ceil(box.high.y)) + 1};
+  return {pixel(std::floor(box.low().x)) - 1, pixel(std::floor(box.low().y)) - 1,
+          pixel(std::ceil(box.high().x)) + 1, pixel(std::ceil(box.high().y)) + 1};
 }
 
 }  // namespace gradmesh
