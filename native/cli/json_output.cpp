@@ -1,4 +1,4 @@
-#include "cli/report.h"
+#include "cli/json_output.h"
 
 #include <ranges>
 

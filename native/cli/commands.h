@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gradmesh {
+
+/// Each adds one subcommand, which runs when it is parsed, to the program. A subcommand throws
+/// InputError at bad input and std::invalid_argument at options that do not go together.
+void add_info(CLI::App& program);
+void add_simplify(CLI::App& program);
+void add_render(CLI::App& program);
+void add_compare(CLI::App& program);
+
+}  // namespace gradmesh

@@ -1,0 +1,43 @@
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "document/document.h"
+#include "io/image_file.h"
+#include "raster/rasterizer.h"
+
+namespace gradmesh {
+namespace {
+
+struct RenderArguments {
+  std::string in, out, id;
+  int resolution = 700;
+  bool like_inkscape = false;
+};
+
+void run_render(const RenderArguments& a) {
+  const Document document = Document::read_file(a.in);
+  const auto objects =
+      document.selected(a.id.empty() ? std::vector<std::string>{} : std::vector<std::string>{a.id});
+  if (objects.size() > 1)
+    throw InputError(a.in + ": there are " + std::to_string(objects.size()) +
+                     " meshes, choose one with --id.");
+  const auto rasterizer =
+      a.like_inkscape ? make_cairo_like_rasterizer() : make_software_rasterizer();
+  write_png(document.render(objects.front(), a.resolution, *rasterizer), a.out);
+}
+
+}  // namespace
+
+void add_render(CLI::App& program) {
+  const auto a = std::make_shared<RenderArguments>();
+  CLI::App& command = *program.add_subcommand("render", "Paint a mesh to a PNG image");
+  command.add_option("IN", a->in, "SVG document")->required();
+  command.add_option("-o,--output", a->out, "PNG image")->required();
+  command.add_option("--id", a->id, "Which mesh, where there are several");
+  add_resolution_option(command, a->resolution);
+  command.add_flag("--like-inkscape", a->like_inkscape,
+                   "Take Inkscape's point of each pixel instead of the centre");
+  command.callback([a] { run_render(*a); });
+}
+
+}  // namespace gradmesh
