@@ -7,7 +7,7 @@
 #include "geom/box.h"
 
 namespace gradmesh {
-Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double padding) {
+Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding) {
   constexpr int steps = 8;
   Box box;
   for (const Face f : mesh.faces()) {
@@ -20,7 +20,7 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double pad
   const double longer = std::max(size.x, size.y);
   if (!(longer > 0)) throw InputError("the mesh has no size.");
 
-  const double pad = padding * longer;
+  const double pad = padding.share * longer + padding.length;
   const double scale = resolution / (longer + 2 * pad);
   Frame frame;
   // The small addition keeps a side of exactly `resolution` pixels from being cut by rounding.

@@ -21,11 +21,18 @@ struct Frame {
   Window window() const { return {0, 0, width, height}; }
 };
 
-/// The frame of the paper's section 5: the longer side of the mesh's bounding box, with `padding`
-/// (a share of that side) added all round, gets `resolution` pixels; the other side is cut to a
-/// whole number. `view` turns mesh units into what the person sees, up to scale.
+/// What is added on every side of a mesh's bounding box: a share of the box's longer side, and a
+/// length in the units of the box.
+struct FramePadding {
+  double share = 0.015;
+  double length = 0;
+};
+
+/// The frame of the paper's section 5: the longer side of the mesh's bounding box, padded, gets
+/// `resolution` pixels; the other side is cut to a whole number. `view` turns mesh units into what
+/// the person sees, up to scale, which is where the box is taken.
 /// Throws InputError where the mesh has no size.
-Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, double padding = 0.015);
+Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding = {});
 
 /// The pixels that a patch can cover in the frame; not clipped to it.
 Window pixel_bounds(const Patch& patch, const Frame& frame);
