@@ -29,36 +29,32 @@ double sum(const Plane& map, Window window) {
 
 }  // namespace
 
-EditError::EditError(const Mesh& original, const Frame& frame, MetricKind metric)
+EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric)
     : rasterizer_(make_software_rasterizer()),
       frame_(frame),
       reference_(rasterizer_->paint(original, frame)),
       metric_(make_metric(metric, reference_)),
-      image_(reference_),
       map_(frame.width, frame.height) {
-  frame_.masked_opacity =
-      original.color_model() == ColorModel::bilinear && is_translucent(original);
-  if (frame_.masked_opacity) {
-    image_ = rasterizer_->paint(original, frame_);
-    map_ = metric_->map(image_);
-    sum_ = sum(map_, map_.window());
-  }
-  bounds_.resize(original.face_slots());
-  for (const Face f : original.faces()) bounds_[f.value] = pixel_bounds(original.patch(f), frame_);
+  frame_.masked_opacity = start.color_model() == ColorModel::bilinear && is_translucent(start);
+  image_ = rasterizer_->paint(start, frame_);
+  map_ = metric_->map(image_);
+  sum_ = sum(map_, map_.window());
+  bounds_.resize(start.face_slots());
+  for (const Face f : start.faces()) bounds_[f.value] = pixel_bounds(start.patch(f), frame_);
 }
 
-Window EditError::changed_pixels(const Journal& journal) const {
+Window EditError::changed_pixels(const Mesh& mesh) const {
   Window changed;
-  for (const Face f : journal.touched()) {
+  for (const Face f : trial_.touched) {
     if (std::size_t(f.value) < bounds_.size()) changed = changed.united(bounds_[f.value]);
-    if (journal.mesh()[f].alive)
-      changed = changed.united(pixel_bounds(journal.mesh().patch(f), frame_));
+    if (mesh[f].alive) changed = changed.united(pixel_bounds(mesh.patch(f), frame_));
   }
   return changed.clipped(frame_.window());
 }
 
-double EditError::after_edit(const Journal& journal) {
-  trial_.pixels = changed_pixels(journal);
+double EditError::after_edits(const Journal& journal, std::size_t depth) {
+  trial_.touched = journal.touched_since(depth);
+  trial_.pixels = changed_pixels(journal.mesh());
   trial_.measured = trial_.pixels.empty()
                         ? Window{}
                         : trial_.pixels.grown(metric_->reach()).clipped(frame_.window());
@@ -75,7 +71,7 @@ double EditError::after_edit(const Journal& journal) {
 
 void EditError::accept(const Journal& journal) {
   bounds_.resize(journal.mesh().face_slots());
-  for (const Face f : journal.touched())
+  for (const Face f : trial_.touched)
     bounds_[f.value] =
         journal.mesh()[f].alive ? pixel_bounds(journal.mesh().patch(f), frame_) : Window{};
 }

@@ -15,17 +15,17 @@ namespace gradmesh {
 /// changes something, and the number is that of the whole frame.
 class EditError {
  public:
-  /// Paints `original`, which becomes the reference. What is held against it is painted as it will
-  /// be written, which may cost something before anything is merged: a translucent mesh of the
-  /// model `bilinear` has its opacities in a mask.
-  EditError(const Mesh& original, const Frame& frame, MetricKind metric);
+  /// Paints `original`, the reference, and `start`, the mesh that will be edited, as it will be
+  /// written. That may cost something before anything is merged: `start` may hold less than the
+  /// original, and a translucent mesh of the model `bilinear` has its opacities in a mask.
+  EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric);
 
   /// Error of the mesh as last accepted.
   double error() const { return sum_ / double(map_.samples.size()); }
 
-  /// Error of the journal's mesh, which is the accepted one and one more operation. To be
-  /// followed by accept() or reject().
-  double after_edit(const Journal& journal);
+  /// Error of the journal's mesh, which is the accepted one and the operations after the first
+  /// `depth`. To be followed by accept() or reject().
+  double after_edits(const Journal& journal, std::size_t depth);
   void accept(const Journal& journal);
   void reject();
 
@@ -35,7 +35,7 @@ class EditError {
   const Image& reference() const { return reference_; }
 
  private:
-  Window changed_pixels(const Journal& journal) const;
+  Window changed_pixels(const Mesh& mesh) const;
 
   std::unique_ptr<Rasterizer> rasterizer_;
   Frame frame_;
@@ -48,8 +48,9 @@ class EditError {
   /// Where each face lies in `image_`.
   std::vector<Window> bounds_;
 
-  /// What an edit on trial has overwritten.
+  /// What is on trial, and what it has overwritten.
   struct Trial {
+    std::vector<Face> touched;
     Window pixels, measured;
     std::vector<std::uint8_t> image;
     std::vector<float> map;

@@ -1,21 +1,47 @@
 #include "error/merge_trial.h"
 
+#include <limits>
+
 #include "ops/merge.h"
+#include "ops/merge_region.h"
 
 namespace gradmesh {
 
 bool MergeTrial::try_merge(Halfedge edge) {
   if (!journal_.mesh()[edge].alive || can_merge(journal_.mesh(), edge) != MergeObstacle::none)
     return false;
+  const std::size_t depth = journal_.depth();
   merge(journal_, edge);
   ++evaluations_;
-  if (error_.after_edit(journal_) <= epsilon_) {
+  if (error_.after_edits(journal_, depth) <= epsilon_) {
     error_.accept(journal_);
     return true;
   }
   error_.reject();
   journal_.undo();
   return false;
+}
+
+double MergeTrial::price(const Region& region, const std::vector<Halfedge>& tops) {
+  const std::size_t depth = journal_.depth();
+  if (!merge_region(journal_, region, tops)) return std::numeric_limits<double>::infinity();
+  ++evaluations_;
+  const double before = error_.error();
+  const double added = error_.after_edits(journal_, depth) - before;
+  error_.reject();
+  while (journal_.depth() > depth) journal_.undo();
+  return added;
+}
+
+double MergeTrial::merge_all(const std::vector<Region>& regions) {
+  for (const Region& region : regions)
+    if (const auto tops = region_tops(journal_.mesh(), region); !tops.empty())
+      merge_region(journal_, region, tops);
+  return error_.whole_frame(journal_.mesh());
+}
+
+void MergeTrial::undo_all() {
+  while (journal_.depth() > 0) journal_.undo();
 }
 
 }  // namespace gradmesh

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <vector>
+
 #include "error/edit_error.h"
+#include "mesh/region.h"
 #include "ops/journal.h"
 
 namespace gradmesh {
 
-/// The loop body of the paper's Fig. 3: check an edge, merge it, paint, compare, and keep the
-/// merge or take it back.
+/// The loop body of the paper's Fig. 3: check what is to be merged, merge it, paint, compare, and
+/// keep the merge or take it back.
 class MergeTrial {
  public:
   MergeTrial(Journal& journal, EditError& error, double epsilon)
@@ -15,9 +18,20 @@ class MergeTrial {
   /// Merges the edge if that is possible and the whole error stays at most epsilon.
   bool try_merge(Halfedge edge);
 
+  /// By how much merging the region alone would raise the error of the mesh as it is; infinity
+  /// where it cannot be merged. Changes nothing. `tops` as of region_tops.
+  double price(const Region& region, const std::vector<Halfedge>& tops);
+
+  /// Merges all these regions, whatever the error, which is measured on the whole frame and
+  /// returned. Those that cannot be merged after the others are left out. To be followed by
+  /// undo_all() before anything else is tried.
+  double merge_all(const std::vector<Region>& regions);
+  void undo_all();
+
   const Mesh& mesh() const { return journal_.mesh(); }
   double error() const { return error_.error(); }
-  /// Merges that were painted and measured.
+  double epsilon() const { return epsilon_; }
+  /// Merges, of edges or regions, that were painted and measured.
   int evaluations() const { return evaluations_; }
 
  private:

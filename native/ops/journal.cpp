@@ -1,5 +1,7 @@
 #include "ops/journal.h"
 
+#include <algorithm>
+
 namespace gradmesh {
 
 void Journal::begin() {
@@ -24,6 +26,15 @@ void Journal::undo() {
   operations_.pop_back();
   // Stamps of the operation taken back must not hide what the one before it has not saved.
   ++stamp_;
+}
+
+std::vector<Face> Journal::touched_since(std::size_t depth) const {
+  std::vector<Face> faces;
+  for (std::size_t i = depth; i < operations_.size(); ++i)
+    faces.insert(faces.end(), operations_[i].touched.begin(), operations_[i].touched.end());
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
 }
 
 bool Journal::mark(std::vector<std::uint64_t>& stamps, std::size_t i) {

@@ -28,9 +28,9 @@ class Journal {
   /// Keeps all that was done for good.
   void forget() { operations_.clear(); }
 
-  /// Faces whose patch, or whose neighbours along a side, the last operation changed, those it
-  /// removed among them; each once, in no particular order.
-  const std::vector<Face>& touched() const { return operations_.back().touched; }
+  /// Faces whose patch, or whose neighbours along a side, changed in the operations after the
+  /// first `depth`, those they removed among them; each once, in rising order.
+  std::vector<Face> touched_since(std::size_t depth) const;
 
   // --- for operations ---
   template <class Record>

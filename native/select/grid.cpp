@@ -1,7 +1,10 @@
 #include "select/grid.h"
 
+#include <algorithm>
 #include <optional>
 #include <random>
+
+#include "mesh/region.h"
 
 namespace gradmesh {
 namespace {
@@ -13,11 +16,13 @@ struct Place {
   bool mirrored;
 };
 
+/// `along_lines`: the edges of a line together (dual-grid), not those of a row.
 class GridWalk {
  public:
-  GridWalk(const Mesh& mesh, std::uint64_t seed)
+  GridWalk(const Mesh& mesh, std::uint64_t seed, bool along_lines)
       : mesh_(mesh),
         random_(seed),
+        along_lines_(along_lines),
         seen_face_(mesh.face_slots(), false),
         seen_edge_(mesh.halfedge_slots(), false) {}
 
@@ -39,20 +44,13 @@ class GridWalk {
   }
   Place turned(const Place& p) const { return {beside(p), !p.mirrored}; }
 
-  /// The leaf across an edge, if the edge is one edge from both sides.
-  Halfedge across(Halfedge leaf) const {
-    if (mesh_.is_bar(leaf)) return {};
-    const Halfedge twin = mesh_[leaf].twin;
-    return twin.valid() && mesh_.is_leaf(twin) ? twin : Halfedge{};
-  }
-
   std::optional<Place> next_in_row(const Place& p) const {
-    const Halfedge twin = across(p.ahead);
+    const Halfedge twin = leaf_across(mesh_, p.ahead);
     if (!twin.valid()) return std::nullopt;
     return Place{mesh_.next(mesh_.next(twin)), p.mirrored};
   }
   std::optional<Place> next_row(const Place& p) const {
-    const Halfedge twin = across(beside(p));
+    const Halfedge twin = leaf_across(mesh_, beside(p));
     if (!twin.valid()) return std::nullopt;
     return Place{p.mirrored ? mesh_.prev(twin) : mesh_.next(twin), p.mirrored};
   }
@@ -61,17 +59,32 @@ class GridWalk {
   /// T-junction or where they come round to themselves.
   void walk(const Place& start) {
     std::vector<bool> in_rows(mesh_.face_slots(), false);
+    std::vector<std::vector<Halfedge>> rows;
     std::optional<Place> row = start;
     while (row && !in_rows[mesh_.face(row->ahead).value]) {
+      rows.emplace_back();
       std::optional<Place> place = row;
       while (place && !in_rows[mesh_.face(place->ahead).value]) {
         in_rows[mesh_.face(place->ahead).value] = true;
-        list(place->ahead);
+        rows.back().push_back(place->ahead);
         walked_.push_back(*place);
         place = next_in_row(*place);
       }
       row = next_row(*row);
     }
+    along_lines_ ? list_by_lines(rows) : list_by_rows(rows);
+  }
+
+  void list_by_rows(const std::vector<std::vector<Halfedge>>& rows) {
+    for (const auto& row : rows)
+      for (const Halfedge h : row) list(h);
+  }
+  void list_by_lines(const std::vector<std::vector<Halfedge>>& rows) {
+    std::size_t longest = 0;
+    for (const auto& row : rows) longest = std::max(longest, row.size());
+    for (std::size_t j = 0; j < longest; ++j)
+      for (const auto& row : rows)
+        if (j < row.size()) list(row[j]);
   }
 
   void list(Halfedge h) {
@@ -103,6 +116,7 @@ class GridWalk {
 
   const Mesh& mesh_;
   std::mt19937_64 random_;
+  const bool along_lines_;
   std::vector<bool> seen_face_, seen_edge_;
   std::vector<Place> walked_;
   std::vector<Halfedge> order_;
@@ -111,15 +125,11 @@ class GridWalk {
 }  // namespace
 
 std::vector<Halfedge> grid_order(const Mesh& mesh, std::uint64_t seed) {
-  return GridWalk(mesh, seed).run();
+  return GridWalk(mesh, seed, false).run();
 }
 
-void select_grid(MergeTrial& trial, std::uint64_t seed, StopWatch& watch) {
-  const std::vector<Halfedge> order = grid_order(trial.mesh(), seed);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (watch.should_stop({i, order.size(), trial.mesh().face_count(), trial.error()})) return;
-    trial.try_merge(order[i]);
-  }
+std::vector<Halfedge> dual_grid_order(const Mesh& mesh, std::uint64_t seed) {
+  return GridWalk(mesh, seed, true).run();
 }
 
 }  // namespace gradmesh

@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/progress.h"
-#include "error/merge_trial.h"
+#include "mesh/mesh.h"
 
 namespace gradmesh {
 
@@ -15,7 +14,8 @@ namespace gradmesh {
 /// each edge comes once.
 std::vector<Halfedge> grid_order(const Mesh& mesh, std::uint64_t seed);
 
-/// Tries to merge every edge once, in grid order.
-void select_grid(MergeTrial& trial, std::uint64_t seed, StopWatch& watch);
+/// The same edges in the order of the dual-grid method (Fig. 7b): the rows are those of the dual
+/// mesh, so that the edges that lie on one line come one after another.
+std::vector<Halfedge> dual_grid_order(const Mesh& mesh, std::uint64_t seed);
 
 }  // namespace gradmesh

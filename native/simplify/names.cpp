@@ -6,8 +6,20 @@ namespace gradmesh {
 
 const char* name(Method method) {
   switch (method) {
+    case Method::random:
+      return "random";
     case Method::grid:
       return "grid";
+    case Method::dual_grid:
+      return "dual-grid";
+    case Method::motorcycle:
+      return "motorcycle";
+    case Method::gqe:
+      return "gqe";
+    case Method::gqe1:
+      return "gqe1";
+    case Method::manual:
+      return "manual";
   }
   return "";
 }
@@ -29,8 +41,11 @@ const char* name(Stopped stopped) {
 }
 
 Method method_named(const std::string& wanted) {
-  if (wanted == name(Method::grid)) return Method::grid;
-  throw std::invalid_argument("the method '" + wanted + "' is not known; there is: grid.");
+  for (const Method method : all_methods)
+    if (wanted == name(method)) return method;
+  throw std::invalid_argument("the method '" + wanted +
+                              "' is not known; there are: random, grid, " +
+                              "dual-grid, motorcycle, gqe, gqe1, manual.");
 }
 
 MetricKind metric_named(const std::string& wanted) {

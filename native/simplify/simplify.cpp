@@ -3,9 +3,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "error/merge_trial.h"
+#include "ops/merge.h"
+#include "select/gqe.h"
 #include "select/grid.h"
+#include "select/motorcycle.h"
+#include "select/random.h"
 
 namespace gradmesh {
 namespace {
@@ -17,13 +22,61 @@ void check(const SimplifyOptions& options) {
     throw std::invalid_argument("the resolution must be between 16 and 8192 pixels.");
   if (!std::isfinite(options.time_budget) || options.time_budget < 0)
     throw std::invalid_argument("the time budget must be 0 or more seconds.");
+  if (!(options.omega >= 0 && options.omega <= 1))
+    throw std::invalid_argument("omega must be between 0 and 1.");
+  if (!std::isfinite(options.kappa) || options.kappa < 0)
+    throw std::invalid_argument("kappa must be 0 or more.");
   if (options.threads < 0) throw std::invalid_argument("threads must be 0 or more.");
 }
 
-void select(const SimplifyOptions& options, MergeTrial& trial, StopWatch& watch) {
+/// The prices that this run may use and add to.
+Analysis& analysis_for(const AnalysisKey& key, const SimplifyOptions& options, Analysis& own) {
+  if (!options.analysis) return own = {key, {}};
+  if (options.analysis->prices.empty()) options.analysis->key = key;
+  if (options.analysis->key != key)
+    throw std::invalid_argument(
+        "the analysis is of another mesh, metric, resolution or color model.");
+  return *options.analysis;
+}
+
+void merge_named_edges(const SimplifyOptions& options, MergeTrial& trial) {
+  const Mesh& mesh = trial.mesh();
+  for (const int number : options.edges) {
+    const std::string name = "half-edge " + std::to_string(number);
+    if (number < 0 || number >= int(mesh.halfedge_slots()))
+      throw InputError(name + ": there is no such half-edge.");
+    const Halfedge edge{number};
+    if (!mesh[edge].alive) throw InputError(name + ": it is gone after the merges before it.");
+    const MergeObstacle obstacle = can_merge(mesh, edge);
+    if (obstacle != MergeObstacle::none)
+      throw InputError(name + ": it cannot be merged, because " + describe(obstacle) + ".");
+    if (!trial.try_merge(edge))
+      throw InputError(name + ": merging it makes the error larger than epsilon.");
+  }
+}
+
+void select(const SimplifyOptions& options, MergeTrial& trial, Analysis& analysis,
+            StopWatch& watch) {
+  const Mesh& mesh = trial.mesh();
   switch (options.method) {
+    case Method::random:
+      return try_edges(trial, random_order(mesh, options.seed), watch);
     case Method::grid:
-      return select_grid(trial, options.seed, watch);
+      return try_edges(trial, grid_order(mesh, options.seed), watch);
+    case Method::dual_grid:
+      return try_edges(trial, dual_grid_order(mesh, options.seed), watch);
+    case Method::motorcycle: {
+      const std::vector<EdgePrice> prices = price_edges(trial, analysis, watch);
+      const auto graph = motorcycle_graph(mesh, prices, options.kappa * options.epsilon);
+      return try_edges(trial, motorcycle_order(mesh, graph, options.seed), watch);
+    }
+    case Method::gqe:
+    case Method::gqe1: {
+      const auto regions = price_regions(trial, analysis, options.epsilon, watch);
+      return select_gqe(trial, regions, {options.omega, options.method == Method::gqe1}, watch);
+    }
+    case Method::manual:
+      return merge_named_edges(options, trial);
   }
 }
 
@@ -50,7 +103,8 @@ void verify(Journal& journal, const EditError& error, const SimplifyOptions& opt
     if (measure(journal.mesh(), error, options, result)) return;
     for (int i = 0; i < at_once && journal.depth() > 0; ++i) journal.undo();
   }
-  result.error = 0;
+  // What is not changed is not written either, so that only another original makes a difference.
+  result.error = options.original ? error.whole_frame(journal.mesh()) : 0;
 }
 
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
@@ -59,31 +113,72 @@ Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
   return result.patches_after == result.patches_before ? Stopped::nothing_to_merge : Stopped::done;
 }
 
+/// What both a simplification and an analysis begin with.
+class Run {
+ public:
+  Run(Mesh& mesh, const SimplifyOptions& options)
+      : options_((check(options), options)),
+        limit_(options.threads),
+        watch_(options.time_budget, options.progress),
+        mesh_(mesh),
+        original_(options.original ? *options.original : mesh),
+        frame_(fit_frame(original_, options.view, options.resolution, options.padding)),
+        error_(original_, mesh, frame_, options.metric),
+        journal_(mesh),
+        trial_(journal_, error_, options.epsilon),
+        analysis_(analysis_for(analysis_key(original_, mesh, frame_, options.metric), options,
+                               own_analysis_)) {}
+
+  SimplifyResult simplify() {
+    SimplifyResult result;
+    result.frame = frame_;
+    result.patches_before = mesh_.face_count();
+    result.seconds.rasterize = watch_.seconds();
+    try {
+      select(options_, trial_, analysis_, watch_);
+    } catch (...) {
+      trial_.undo_all();
+      throw;
+    }
+    result.evaluations = trial_.evaluations();
+    result.seconds.select = watch_.seconds() - result.seconds.rasterize;
+
+    verify(journal_, error_, options_, result);
+    result.patches_after = mesh_.face_count();
+    result.stopped = why_stopped(watch_, result);
+    result.seconds.total = watch_.seconds();
+    result.seconds.verify = result.seconds.total - result.seconds.rasterize - result.seconds.select;
+    return result;
+  }
+
+  void analyze() {
+    price_edges(trial_, analysis_, watch_);
+    price_regions(trial_, analysis_, options_.epsilon, watch_);
+  }
+
+ private:
+  const SimplifyOptions& options_;
+  const ThreadLimit limit_;
+  StopWatch watch_;
+  Mesh& mesh_;
+  const Mesh& original_;
+  const Frame frame_;
+  EditError error_;
+  Journal journal_;
+  MergeTrial trial_;
+  Analysis own_analysis_;
+  Analysis& analysis_;
+};
+
 }  // namespace
 
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
-  check(options);
-  const ThreadLimit limit(options.threads);
-  StopWatch watch(options.time_budget, options.progress);
-  SimplifyResult result;
-  result.patches_before = mesh.face_count();
-  result.frame = fit_frame(mesh, options.view, options.resolution);
+  return Run(mesh, options).simplify();
+}
 
-  EditError error(mesh, result.frame, options.metric);
-  result.seconds.rasterize = watch.seconds();
-
-  Journal journal(mesh);
-  MergeTrial trial(journal, error, options.epsilon);
-  select(options, trial, watch);
-  result.evaluations = trial.evaluations();
-  result.seconds.select = watch.seconds() - result.seconds.rasterize;
-
-  verify(journal, error, options, result);
-  result.patches_after = mesh.face_count();
-  result.stopped = why_stopped(watch, result);
-  result.seconds.total = watch.seconds();
-  result.seconds.verify = result.seconds.total - result.seconds.rasterize - result.seconds.select;
-  return result;
+void analyze(const Mesh& mesh, const SimplifyOptions& options) {
+  Mesh copy = mesh;
+  Run(copy, options).analyze();
 }
 
 }  // namespace gradmesh

@@ -10,28 +10,55 @@
 #include "mesh/mesh.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
+#include "select/analysis.h"
 
 namespace gradmesh {
 
-enum class Method { grid };
+/// How edges are chosen (paper, section 6).
+enum class Method {
+  random,
+  grid,
+  dual_grid,
+  motorcycle,
+  gqe,
+  gqe1,
+  manual,  ///< the edges that the caller names (B.2)
+};
+
+inline constexpr Method all_methods[] = {Method::random,     Method::grid, Method::dual_grid,
+                                         Method::motorcycle, Method::gqe,  Method::gqe1,
+                                         Method::manual};
 
 struct SimplifyOptions {
-  Method method = Method::grid;
+  Method method = Method::gqe;
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
   double epsilon = 0.01;
   /// Pixels along the longer side of the frame, 16..8192.
   int resolution = 700;
+  /// Of random, grid, dual-grid and motorcycle.
   std::uint64_t seed = 0;
+  /// gqe and gqe1: weight of a region's size against its error (Eq. 7), 0..1.
+  double omega = 0.75;
+  /// motorcycle: edges that cost more than this share of epsilon bound the parts (6.2), 0 or more.
+  double kappa = 0.05;
+  /// manual: the edges to merge, in this order, by either of their half-edges.
+  std::vector<int> edges;
   /// Seconds after which the best mesh so far is taken; 0: no limit.
   double time_budget = 0;
   /// 0: all cores. The result does not depend on it.
   int threads = 0;
   /// From mesh units to what the person sees, up to scale.
   Affine view;
+  FramePadding padding;
   /// The mesh as a reader will find it, in each way in which it can be written: the error that
   /// counts is that of the first way that keeps to epsilon. Empty: it is written as it is.
   std::function<std::vector<Mesh>(const Mesh&, const Frame&)> ways_to_write;
+  /// The picture that counts, where that is not the mesh as given.
+  const Mesh* original = nullptr;
+  /// Prices known from earlier runs; what is priced anew is added. Its key must be that of the
+  /// mesh and these options, or it must be empty. May be null.
+  Analysis* analysis = nullptr;
   ProgressCallback progress;
 };
 
@@ -52,12 +79,18 @@ struct SimplifyResult {
   Frame frame;
 };
 
-/// Merges patches of `mesh` while the error against the mesh as given stays at most epsilon.
-/// Throws std::invalid_argument where an option is out of range, InputError where the mesh has
-/// no size.
+/// Merges patches of `mesh` while the error against the original stays at most epsilon; where it
+/// is above that from the start, nothing is merged.
+/// Throws std::invalid_argument where an option is out of range or the analysis is another mesh's,
+/// InputError where the mesh has no size or, with `manual`, an edge cannot be merged within
+/// epsilon; the mesh is then as it was.
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 
-/// Names as in options and reports: "grid", "flip", "nothing to merge".
+/// Adds all prices to `options.analysis` that the methods need up to epsilon: of edges and of
+/// regions. Fewer where the time budget ends or the caller cancels. Throws as simplify does.
+void analyze(const Mesh& mesh, const SimplifyOptions& options);
+
+/// Names as in options and reports: "dual-grid", "flip", "nothing to merge".
 const char* name(Method method);
 const char* name(MetricKind metric);
 const char* name(Stopped stopped);

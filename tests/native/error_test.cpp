@@ -15,13 +15,13 @@ TEST(EditError, windows_add_up_to_the_whole_frame) {
       Mesh mesh = test::grid_mesh(
           {.rows = 5, .columns = 4, .position_noise = 0.1, .color_noise = 0.3}, seed);
       const Frame frame = fit_frame(mesh, {}, 180);
-      EditError error(mesh, frame, metric);
+      EditError error(mesh, mesh, frame, metric);
       EXPECT_EQ(error.error(), 0);
       Journal journal(mesh);
       for (int step = 0; step < 25; ++step) {
         test::change_at_random(journal, random);
         const double before = error.error();
-        const double after = error.after_edit(journal);
+        const double after = error.after_edits(journal, journal.depth() - 1);
         ASSERT_NEAR(after, error.whole_frame(mesh), 1e-9) << "seed " << seed << " step " << step;
         if (random() % 2 == 0) {
           error.accept(journal);
@@ -39,11 +39,11 @@ TEST(EditError, windows_add_up_to_the_whole_frame) {
 
 TEST(EditError, an_exact_split_costs_nothing_visible) {
   Mesh mesh = test::grid_mesh({.position_noise = 0.1, .color_noise = 0.3}, 2);
-  EditError error(mesh, fit_frame(mesh, {}, 300), MetricKind::flip);
+  EditError error(mesh, mesh, fit_frame(mesh, {}, 300), MetricKind::flip);
   Journal journal(mesh);
   split(journal, mesh.sides(Face{4})[1], 0.5);
   // The colour at the new points is rounded to 8 bits, as it will be written.
-  EXPECT_LT(error.after_edit(journal), 0.002);
+  EXPECT_LT(error.after_edits(journal, journal.depth() - 1), 0.002);
 }
 
 }  // namespace

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace gradmesh {
+
+/// A tensor product region (paper 6.3): rows x columns patches with nothing but whole edges and
+/// regular points inside, which can be merged into one. It starts at the leaf `corner`, the top
+/// side of its first patch; columns follow in the direction of that side, rows below it.
+struct Region {
+  Halfedge corner;
+  int rows = 1, columns = 1;
+
+  int size() const { return rows * columns; }
+  auto operator<=>(const Region&) const = default;
+};
+
+/// The top sides of the region's patches, row by row. Empty where there is no such region: at
+/// boundaries, T-junctions and irregular points, and where it would meet itself round a ring.
+std::vector<Halfedge> region_tops(const Mesh& mesh, const Region& region);
+
+/// A region seen from each of its four corners, clockwise from its own. `tops` as of region_tops.
+std::array<Region, 4> region_views(const Mesh& mesh, const Region& region,
+                                   const std::vector<Halfedge>& tops);
+
+/// The view by which a region is known: that of the smallest corner.
+Region region_name(const Mesh& mesh, const Region& region, const std::vector<Halfedge>& tops);
+
+/// The two patches beside an edge as a region, by its name. The edge and its twin are leaves.
+Region region_of_edge(const Mesh& mesh, Halfedge edge);
+
+/// The leaf across a leaf, where the edge is one edge from both sides; otherwise invalid.
+Halfedge leaf_across(const Mesh& mesh, Halfedge leaf);
+
+}  // namespace gradmesh

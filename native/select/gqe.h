@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "select/regions.h"
+
+namespace gradmesh {
+
+/// Greedy quad-error (paper 6.3): merges regions that do not overlap, the best by Eq. 7 first, as
+/// long as their prices together stay below gamma; gamma is searched for in N = 10 halvings of
+/// [0, 2 epsilon], since prices only nearly add up. The best outcome with a true error of at most
+/// epsilon is merged.
+struct GqeOptions {
+  /// Weight of a region's size against its error, 0..1.
+  double omega = 0.75;
+  /// Eq. 8: a region is ranked together with its best partner as well (1-step GQE). Ranking by
+  /// Eq. 7 is tried beside it, so that the outcome has never more patches.
+  bool look_ahead = false;
+};
+
+/// `regions` as of price_regions, with epsilon as the limit.
+void select_gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions,
+                const GqeOptions& options, StopWatch& watch);
+
+}  // namespace gradmesh

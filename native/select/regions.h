@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "base/progress.h"
+#include "error/merge_trial.h"
+#include "select/analysis.h"
+
+namespace gradmesh {
+
+struct RegionPrice {
+  Region region;
+  double error;
+};
+
+/// The tensor product regions (paper 6.3) with a price of at most `limit`, by rising size and name.
+/// They grow from single edges, by one row or column at a time, wherever the smaller one keeps to
+/// the limit; each is priced once, from whichever side it is reached. Fewer where `watch` says to
+/// stop.
+std::vector<RegionPrice> price_regions(MergeTrial& trial, Analysis& analysis, double limit,
+                                       StopWatch& watch);
+
+}  // namespace gradmesh
