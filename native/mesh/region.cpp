@@ -22,11 +22,19 @@ Halfedge below(const Mesh& mesh, Halfedge top) {
   return leaf_across(mesh, mesh.next(mesh.next(top)));
 }
 
+/// The region that starts at the patch of `top`.
+Region region_at(const Mesh& mesh, Halfedge top, int rows, int columns) {
+  const Face face = mesh.face(top);
+  const std::array<Halfedge, 4> sides = mesh.sides(face);
+  return {face, int(std::ranges::find(sides, top) - sides.begin()), rows, columns};
+}
+
 }  // namespace
 
 std::vector<Halfedge> region_tops(const Mesh& mesh, const Region& region) {
   std::vector<Halfedge> tops;
   tops.reserve(region.size());
+  const Halfedge first = mesh.sides(region.face)[region.top];
   const auto add = [&](Halfedge top) {
     if (!top.valid()) return false;
     // The same patch twice: the region goes round a ring.
@@ -41,7 +49,7 @@ std::vector<Halfedge> region_tops(const Mesh& mesh, const Region& region) {
       const Halfedge under = i > 0 ? below(mesh, tops[tops.size() - region.columns]) : Halfedge{};
       // Inside, both ways must lead to the same patch: the point between them is regular.
       if (i > 0 && j > 0 && beside != under) return {};
-      if (!add(i > 0 ? under : j > 0 ? beside : region.corner)) return {};
+      if (!add(i > 0 ? under : j > 0 ? beside : first)) return {};
     }
   return tops;
 }
@@ -50,10 +58,9 @@ std::array<Region, 4> region_views(const Mesh& mesh, const Region& region,
                                    const std::vector<Halfedge>& tops) {
   const int rows = region.rows, columns = region.columns;
   const Halfedge top_right = tops[columns - 1], bottom_left = tops[(rows - 1) * columns];
-  return {region,
-          {mesh.next(top_right), columns, rows},
-          {mesh.next(mesh.next(tops.back())), rows, columns},
-          {mesh.prev(bottom_left), columns, rows}};
+  return {region, region_at(mesh, mesh.next(top_right), columns, rows),
+          region_at(mesh, mesh.next(mesh.next(tops.back())), rows, columns),
+          region_at(mesh, mesh.prev(bottom_left), columns, rows)};
 }
 
 Region region_name(const Mesh& mesh, const Region& region, const std::vector<Halfedge>& tops) {
@@ -65,7 +72,7 @@ Region region_of_edge(const Mesh& mesh, Halfedge edge) {
   const Halfedge twin = mesh[edge].twin;
   // The edge is the bottom of the one patch and the top of the other.
   const Halfedge top = mesh.next(mesh.next(edge));
-  return region_name(mesh, {top, 2, 1}, {top, twin});
+  return region_name(mesh, region_at(mesh, top, 2, 1), {top, twin});
 }
 
 }  // namespace gradmesh

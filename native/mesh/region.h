@@ -9,10 +9,12 @@
 namespace gradmesh {
 
 /// A tensor product region (paper 6.3): rows x columns patches with nothing but whole edges and
-/// regular points inside, which can be merged into one. It starts at the leaf `corner`, the top
-/// side of its first patch; columns follow in the direction of that side, rows below it.
+/// regular points inside, which can be merged into one. It starts at the patch `face`, whose side
+/// `top` (counted as in Mesh::sides) is its top there: columns follow to the right, rows below. So
+/// it stays what it is while patches around it are merged.
 struct Region {
-  Halfedge corner;
+  Face face;
+  int top = 0;
   int rows = 1, columns = 1;
 
   int size() const { return rows * columns; }
@@ -23,11 +25,12 @@ struct Region {
 /// boundaries, T-junctions and irregular points, and where it would meet itself round a ring.
 std::vector<Halfedge> region_tops(const Mesh& mesh, const Region& region);
 
-/// A region seen from each of its four corners, clockwise from its own. `tops` as of region_tops.
+/// The region as seen from each of its four corners, clockwise from its own. `tops` as of
+/// region_tops.
 std::array<Region, 4> region_views(const Mesh& mesh, const Region& region,
                                    const std::vector<Halfedge>& tops);
 
-/// The view by which a region is known: that of the smallest corner.
+/// The view by which a region is known: the smallest of the four.
 Region region_name(const Mesh& mesh, const Region& region, const std::vector<Halfedge>& tops);
 
 /// The two patches beside an edge as a region, by its name. The edge and its twin are leaves.
