@@ -13,7 +13,9 @@ namespace gradmesh {
 
 /// What the prices of an analysis depend on.
 struct AnalysisKey {
-  /// Hash of the mesh's content, of the original's that it is held against, and of the frame.
+  /// Hash of the original mesh, whose picture counts.
+  std::uint64_t original = 0;
+  /// Hash of the mesh that is merged, and of where it lies in the frame.
   std::uint64_t content = 0;
   MetricKind metric = MetricKind::flip;
   /// Size of the frame in pixels.
