@@ -14,23 +14,23 @@ namespace py = pybind11;
 namespace gradmesh {
 namespace {
 
-py::dict mesh_dict(const Document& document, const MeshObject& object) {
-  const Mesh mesh = document.mesh(object);
-  return py::dict(py::arg("id") = object.id,
-                  py::arg("role") = object.role == PaintRole::fill ? "fill" : "stroke",
-                  py::arg("simplified") = object.gradient == nullptr,
-                  py::arg("patches") = mesh.face_count());
+py::dict mesh_dict(const Document& document, const MeshEntry& entry) {
+  py::object role = py::none();
+  if (entry.role) role = py::str(*entry.role == PaintRole::fill ? "fill" : "stroke");
+  return py::dict(py::arg("id") = entry.id, py::arg("role") = role,
+                  py::arg("simplified") = entry.simplified,
+                  py::arg("patches") = document.mesh(entry).face_count());
 }
 
 py::list meshes(const Document& document, const std::vector<std::string>& ids) {
   py::list list;
-  for (const MeshObject& object : document.selected(ids)) list.append(mesh_dict(document, object));
+  for (const MeshEntry& entry : document.selected(ids)) list.append(mesh_dict(document, entry));
   return list;
 }
 
 std::vector<std::string> ids(const Document& document) {
   std::vector<std::string> found;
-  for (const MeshObject& object : document.objects()) found.push_back(object.id);
+  for (const MeshEntry& entry : document.meshes()) found.push_back(entry.id);
   return found;
 }
 
@@ -77,8 +77,8 @@ py::list simplify_document(Document& document, const std::vector<std::string>& i
 }
 
 py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution) {
-  const auto objects = document.selected({id});
-  const Image image = document.render(objects.front(), resolution, *make_software_rasterizer());
+  const MeshEntry entry = document.selected({id}).front();
+  const Image image = document.render(entry, resolution, *make_software_rasterizer());
   py::array_t<std::uint8_t> array({image.height, image.width, 3});
   std::memcpy(array.mutable_data(), image.samples.data(), image.samples.size());
   return array;

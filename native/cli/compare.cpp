@@ -14,36 +14,68 @@ struct CompareArguments {
   std::string a, b, metric = "flip";
 };
 
-bool is_svg(const std::string& path) { return std::filesystem::path(path).extension() == ".svg"; }
-
-/// The error between the only meshes of two documents, in the frame of the first.
-double compare_meshes(const Document& a, const Document& b, MetricKind metric) {
-  const auto from = a.selected({}), to = b.selected({});
-  if (from.size() != 1 || to.size() != 1)
-    throw InputError(a.name() + " and " + b.name() + " must hold one mesh each to be compared.");
-  const Mesh first = a.mesh(from.front()), second = b.mesh(to.front());
-  const Frame frame = fit_frame(first, to_document(from.front()), 700);
-  Frame other = frame;
-  other.to_pixels = frame.to_pixels * to_document(from.front()).inverse() * to_document(to.front());
-  const auto rasterizer = make_software_rasterizer();
-  return mean(
-      make_metric(metric, rasterizer->paint(first, frame))->map(rasterizer->paint(second, other)));
+bool is_document(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension();
+  return extension == ".svg" || extension == ".hemesh";
 }
 
-double compare_images(const std::string& a, const std::string& b, MetricKind metric) {
-  const Image first = read_image(a), second = read_image(b);
-  if (first.width != second.width || first.height != second.height)
-    throw InputError(a + " and " + b + " are not of one size.");
-  return mean(make_metric(metric, first)->map(second));
+/// The only mesh of a document.
+struct OnlyMesh {
+  explicit OnlyMesh(const std::string& path) : document(Document::read_file(path)) {
+    const auto found = document->selected({});
+    if (found.size() > 1)
+      throw InputError(path + ": there are " + std::to_string(found.size()) +
+                       " meshes, but a document to be compared must hold one.");
+    entry = found.front();
+    mesh = document->mesh(entry);
+  }
+
+  Affine view() const { return document->view(entry); }
+  Image paint_like(const Image& other) const {
+    return document->render(entry, std::max(other.width, other.height),
+                            *make_software_rasterizer());
+  }
+
+  std::unique_ptr<Document> document;
+  MeshEntry entry;
+  Mesh mesh;
+};
+
+using Pair = std::pair<Image, Image>;
+
+/// Two documents of one kind share their coordinates: the frame is that of the first. Where the
+/// kinds differ, each mesh is fitted into the picture.
+Pair paint_both(const OnlyMesh& a, const OnlyMesh& b) {
+  constexpr int resolution = 700;
+  Frame first = a.document->frame(a.entry, a.mesh, resolution), second = first;
+  if (a.document->kind() == b.document->kind()) {
+    second.to_pixels = first.to_pixels * a.view().inverse() * b.view();
+  } else {
+    first = fit_frame(a.mesh, a.view(), resolution);
+    second.to_pixels = fit_frame(b.mesh, b.view(), resolution).to_pixels;
+    second.width = first.width;
+    second.height = first.height;
+  }
+  const auto rasterizer = make_software_rasterizer();
+  return {rasterizer->paint(a.mesh, first), rasterizer->paint(b.mesh, second)};
+}
+
+/// A document beside an image is painted as large as the image.
+Pair pictures(const std::string& a, const std::string& b) {
+  if (is_document(a) && is_document(b)) return paint_both(OnlyMesh(a), OnlyMesh(b));
+  if (is_document(a)) {
+    const Image second = read_image(b);
+    return {OnlyMesh(a).paint_like(second), second};
+  }
+  const Image first = read_image(a);
+  return {first, is_document(b) ? OnlyMesh(b).paint_like(first) : read_image(b)};
 }
 
 void run_compare(const CompareArguments& args) {
-  const MetricKind metric = metric_named(args.metric);
-  const double error =
-      is_svg(args.a) && is_svg(args.b)
-          ? compare_meshes(Document::read_file(args.a), Document::read_file(args.b), metric)
-          : compare_images(args.a, args.b, metric);
-  std::printf("%.6f\n", error);
+  const auto [first, second] = pictures(args.a, args.b);
+  if (first.width != second.width || first.height != second.height)
+    throw InputError(args.a + " and " + args.b + " are not of one size.");
+  std::printf("%.6f\n", mean(make_metric(metric_named(args.metric), first)->map(second)));
 }
 
 }  // namespace
@@ -52,9 +84,9 @@ void add_compare(CLI::App& program) {
   const auto a = std::make_shared<CompareArguments>();
   CLI::App& command = *program.add_subcommand(
       "compare",
-      "Print the error between two images of one size, or two documents of one mesh each");
-  command.add_option("A", a->a, "Image or SVG document; the reference")->required();
-  command.add_option("B", a->b, "Image or SVG document")->required();
+      "Print the error between two pictures: images of one size, or documents of one mesh each");
+  command.add_option("A", a->a, "Image, SVG document or .hemesh file; the reference")->required();
+  command.add_option("B", a->b, "Image, SVG document or .hemesh file")->required();
   add_metric_option(command, a->metric);
   command.callback([a] { run_compare(*a); });
 }

@@ -13,16 +13,19 @@ struct InfoArguments {
 };
 
 void run_info(const InfoArguments& a) {
-  const nlohmann::ordered_json info = info_json(Document::read_file(a.in));
+  const nlohmann::ordered_json info = info_json(*Document::read_file(a.in));
   if (a.as_json) {
     std::cout << info.dump(2) << "\n";
     return;
   }
-  for (const auto& mesh : info["meshes"])
-    std::printf("%s (%s): %d patches, %d points, %d T-junctions%s\n",
-                mesh["id"].get<std::string>().c_str(), mesh["role"].get<std::string>().c_str(),
-                mesh["patches"].get<int>(), mesh["points"].get<int>(),
-                mesh["t_junctions"].get<int>(), mesh["simplified"] ? ", simplified" : "");
+  for (const auto& mesh : info["meshes"]) {
+    const std::string role =
+        mesh["role"].is_null() ? "" : " (" + mesh["role"].get<std::string>() + ")";
+    std::printf("%s%s: %d patches, %d points, %d T-junctions%s\n",
+                mesh["id"].get<std::string>().c_str(), role.c_str(), mesh["patches"].get<int>(),
+                mesh["points"].get<int>(), mesh["t_junctions"].get<int>(),
+                mesh["simplified"] ? ", simplified" : "");
+  }
 }
 
 }  // namespace
@@ -30,7 +33,7 @@ void run_info(const InfoArguments& a) {
 void add_info(CLI::App& program) {
   const auto a = std::make_shared<InfoArguments>();
   CLI::App& command = *program.add_subcommand("info", "List the meshes of a document");
-  command.add_option("IN", a->in, "SVG document")->required();
+  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
   command.add_flag("--json", a->as_json, "Print JSON");
   command.callback([a] { run_info(*a); });
 }

@@ -1,9 +1,7 @@
-#include "base/error.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "document/document.h"
+#include "cli/one_mesh.h"
 #include "io/image_file.h"
-#include "raster/rasterizer.h"
 
 namespace gradmesh {
 namespace {
@@ -15,15 +13,10 @@ struct RenderArguments {
 };
 
 void run_render(const RenderArguments& a) {
-  const Document document = Document::read_file(a.in);
-  const auto objects =
-      document.selected(a.id.empty() ? std::vector<std::string>{} : std::vector<std::string>{a.id});
-  if (objects.size() > 1)
-    throw InputError(a.in + ": there are " + std::to_string(objects.size()) +
-                     " meshes, choose one with --id.");
+  const std::unique_ptr<Document> document = Document::read_file(a.in);
   const auto rasterizer =
       a.like_inkscape ? make_cairo_like_rasterizer() : make_software_rasterizer();
-  write_png(document.render(objects.front(), a.resolution, *rasterizer), a.out);
+  write_png(document->render(one_mesh(*document, a.id), a.resolution, *rasterizer), a.out);
 }
 
 }  // namespace
@@ -31,7 +24,7 @@ void run_render(const RenderArguments& a) {
 void add_render(CLI::App& program) {
   const auto a = std::make_shared<RenderArguments>();
   CLI::App& command = *program.add_subcommand("render", "Paint a mesh to a PNG image");
-  command.add_option("IN", a->in, "SVG document")->required();
+  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
   command.add_option("-o,--output", a->out, "PNG image")->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
   add_resolution_option(command, a->resolution);

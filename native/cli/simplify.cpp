@@ -19,16 +19,16 @@ struct SimplifyArguments {
 void run_simplify(SimplifyArguments& a) {
   a.options.method = method_named(a.method);
   a.options.metric = metric_named(a.metric);
-  Document document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = Document::read_file(a.in);
   std::vector<MeshReport> reports;
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    reports = document.simplify(a.ids, a.options);
+    reports = document->simplify(a.ids, a.options);
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
-  document.write_file(a.out);
+  document->write_file(a.out);
   if (a.quiet) return;
   for (const auto& [id, r] : reports)
     std::printf("%s: %d of %d patches left, %s %.5f, %.2f s (%s)\n", id.c_str(), r.patches_after,
@@ -42,7 +42,7 @@ void add_simplify(CLI::App& program) {
   const auto a = std::make_shared<SimplifyArguments>();
   CLI::App& command =
       *program.add_subcommand("simplify", "Merge patches while the error allows it");
-  command.add_option("IN", a->in, "SVG document")->required();
+  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
   command.add_option("-o,--output", a->out, "Where to write the document")->required();
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()

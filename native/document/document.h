@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "base/image.h"
-#include "io/svg_document.h"
 #include "io/svg_objects.h"
 #include "mesh/mesh.h"
 #include "raster/rasterizer.h"
@@ -14,43 +16,96 @@
 
 namespace gradmesh {
 
+enum class DocumentKind { svg, hemesh };
+
+/// A mesh as its document lists it.
+struct MeshEntry {
+  /// Its place in Document::meshes().
+  int index = 0;
+  /// Of the object that it paints; "mesh" in a .hemesh file, which has one mesh and no names. An
+  /// object whose fill and stroke are meshes is listed twice.
+  std::string id;
+  /// What of the object it paints; nothing in a .hemesh file.
+  std::optional<PaintRole> role;
+  /// Whether it is a group of blocks that gradmesh wrote.
+  bool simplified = false;
+};
+
 struct MeshReport {
   std::string id;
   SimplifyResult result;
 };
 
-/// A document and the meshes in it: what the command line and the Python package work with.
-/// Everything throws InputError with one sentence that names the file and the element.
+/// An SVG document or a .hemesh file, and the meshes in it: what the command line and the Python
+/// package work with. Everything throws InputError with one sentence that names the file and,
+/// where there are several, the element.
 class Document {
  public:
-  static Document read_file(const std::filesystem::path& path);
-  static Document parse(std::string_view bytes, const std::string& name);
+  /// Which kind it is follows from the content.
+  static std::unique_ptr<Document> read_file(const std::filesystem::path& path);
+  static std::unique_ptr<Document> parse(std::string_view bytes, const std::string& name);
+  virtual ~Document() = default;
 
   const std::string& name() const { return name_; }
-  const std::vector<MeshObject>& objects() const { return objects_; }
-  /// The objects with these ids, or inside elements with these ids; all where there are no ids.
-  /// Never empty.
-  std::vector<MeshObject> selected(const std::vector<std::string>& ids) const;
+  virtual DocumentKind kind() const = 0;
 
-  Mesh mesh(const MeshObject& object) const;
-  /// Paints one object's mesh in a frame of its own.
-  Image render(const MeshObject& object, int resolution, const Rasterizer& rasterizer) const;
+  /// All meshes; there may be none.
+  const std::vector<MeshEntry>& meshes() const { return entries_; }
+  /// The meshes of the objects with these ids, or inside elements with these ids; all where there
+  /// are no ids. Never empty.
+  virtual std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const = 0;
 
-  /// Simplifies the selected objects in place, each against itself as it was. An object that does
-  /// not come out with fewer patches stays as it is. `options.view` is set for each object. Where
-  /// this throws, the document is as it was.
+  virtual Mesh mesh(const MeshEntry& entry) const = 0;
+  /// From mesh units to what the person sees (y down), up to scale.
+  virtual Affine view(const MeshEntry& entry) const = 0;
+  virtual FramePadding padding() const = 0;
+  /// The frame in which a mesh of this document is painted and measured.
+  Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
+  Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer) const;
+
+  /// Simplifies the selected meshes in place, each against itself as it was. A mesh that does not
+  /// come out with fewer patches stays as it is. What `options` says of view, padding and writing
+  /// is set here. Where this throws, the document is as it was.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids, SimplifyOptions options);
 
   /// The document; the very bytes that were read where nothing was changed.
-  std::string bytes() const;
+  std::string bytes() const { return changed_ ? changed_bytes() : original_; }
   void write_file(const std::filesystem::path& path) const;
 
- private:
-  Document(SvgDocument svg, std::string name, std::string original);
+ protected:
+  struct SimplifiedMesh {
+    MeshEntry entry;
+    Mesh mesh;
+    SimplifyResult result;
+  };
 
-  SvgDocument svg_;
+  Document(std::string name, std::string_view bytes) : name_(std::move(name)), original_(bytes) {}
+
+  /// How messages name a mesh: the file and, where it has several, the element.
+  virtual std::string describe(const MeshEntry& entry) const = 0;
+  /// SimplifyOptions::ways_to_write.
+  virtual std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const = 0;
+  /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
+  virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric) = 0;
+  virtual std::string changed_bytes() const = 0;
+
+  /// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the
+  /// file and the element.
+  template <class Work>
+  auto naming(const MeshEntry& entry, const Work& work) const {
+    try {
+      return work();
+    } catch (const InputError& error) {
+      std::string reason = error.what();
+      if (reason.ends_with('.')) reason.pop_back();
+      throw InputError(describe(entry) + ": " + reason + ".");
+    }
+  }
+
+  std::vector<MeshEntry> entries_;
+
+ private:
   std::string name_, original_;
-  std::vector<MeshObject> objects_;
   bool changed_ = false;
 };
 

@@ -104,9 +104,9 @@ TEST(SvgWrite, read_back_it_is_the_same_mesh) {
         "<path id=\"p\" d=\"M0,0 H400 V400 Z\" "
         "fill=\"url(#m)\"/>",
         mesh);
-    Document document = Document::parse(text, "drawing.svg");
-    ASSERT_EQ(document.objects().size(), 1u);
-    const Mesh back = document.mesh(document.objects()[0]);
+    const std::unique_ptr<Document> document = Document::parse(text, "drawing.svg");
+    ASSERT_EQ(document->meshes().size(), 1u);
+    const Mesh back = document->mesh(document->meshes()[0]);
     ASSERT_EQ(validate(back), std::vector<std::string>{}) << "seed " << seed;
     ASSERT_EQ(back.face_count(), mesh.face_count());
     // Nine digits of coordinates up to 400, and what T-junctions make of them.

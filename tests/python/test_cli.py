@@ -287,7 +287,7 @@ def test_what_cannot_be_compared(tmp_path):
     for size in (100, 200):
         gradmesh("render", SAMPLES / "fruit.svg", "-o", tmp_path / f"{size}.png", "--resolution", size)
     assert "size" in refused(gradmesh("compare", tmp_path / "100.png", tmp_path / "200.png"))
-    assert "one mesh each" in refused(gradmesh("compare", SAMPLES / "two.svg", SAMPLES / "two.svg"))
+    assert "must hold one" in refused(gradmesh("compare", SAMPLES / "two.svg", SAMPLES / "two.svg"))
     empty = tmp_path / "empty.svg"
     empty.write_text(DOCUMENT.format(defs=""))
     assert str(empty) in refused(gradmesh("compare", SAMPLES / "fruit.svg", empty))

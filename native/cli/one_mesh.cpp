@@ -1,0 +1,13 @@
+#include "cli/one_mesh.h"
+
+namespace gradmesh {
+
+MeshEntry one_mesh(const Document& document, const std::string& id) {
+  const auto found = document.selected(id.empty() ? std::vector<std::string>{} : std::vector{id});
+  if (found.size() > 1)
+    throw InputError(document.name() + ": there are " + std::to_string(found.size()) +
+                     " meshes, choose one with --id.");
+  return found.front();
+}
+
+}  // namespace gradmesh

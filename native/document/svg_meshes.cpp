@@ -1,0 +1,91 @@
+#include "document/svg_meshes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "io/blocks.h"
+#include "io/svg_group.h"
+#include "io/svg_mesh.h"
+#include "io/svg_write.h"
+#include "io/xml_node.h"
+#include "mesh/build.h"
+
+namespace gradmesh {
+namespace {
+
+bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
+  while (node && node != ancestor) node = parent_element(node);
+  return node != nullptr;
+}
+
+/// The blocks in which a mesh can be written, in either order.
+std::array<std::vector<Block>, 2> possible_blocks(const Mesh& mesh) {
+  const std::vector<Block> by_area = find_blocks(mesh);
+  return {by_area, in_order_of_faces(by_area)};
+}
+
+}  // namespace
+
+SvgMeshes::SvgMeshes(std::string_view bytes, const std::string& name)
+    : Document(name, bytes), svg_(SvgDocument::parse(bytes, name)) {
+  list_meshes();
+}
+
+void SvgMeshes::list_meshes() {
+  objects_ = mesh_objects(svg_);
+  entries_.clear();
+  for (const MeshObject& o : objects_)
+    entries_.push_back({int(entries_.size()), o.id, o.role, o.gradient == nullptr});
+}
+
+std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) const {
+  if (entries_.empty())
+    throw InputError(name() + ": no object in this document is painted by a mesh gradient.");
+  if (ids.empty()) return entries_;
+  std::vector<const xmlNode*> places;
+  for (const std::string& id : ids) {
+    const xmlNode* place = svg_.find(id);
+    if (!place) throw InputError(name() + ": there is no object with the id " + excerpt(id) + ".");
+    if (std::ranges::none_of(objects_,
+                             [&](const MeshObject& o) { return is_inside(o.node, place); }))
+      fail(place, "it is not painted by a mesh gradient");
+    places.push_back(place);
+  }
+  std::vector<MeshEntry> found;
+  for (const MeshEntry& entry : entries_)
+    if (std::ranges::any_of(places,
+                            [&](const xmlNode* p) { return is_inside(object(entry).node, p); }))
+      found.push_back(entry);
+  return found;
+}
+
+Mesh SvgMeshes::mesh(const MeshEntry& entry) const {
+  const MeshObject& o = object(entry);
+  const MeshParts parts =
+      is_mesh_group(o.node) ? read_mesh_group(svg_, o.node) : read_mesh(svg_, o);
+  return naming(entry, [&] { return build_mesh(parts); });
+}
+
+std::string SvgMeshes::describe(const MeshEntry& entry) const {
+  return name() + ": " + gradmesh::describe(object(entry).node);
+}
+
+std::vector<Mesh> SvgMeshes::ways_to_write(const Mesh& mesh, const Frame& frame) const {
+  std::vector<Mesh> ways;
+  for (const std::vector<Block>& blocks : possible_blocks(mesh))
+    ways.push_back(build_mesh(block_parts(mesh, blocks, frame.coons_tolerance)));
+  return ways;
+}
+
+void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric) {
+  for (const auto& [entry, mesh, result] : meshes) {
+    const MeshObject& o = object(entry);
+    const int before = is_mesh_group(o.node) ? patches_before(o.node) : result.patches_before;
+    const std::string label = mesh_label(result.patches_after, before, metric, result.error);
+    const std::vector<Block> blocks = possible_blocks(mesh)[result.way];
+    write_mesh(svg_, o, {mesh, blocks, result.frame.coons_tolerance, label, before});
+  }
+  list_meshes();
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "document/document.h"
+#include "io/svg_document.h"
+
+namespace gradmesh {
+
+/// An SVG document: its meshes are the objects that a mesh gradient paints, and groups of blocks.
+class SvgMeshes : public Document {
+ public:
+  SvgMeshes(std::string_view bytes, const std::string& name);
+
+  DocumentKind kind() const override { return DocumentKind::svg; }
+  std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
+  Mesh mesh(const MeshEntry& entry) const override;
+  Affine view(const MeshEntry& entry) const override { return to_document(object(entry)); }
+  FramePadding padding() const override { return {}; }
+
+ protected:
+  std::string describe(const MeshEntry& entry) const override;
+  std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const override;
+  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric) override;
+  std::string changed_bytes() const override { return svg_.serialize(); }
+
+ private:
+  const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
+  void list_meshes();
+
+  SvgDocument svg_;
+  std::vector<MeshObject> objects_;
+};
+
+}  // namespace gradmesh
