@@ -26,6 +26,10 @@ const char* name(Method method) {
 
 const char* name(MetricKind metric) { return metric == MetricKind::flip ? "flip" : "ssim"; }
 
+const char* name(ColorModel model) {
+  return model == ColorModel::bilinear ? "bilinear" : "bicubic";
+}
+
 const char* name(Stopped stopped) {
   switch (stopped) {
     case Stopped::done:
@@ -52,6 +56,13 @@ MetricKind metric_named(const std::string& wanted) {
   for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim})
     if (wanted == name(metric)) return metric;
   throw std::invalid_argument("the metric '" + wanted + "' is not known; there are: flip, ssim.");
+}
+
+ColorModel color_model_named(const std::string& wanted) {
+  for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
+    if (wanted == name(model)) return model;
+  throw std::invalid_argument("the color model '" + wanted +
+                              "' is not known; there are: bilinear, bicubic.");
 }
 
 }  // namespace gradmesh

@@ -93,9 +93,11 @@ void analyze(const Mesh& mesh, const SimplifyOptions& options);
 /// Names as in options and reports: "dual-grid", "flip", "nothing to merge".
 const char* name(Method method);
 const char* name(MetricKind metric);
+const char* name(ColorModel model);
 const char* name(Stopped stopped);
 /// Throw std::invalid_argument with the names there are.
 Method method_named(const std::string& name);
 MetricKind metric_named(const std::string& name);
+ColorModel color_model_named(const std::string& name);
 
 }  // namespace gradmesh
