@@ -1,70 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "ops/split.h"
 #include "raster/rasterizer.h"
-#include "select/grid.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
 namespace {
 
 using test::grid_mesh;
-
-/// Edges as the pairs of faces beside them.
-std::vector<std::pair<int, int>> faces_of(const Mesh& mesh, const std::vector<Halfedge>& edges) {
-  std::vector<std::pair<int, int>> pairs;
-  for (const Halfedge h : edges) {
-    const int a = mesh.face(h).value, b = mesh.face(mesh[h].twin).value;
-    pairs.emplace_back(std::min(a, b), std::max(a, b));
-  }
-  return pairs;
-}
-
-TEST(GridOrder, goes_through_rows_and_then_between_them) {
-  const Mesh mesh = grid_mesh();
-  bool seen = false;
-  // Fig. 7a from the top left corner along the top row, for some seed.
-  const std::vector<std::pair<int, int>> wanted{{0, 1}, {1, 2}, {3, 4}, {4, 5}, {6, 7}, {7, 8},
-                                                {0, 3}, {3, 6}, {1, 4}, {4, 7}, {2, 5}, {5, 8}};
-  std::set<std::vector<std::pair<int, int>>> orders;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const auto order = faces_of(mesh, grid_order(mesh, seed));
-    EXPECT_EQ(std::set(order.begin(), order.end()), std::set(wanted.begin(), wanted.end()));
-    EXPECT_EQ(order.size(), wanted.size());
-    seen = seen || order == wanted;
-    orders.insert(order);
-  }
-  EXPECT_TRUE(seen);
-  // Four corners, two directions.
-  EXPECT_EQ(orders.size(), 8u);
-}
-
-TEST(GridOrder, reaches_every_edge_of_meshes_with_junctions_and_several_components) {
-  std::mt19937 random(1);
-  MeshParts parts = test::grid_parts({.rows = 2, .columns = 3}, random);
-  const MeshParts other = test::grid_parts({.rows = 2, .columns = 2}, random);
-  for (CurveParts curve : other.curves) {
-    for (CurveSide* side : {&curve.a, &curve.b})
-      for (int& h : side->halfedges) h += 4 * int(parts.patches.size());
-    parts.curves.push_back(curve);
-  }
-  parts.patches.insert(parts.patches.end(), other.patches.begin(), other.patches.end());
-  Mesh mesh = build_mesh(parts);
-  Journal journal(mesh);
-  split(journal, mesh.sides(Face{1})[0], 0.5);
-  std::set<Halfedge> curves;
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh[h].twin.valid()) curves.insert(mesh.curve(h));
-  const std::vector<Halfedge> order = grid_order(mesh, 0);
-  std::set<Halfedge> listed;
-  for (const Halfedge h : order) listed.insert(mesh.curve(h));
-  EXPECT_EQ(listed, curves);
-  EXPECT_EQ(order.size(), curves.size());
-}
 
 Mesh split_patch(int times) {
   Mesh mesh = grid_mesh({.rows = 1, .columns = 1, .position_noise = 0.2}, 8);
