@@ -181,4 +181,11 @@ void analyze(const Mesh& mesh, const SimplifyOptions& options) {
   Run(copy, options).analyze();
 }
 
+AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options) {
+  check(options);
+  const Mesh& original = options.original ? *options.original : mesh;
+  const Frame frame = fit_frame(original, options.view, options.resolution, options.padding);
+  return analysis_key(original, mesh, frame, options.metric);
+}
+
 }  // namespace gradmesh

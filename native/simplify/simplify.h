@@ -90,6 +90,9 @@ SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 /// regions. Fewer where the time budget ends or the caller cancels. Throws as simplify does.
 void analyze(const Mesh& mesh, const SimplifyOptions& options);
 
+/// The key of the analysis that belongs to this mesh and these options. Throws as simplify does.
+AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);
+
 /// Names as in options and reports: "dual-grid", "flip", "nothing to merge".
 const char* name(Method method);
 const char* name(MetricKind metric);

@@ -1,0 +1,158 @@
+#include "document/analysis_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "io/atomic_file.h"
+#include "simplify/simplify.h"
+
+namespace gradmesh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format = "gradmesh analysis";
+constexpr int version = 1;
+
+std::string hex(std::uint64_t number) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(number));
+  return digits;
+}
+
+std::uint64_t number_of(const std::string& hex_digits) {
+  std::size_t used = 0;
+  const std::uint64_t number = std::stoull(hex_digits, &used, 16);
+  if (used != hex_digits.size()) throw std::invalid_argument("not a hexadecimal number");
+  return number;
+}
+
+/// Of the values, however they are laid out in the file.
+std::string checksum(const Json& analyses) {
+  Hash hash;
+  hash.add(analyses.dump());
+  return hex(hash.value());
+}
+
+Json to_json(const Analysis& analysis) {
+  Json prices = Json::array();
+  for (const auto& [region, price] : analysis.prices)
+    prices.push_back({region.face.value, region.top, region.rows, region.columns, price});
+  const AnalysisKey& key = analysis.key;
+  return {{"original", hex(key.original)},
+          {"content", hex(key.content)},
+          {"metric", name(key.metric)},
+          {"width", key.width},
+          {"height", key.height},
+          {"color_model", name(key.color_model)},
+          {"prices", prices}};
+}
+
+/// Throws one of the standard exceptions where something is missing or of another type.
+Analysis from_json(const Json& json) {
+  Analysis analysis;
+  analysis.key = {number_of(json.at("original").get<std::string>()),
+                  number_of(json.at("content").get<std::string>()),
+                  metric_named(json.at("metric").get<std::string>()),
+                  json.at("width").get<int>(),
+                  json.at("height").get<int>(),
+                  color_model_named(json.at("color_model").get<std::string>())};
+  for (const Json& price : json.at("prices")) {
+    const Region region{Face{price.at(0).get<int>()}, price.at(1).get<int>(),
+                        price.at(2).get<int>(), price.at(3).get<int>()};
+    // JSON knows no infinity: null stands for it.
+    analysis.prices[region] =
+        price.at(4).is_null() ? std::numeric_limits<double>::infinity() : price.at(4).get<double>();
+  }
+  return analysis;
+}
+
+std::string size(const AnalysisKey& key) {
+  return std::to_string(key.width) + " x " + std::to_string(key.height) + " pixels";
+}
+
+/// A clause that says how a key differs from the one that is wanted.
+std::string difference(const AnalysisKey& found, const AnalysisKey& wanted) {
+  if (found.original != wanted.original) return "is of another mesh, or the mesh was changed since";
+  if (found.metric != wanted.metric)
+    return std::string("was made with the metric ") + name(found.metric) + ", not " +
+           name(wanted.metric);
+  if (found.color_model != wanted.color_model)
+    return std::string("was made in the color model ") + name(found.color_model) + ", not " +
+           name(wanted.color_model);
+  if (found.width != wanted.width || found.height != wanted.height)
+    return "was made at " + size(found) + ", not " + size(wanted);
+  return "was made before the mesh was moved or transformed";
+}
+
+/// How much of two keys is the same, the more telling parts first.
+auto likeness(const AnalysisKey& a, const AnalysisKey& b) {
+  return std::array{a.original == b.original, a.metric == b.metric, a.color_model == b.color_model,
+                    a.width == b.width && a.height == b.height, a.content == b.content};
+}
+
+bool fits(const Mesh& mesh, const Region& r) {
+  if (r.face.value < 0 || r.face.value >= int(mesh.face_slots()) || !mesh[r.face].alive)
+    return false;
+  if (r.top < 0 || r.top > 3 || r.rows < 1 || r.columns < 1) return false;
+  if (r.rows > mesh.face_count() / r.columns) return false;
+  const std::vector<Halfedge> tops = region_tops(mesh, r);
+  return !tops.empty() && region_name(mesh, r, tops) == r;
+}
+
+}  // namespace
+
+AnalysisFile AnalysisFile::read(const std::filesystem::path& path) {
+  AnalysisFile file;
+  file.name_ = path.string();
+  const InputError damaged(file.name_ + ": this analysis is damaged or cut off.");
+  const std::string text = read_bytes(path);
+  if (text.find(format) == std::string::npos)
+    throw InputError(file.name_ + ": this is no file with an analysis.");
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("version") != version)
+      throw InputError(file.name_ + ": this analysis has the format version " +
+                       json.at("version").dump() + ", but only version " + std::to_string(version) +
+                       " is known here.");
+    if (json.at("checksum") != checksum(json.at("analyses"))) throw damaged;
+    for (const Json& analysis : json.at("analyses")) file.analyses_.push_back(from_json(analysis));
+  } catch (const Json::exception&) {
+    throw damaged;
+  } catch (const std::logic_error&) {
+    throw damaged;
+  }
+  return file;
+}
+
+const Analysis& AnalysisFile::find(const AnalysisKey& key, const Mesh& mesh) const {
+  const auto closest = std::ranges::max_element(
+      analyses_, {}, [&](const Analysis& analysis) { return likeness(analysis.key, key); });
+  if (closest == analyses_.end()) throw InputError(name_ + ": there is no analysis in this file.");
+  if (closest->key != key)
+    throw InputError(name_ + ": this analysis " + difference(closest->key, key) + ".");
+  for (const auto& [region, price] : closest->prices)
+    if (!fits(mesh, region) || !(price == price))
+      throw InputError(name_ + ": this analysis has a region that is not in the mesh, at patch " +
+                       std::to_string(region.face.value) + ".");
+  return *closest;
+}
+
+void write_analyses(const std::filesystem::path& path, const std::vector<Analysis>& analyses) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < analyses.size(); ++i)
+    if (std::none_of(analyses.begin() + i + 1, analyses.end(),
+                     [&](const Analysis& later) { return later.key == analyses[i].key; }))
+      list.push_back(to_json(analyses[i]));
+  const std::string sum = checksum(list);
+  const Json file{
+      {"format", format}, {"version", version}, {"checksum", sum}, {"analyses", std::move(list)}};
+  write_bytes(path, file.dump() + "\n");
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,224 @@
+#include "document/analysis_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "base/error.h"
+#include "document/document.h"
+#include "io/atomic_file.h"
+#include "meshes.h"
+#include "random_meshes.h"
+#include "simplify/simplify.h"
+
+namespace gradmesh {
+namespace {
+
+using test::grid_mesh;
+
+/// A path of this test's own, without a file.
+std::filesystem::path scratch(const std::string& name) {
+  const auto folder = std::filesystem::path(testing::TempDir()) /
+                      testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::filesystem::create_directories(folder);
+  std::filesystem::remove(folder / name);
+  return folder / name;
+}
+
+SimplifyOptions small_options(MetricKind metric = MetricKind::ssim) {
+  SimplifyOptions options;
+  options.metric = metric;
+  options.resolution = 80;
+  options.epsilon = 0.05;
+  return options;
+}
+
+/// A mesh with edges that can be merged and, at T-junctions, edges that cannot.
+Mesh mixed_mesh() {
+  std::mt19937 random(3);
+  const test::GridOptions grid{
+      .rows = 6, .columns = 6, .position_noise = 0.03, .color_noise = 0.03};
+  return test::changed_mesh(test::grid_parts(grid, random), 3, 10, 2);
+}
+
+Analysis analysis_of(const Mesh& mesh, SimplifyOptions options) {
+  Analysis analysis;
+  options.analysis = &analysis;
+  analyze(mesh, options);
+  return analysis;
+}
+
+/// The sentence with which `work` is refused.
+template <class Work>
+std::string refusal(const Work& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return "";
+}
+
+TEST(AnalysisFile, gives_back_what_was_written) {
+  const Mesh first = mixed_mesh(), second = grid_mesh();
+  const SimplifyOptions options = small_options();
+  Analysis a = analysis_of(first, options);
+  const Analysis b = analysis_of(second, options);
+  a.prices.begin()->second = INFINITY;
+  const auto path = scratch("prices.json");
+  write_analyses(path, {a, b});
+
+  const AnalysisFile file = AnalysisFile::read(path);
+  EXPECT_EQ(file.find(analysis_key(first, options), first).prices, a.prices);
+  EXPECT_EQ(file.find(analysis_key(second, options), second).prices, b.prices);
+  EXPECT_GT(a.prices.size(), 20u);
+}
+
+TEST(AnalysisFile, of_equal_keys_the_last_is_kept) {
+  const Mesh mesh = grid_mesh();
+  const SimplifyOptions options = small_options();
+  Analysis few = analysis_of(mesh, options);
+  const Analysis all = few;
+  few.prices.clear();
+  const auto path = scratch("prices.json");
+  write_analyses(path, {few, all});
+  EXPECT_EQ(AnalysisFile::read(path).find(all.key, mesh).prices, all.prices);
+}
+
+TEST(AnalysisFile, loaded_prices_serve_every_epsilon_below_and_every_omega_and_kappa) {
+  const Mesh mesh = mixed_mesh();
+  SimplifyOptions options = small_options();
+  const auto path = scratch("prices.json");
+  write_analyses(path, {analysis_of(mesh, options)});
+  const AnalysisFile file = AnalysisFile::read(path);
+  for (const Method method : {Method::gqe, Method::gqe1})
+    for (const double epsilon : {0.05, 0.02})
+      for (const double omega : {0.0, 0.5}) {
+        options.method = method;
+        options.epsilon = epsilon;
+        options.omega = omega;
+        Mesh fresh = mesh, known = mesh;
+        options.analysis = nullptr;
+        const SimplifyResult without = simplify(fresh, options);
+        Analysis analysis = file.find(analysis_key(mesh, options), mesh);
+        const std::size_t prices = analysis.prices.size();
+        options.analysis = &analysis;
+        const SimplifyResult with = simplify(known, options);
+        EXPECT_GT(without.evaluations, 0);
+        EXPECT_EQ(with.evaluations, 0);
+        EXPECT_EQ(analysis.prices.size(), prices);
+        EXPECT_EQ(with.error, without.error);
+        ASSERT_EQ(known.face_count(), fresh.face_count());
+        for (const Face f : fresh.faces()) EXPECT_EQ(known.patch(f), fresh.patch(f));
+      }
+}
+
+TEST(AnalysisFile, says_what_differs) {
+  const Mesh mesh = grid_mesh();
+  const SimplifyOptions options = small_options();
+  const auto path = scratch("prices.json");
+  write_analyses(path, {analysis_of(mesh, options)});
+  const AnalysisFile file = AnalysisFile::read(path);
+  const std::string start = path.string() + ": this analysis ";
+  const auto refused = [&](const Mesh& wanted, const SimplifyOptions& with) {
+    return refusal([&] { file.find(analysis_key(wanted, with), wanted); });
+  };
+
+  EXPECT_EQ(refused(grid_mesh({.rows = 4}), options),
+            start + "is of another mesh, or the mesh was changed since.");
+  EXPECT_EQ(refused(mesh, small_options(MetricKind::flip)),
+            start + "was made with the metric ssim, not flip.");
+  SimplifyOptions other = options;
+  other.resolution = 90;
+  EXPECT_EQ(refused(mesh, other), start + "was made at 80 x 80 pixels, not 90 x 90 pixels.");
+  other = options;
+  other.view = Affine::scaling({-1, 1});
+  EXPECT_EQ(refused(mesh, other), start + "was made before the mesh was moved or transformed.");
+  std::mt19937 random(1);
+  MeshParts parts = test::grid_parts({}, random);
+  parts.color_model = ColorModel::bicubic;
+  const Mesh bicubic = build_mesh(parts);
+  other = options;
+  other.original = &mesh;
+  EXPECT_EQ(refused(bicubic, other), start + "was made in the color model bilinear, not bicubic.");
+}
+
+TEST(AnalysisFile, of_several_the_closest_is_told_about) {
+  const Mesh mesh = grid_mesh();
+  const auto path = scratch("prices.json");
+  SimplifyOptions coarse = small_options();
+  coarse.resolution = 40;
+  write_analyses(path,
+                 {analysis_of(grid_mesh({.rows = 4}), small_options()), analysis_of(mesh, coarse)});
+  const AnalysisFile file = AnalysisFile::read(path);
+  EXPECT_EQ(refusal([&] { file.find(analysis_key(mesh, small_options()), mesh); }),
+            path.string() + ": this analysis was made at 40 x 40 pixels, not 80 x 80 pixels.");
+}
+
+TEST(AnalysisFile, refuses_other_and_empty_files) {
+  const auto path = scratch("prices.json");
+  EXPECT_NE(refusal([&] { AnalysisFile::read(path); }).find("cannot be read"), std::string::npos);
+  for (const char* text : {"", "{}", "HEMESH\n", "<svg/>"}) {
+    write_bytes(path, text);
+    EXPECT_EQ(refusal([&] { AnalysisFile::read(path); }),
+              path.string() + ": this is no file with an analysis.");
+  }
+  write_bytes(path, R"({"format": "gradmesh analysis", "version": 7})");
+  EXPECT_EQ(refusal([&] { AnalysisFile::read(path); }),
+            path.string() +
+                ": this analysis has the format version 7, but only version 1 is known here.");
+  write_analyses(path, {});
+  const Mesh mesh = grid_mesh();
+  EXPECT_EQ(
+      refusal([&] { AnalysisFile::read(path).find(analysis_key(mesh, small_options()), mesh); }),
+      path.string() + ": there is no analysis in this file.");
+}
+
+TEST(AnalysisFile, no_damage_passes) {
+  const Mesh mesh = grid_mesh();
+  const SimplifyOptions options = small_options();
+  const Analysis analysis = analysis_of(mesh, options);
+  const auto path = scratch("prices.json");
+  write_analyses(path, {analysis});
+  const std::string whole = read_bytes(path);
+  std::mt19937 random(5);
+  for (int i = 0; i < 200; ++i) {
+    std::string text = whole;
+    if (i % 2 == 0) {
+      text.resize(random() % (text.size() - 2));
+    } else {
+      text[random() % (text.size() - 1)] = "0123456789,]}\"e-n"[random() % 17];
+    }
+    write_bytes(path, text);
+    try {
+      const AnalysisFile file = AnalysisFile::read(path);
+      // Only where the damage changed nothing that is said.
+      EXPECT_EQ(file.find(analysis.key, mesh).prices, analysis.prices) << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(path.string() + ": ", 0), 0u) << error.what();
+    }
+  }
+}
+
+TEST(AnalysisFile, refuses_regions_that_are_not_in_the_mesh) {
+  const Mesh mesh = grid_mesh();
+  const SimplifyOptions options = small_options();
+  const AnalysisKey key = analysis_key(mesh, options);
+  const auto path = scratch("prices.json");
+  for (const Region& region :
+       {Region{Face{-1}, 0, 1, 2}, Region{Face{9}, 0, 1, 2}, Region{Face{0}, 4, 1, 2},
+        Region{Face{0}, -1, 1, 2}, Region{Face{0}, 0, 0, 2}, Region{Face{0}, 0, 1, 1 << 30},
+        Region{Face{0}, 0, 4, 1}, Region{Face{4}, 2, 2, 2}}) {
+    write_analyses(path, {Analysis{key, {{region, 0.5}}}});
+    const AnalysisFile file = AnalysisFile::read(path);
+    EXPECT_EQ(refusal([&] { file.find(key, mesh); }),
+              path.string() + ": this analysis has a region that is not in the mesh, at patch " +
+                  std::to_string(region.face.value) + ".");
+  }
+}
+
+}  // namespace
+}  // namespace gradmesh
