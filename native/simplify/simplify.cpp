@@ -151,9 +151,9 @@ class Run {
     return result;
   }
 
-  void analyze() {
-    price_edges(trial_, analysis_, watch_);
-    price_regions(trial_, analysis_, options_.epsilon, watch_);
+  std::vector<EdgePrice> edges() { return price_edges(trial_, analysis_, watch_); }
+  std::vector<RegionPrice> regions() {
+    return price_regions(trial_, analysis_, options_.epsilon, watch_);
   }
 
  private:
@@ -176,9 +176,14 @@ SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
   return Run(mesh, options).simplify();
 }
 
-void analyze(const Mesh& mesh, const SimplifyOptions& options) {
+std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options) {
   Mesh copy = mesh;
-  Run(copy, options).analyze();
+  return Run(copy, options).edges();
+}
+
+std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options) {
+  Mesh copy = mesh;
+  return Run(copy, options).regions();
 }
 
 AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options) {

@@ -11,6 +11,8 @@
 #include "metric/metric.h"
 #include "raster/frame.h"
 #include "select/analysis.h"
+#include "select/edges.h"
+#include "select/regions.h"
 
 namespace gradmesh {
 
@@ -86,9 +88,11 @@ struct SimplifyResult {
 /// epsilon; the mesh is then as it was.
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 
-/// Adds all prices to `options.analysis` that the methods need up to epsilon: of edges and of
-/// regions. Fewer where the time budget ends or the caller cancels. Throws as simplify does.
-void analyze(const Mesh& mesh, const SimplifyOptions& options);
+/// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most epsilon,
+/// whose prices are all that the methods need. They are added to `options.analysis`, if there is
+/// one. Fewer where the time budget ends or the caller cancels. Throw as simplify does.
+std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options);
+std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options);
 
 /// The key of the analysis that belongs to this mesh and these options. Throws as simplify does.
 AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);

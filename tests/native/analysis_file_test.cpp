@@ -46,7 +46,7 @@ Mesh mixed_mesh() {
 Analysis analysis_of(const Mesh& mesh, SimplifyOptions options) {
   Analysis analysis;
   options.analysis = &analysis;
-  analyze(mesh, options);
+  analyze_regions(mesh, options);
   return analysis;
 }
 
