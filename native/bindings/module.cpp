@@ -53,27 +53,40 @@ ProgressCallback progress_callback(const py::object& callback) {
   };
 }
 
+py::list report_list(const std::vector<MeshReport>& reports) {
+  py::list list;
+  for (const MeshReport& report : reports) list.append(report_dict(report));
+  return list;
+}
+
 py::list simplify_document(Document& document, const std::vector<std::string>& ids,
-                           const std::string& method, const std::string& metric, double epsilon,
-                           int resolution, std::uint64_t seed, double time_budget, int threads,
-                           const py::object& progress) {
-  SimplifyOptions options;
-  options.method = method_named(method);
-  options.metric = metric_named(metric);
-  options.epsilon = epsilon;
-  options.resolution = resolution;
-  options.seed = seed;
-  options.time_budget = time_budget;
-  options.threads = threads;
+                           SimplifyOptions options, bool preview, const py::object& progress) {
   options.progress = progress_callback(progress);
   std::vector<MeshReport> reports;
   {
     const py::gil_scoped_release release;
-    reports = document.simplify(ids, options);
+    reports = preview ? document.preview(ids, options) : document.simplify(ids, options);
   }
-  py::list list;
-  for (const MeshReport& report : reports) list.append(report_dict(report));
-  return list;
+  return report_list(reports);
+}
+
+void bind_options(py::module_& m) {
+  py::class_<SimplifyOptions>(m, "SimplifyOptions")
+      .def(py::init<>())
+      .def_property(
+          "method", [](const SimplifyOptions& o) { return name(o.method); },
+          [](SimplifyOptions& o, const std::string& value) { o.method = method_named(value); })
+      .def_property(
+          "metric", [](const SimplifyOptions& o) { return name(o.metric); },
+          [](SimplifyOptions& o, const std::string& value) { o.metric = metric_named(value); })
+      .def_readwrite("epsilon", &SimplifyOptions::epsilon)
+      .def_readwrite("resolution", &SimplifyOptions::resolution)
+      .def_readwrite("seed", &SimplifyOptions::seed)
+      .def_readwrite("omega", &SimplifyOptions::omega)
+      .def_readwrite("kappa", &SimplifyOptions::kappa)
+      .def_readwrite("edges", &SimplifyOptions::edges)
+      .def_readwrite("time_budget", &SimplifyOptions::time_budget)
+      .def_readwrite("threads", &SimplifyOptions::threads);
 }
 
 py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution) {
@@ -93,6 +106,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("version") = GRADMESH_VERSION;
   py::register_exception<InputError>(m, "InputError", PyExc_ValueError);
 
+  bind_options(m);
   py::class_<Document>(m, "Document")
       .def_static("read_file", [](const std::string& path) { return Document::read_file(path); })
       .def_static("parse",
@@ -102,9 +116,8 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("name", &Document::name)
       .def("ids", &ids)
       .def("meshes", &meshes, py::arg("ids"))
-      .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("method"),
-           py::arg("metric"), py::arg("epsilon"), py::arg("resolution"), py::arg("seed"),
-           py::arg("time_budget"), py::arg("threads"), py::arg("progress"))
+      .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
+           py::arg("preview"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))
       .def("bytes", [](const Document& d) { return py::bytes(d.bytes()); })
       .def("write_file", [](const Document& d, const std::string& path) { d.write_file(path); });

@@ -7,8 +7,9 @@
 
 namespace gradmesh {
 
-/// {"meshes": [{"id", "method", "metric", "epsilon", "resolution", "seed", "patches_before",
-///  "patches_after", "error", "evaluations", "seconds": {"total", ...}, "stopped"}]}
+/// {"meshes": [{"id", "method", "metric", "epsilon", "resolution", "seed", "omega", "kappa",
+///  "patches_before", "patches_after", "error", "evaluations", "seconds": {"total", ...},
+///  "stopped"}]}
 nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                                    const SimplifyOptions& options);
 

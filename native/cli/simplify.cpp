@@ -13,8 +13,14 @@ struct SimplifyArguments {
   std::string in, out, report, method = "grid", metric = "flip";
   std::vector<std::string> ids;
   SimplifyOptions options;
-  bool quiet = false;
+  bool quiet = false, preview = false;
 };
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const Method method : all_methods) names.emplace_back(name(method));
+  return names;
+}
 
 void run_simplify(SimplifyArguments& a) {
   a.options.method = method_named(a.method);
@@ -24,11 +30,12 @@ void run_simplify(SimplifyArguments& a) {
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    reports = document->simplify(a.ids, a.options);
+    reports =
+        a.preview ? document->preview(a.ids, a.options) : document->simplify(a.ids, a.options);
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
-  document->write_file(a.out);
+  if (!a.preview) document->write_file(a.out);
   if (a.quiet) return;
   for (const auto& [id, r] : reports)
     std::printf("%s: %d of %d patches left, %s %.5f, %.2f s (%s)\n", id.c_str(), r.patches_after,
@@ -43,12 +50,15 @@ void add_simplify(CLI::App& program) {
   CLI::App& command =
       *program.add_subcommand("simplify", "Merge patches while the error allows it");
   command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
-  command.add_option("-o,--output", a->out, "Where to write the document")->required();
+  CLI::App& target = *command.add_option_group("Output")->require_option(1);
+  target.add_option("-o,--output", a->out, "Where to write the document");
+  target.add_flag("--preview", a->preview,
+                  "Write no document, only say what would become of the meshes");
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()
       ->expected(1);
   command.add_option("--method", a->method, "How edges are chosen")
-      ->check(CLI::IsMember({"grid"}))
+      ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_metric_option(command, a->metric);
   command.add_option("--epsilon", a->options.epsilon, "Largest error allowed")
@@ -58,6 +68,16 @@ void add_simplify(CLI::App& program) {
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  command.add_option("--omega", a->options.omega, "gqe, gqe1: weight of size against error")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--kappa", a->options.kappa,
+                  "motorcycle: share of epsilon above which an edge bounds the parts")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_option("--edges", a->options.edges, "manual: the half-edges to merge, in this order")
+      ->delimiter(',');
   command
       .add_option("--time-budget", a->options.time_budget,
                   "Seconds a mesh may take, then the best so far is kept; 0: no limit")

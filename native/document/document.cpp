@@ -1,11 +1,22 @@
 #include "document/document.h"
 
 #include <cstdio>
+#include <stdexcept>
 
 #include "document/svg_meshes.h"
 #include "io/atomic_file.h"
 
 namespace gradmesh {
+namespace {
+
+void check_edges(const SimplifyOptions& options) {
+  if (options.method == Method::manual && options.edges.empty())
+    throw std::invalid_argument("the method manual needs the edges to merge.");
+  if (options.method != Method::manual && !options.edges.empty())
+    throw std::invalid_argument("edges can be named for the method manual only.");
+}
+
+}  // namespace
 
 std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path) {
   return parse(read_bytes(path), path.string());
@@ -24,21 +35,36 @@ Image Document::render(const MeshEntry& entry, int resolution, const Rasterizer&
   return rasterizer.paint(painted, frame(entry, painted, resolution));
 }
 
-std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
-                                           SimplifyOptions options) {
+std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& meshes) {
+  std::vector<MeshReport> reports;
+  for (const SimplifiedMesh& m : meshes) reports.push_back({m.entry.id, m.result});
+  return reports;
+}
+
+std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
+                                                           SimplifyOptions options) const {
+  check_edges(options);
   std::vector<SimplifiedMesh> meshes;
   for (const MeshEntry& entry : selected(ids)) meshes.push_back({entry, mesh(entry), {}});
+  if (options.method == Method::manual && meshes.size() > 1)
+    throw InputError(name_ + ": there are " + std::to_string(meshes.size()) +
+                     " meshes, and edges can be named of one only.");
 
   options.padding = padding();
   options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
     return ways_to_write(mesh, frame);
   };
-  std::vector<MeshReport> reports;
   for (SimplifiedMesh& m : meshes) {
     options.view = view(m.entry);
     m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, options); });
-    reports.push_back({m.entry.id, m.result});
   }
+  return meshes;
+}
+
+std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
+                                           const SimplifyOptions& options) {
+  std::vector<SimplifiedMesh> meshes = simplified(ids, options);
+  std::vector<MeshReport> reports = reports_of(meshes);
   std::erase_if(meshes, [](const SimplifiedMesh& m) {
     return m.result.patches_after == m.result.patches_before;
   });
@@ -47,6 +73,12 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
     changed_ = true;
   }
   return reports;
+}
+
+std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
+                                          SimplifyOptions options) const {
+  if (options.method == Method::manual) options.epsilon = 1;
+  return reports_of(simplified(ids, std::move(options)));
 }
 
 void Document::write_file(const std::filesystem::path& path) const { write_bytes(path, bytes()); }

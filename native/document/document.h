@@ -66,7 +66,14 @@ class Document {
   /// Simplifies the selected meshes in place, each against itself as it was. A mesh that does not
   /// come out with fewer patches stays as it is. What `options` says of view, padding and writing
   /// is set here. Where this throws, the document is as it was.
-  std::vector<MeshReport> simplify(const std::vector<std::string>& ids, SimplifyOptions options);
+  /// Throws std::invalid_argument as gradmesh::simplify does, and where edges are named for another
+  /// method than `manual` or none for that.
+  std::vector<MeshReport> simplify(const std::vector<std::string>& ids,
+                                   const SimplifyOptions& options);
+  /// What simplify() would do; nothing is changed. For `manual` it tells the error of the edges
+  /// also where that is above epsilon.
+  std::vector<MeshReport> preview(const std::vector<std::string>& ids,
+                                  SimplifyOptions options) const;
 
   /// The document; the very bytes that were read where nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : original_; }
@@ -105,6 +112,10 @@ class Document {
   std::vector<MeshEntry> entries_;
 
  private:
+  std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
+                                         SimplifyOptions options) const;
+  static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes);
+
   std::string name_, original_;
   bool changed_ = false;
 };

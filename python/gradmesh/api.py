@@ -80,30 +80,47 @@ def simplify(
     epsilon: float = 0.01,
     resolution: int = 700,
     seed: int = 0,
+    omega: float = 0.75,
+    kappa: float = 0.05,
+    edges: Iterable[int] = (),
     time_budget: float = 0.0,
     threads: int = 0,
+    preview: bool = False,
     progress: Optional[Progress] = None,
 ) -> list[Result]:
     """Simplifies meshes of the document in place and says what became of each.
 
     ids: objects, or groups that hold them; none: all meshes of the document.
     epsilon: largest error allowed, 0 to 1, by `metric` ("flip" or "ssim", as 1 - SSIM), at
-    `resolution` pixels along the mesh's longer side. time_budget: seconds for each mesh, after
-    which the best so far is kept; 0: no limit. threads: 0 for all cores; the result is the same.
+    `resolution` pixels along the mesh's longer side.
+    method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
+    "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
+    "gqe1" weigh patches saved against error by `omega`; "manual" merges the half-edges `edges`,
+    in this order, and raises InputError where one of them cannot be merged within epsilon.
+    time_budget: seconds for each mesh, after which the best so far is kept; 0: no limit.
+    threads: 0 for all cores; the result is the same.
+    preview: only say what would become of each; the document stays as it is. With "manual" the
+    error is told even where it is above epsilon.
 
     Raises InputError (bad input) and ValueError (bad options); the document is then unchanged.
     """
     if not 0 <= seed < 2**64:
         raise ValueError("the seed must be between 0 and 2^64 - 1.")
+    options = _core.SimplifyOptions()
+    options.method = method
+    options.metric = metric
+    options.epsilon = epsilon
+    options.resolution = resolution
+    options.seed = seed
+    options.omega = omega
+    options.kappa = kappa
+    options.edges = list(edges)
+    options.time_budget = time_budget
+    options.threads = threads
     results = document._core.simplify(
         ids=[ids] if isinstance(ids, str) else list(ids),
-        method=method,
-        metric=metric,
-        epsilon=epsilon,
-        resolution=resolution,
-        seed=seed,
-        time_budget=time_budget,
-        threads=threads,
+        options=options,
+        preview=preview,
         progress=progress,
     )
     return [Result(**result) for result in results]

@@ -1,0 +1,124 @@
+"""Methods of choosing edges and their options, from the command line and from Python."""
+
+import json
+
+import pytest
+
+from built import SAMPLES, gradmesh as run
+
+import gradmesh
+
+FRUIT = SAMPLES / "fruit.svg"
+METHODS = ("random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1")
+
+
+def simplified(**options):
+    document = gradmesh.load(FRUIT)
+    (result,) = gradmesh.simplify(document, resolution=200, **options)
+    return result, document.to_bytes()
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_from_both_sides(tmp_path, method):
+    out, report = tmp_path / "out.svg", tmp_path / "report.json"
+    options = ["--method", method, "--resolution", 200, "--seed", 3, "--report", report]
+    done = run("simplify", FRUIT, "-o", out, *options)
+    assert (done.returncode, done.stderr) == (0, "")
+    (told,) = json.loads(report.read_text())["meshes"]
+    assert told["method"] == method
+    assert told["patches_after"] < 132 and 0 < told["error"] <= told["epsilon"]
+    result, data = simplified(method=method, seed=3)
+    assert data == out.read_bytes()
+    assert (result.patches_after, result.error) == (told["patches_after"], told["error"])
+
+
+def test_random_choices_follow_the_seed():
+    assert simplified(method="random", seed=1) != simplified(method="random", seed=2)
+
+
+@pytest.mark.parametrize(
+    "name, method, values", [("omega", "gqe", (0, 1)), ("kappa", "motorcycle", (0, 20))]
+)
+def test_weights_reach_the_methods(tmp_path, name, method, values):
+    results = [simplified(method=method, **{name: value}) for value in values]
+    assert results[0][1] != results[1][1]
+    for value, (_, data) in zip(values, results):
+        out, report = tmp_path / "out.svg", tmp_path / "report.json"
+        options = ["--method", method, f"--{name}", value, "--report", report]
+        assert run("simplify", FRUIT, "-o", out, "--resolution", 200, *options).returncode == 0
+        assert out.read_bytes() == data
+        assert json.loads(report.read_text())["meshes"][0][name] == value
+
+
+def mergeable_edge(document):
+    """A half-edge whose two patches can be merged, and the result of merging it."""
+    for edge in range(4 * 132):
+        try:
+            (result,) = gradmesh.simplify(document, method="manual", edges=[edge], preview=True)
+            return edge, result
+        except gradmesh.InputError:
+            pass
+    raise AssertionError("no edge can be merged")
+
+
+def test_named_edges_are_merged_after_a_look_at_their_error(tmp_path):
+    document = gradmesh.load(FRUIT)
+    edge, told = mergeable_edge(document)
+    assert document.to_bytes() == FRUIT.read_bytes()
+    assert told.patches_after == 131 and told.error > 0
+    (result,) = gradmesh.simplify(document, method="manual", edges=[edge], epsilon=1)
+    assert (result.patches_after, result.error) == (131, told.error)
+    out = tmp_path / "out.svg"
+    manual = ["--method", "manual", "--edges", edge]
+    done = run("simplify", FRUIT, "--preview", *manual)
+    assert f"131 of 132 patches left, FLIP {told.error:.5f}" in done.stdout
+    assert list(tmp_path.iterdir()) == []
+    assert run("simplify", FRUIT, "-o", out, *manual, "--epsilon", 1).returncode == 0
+    assert out.read_bytes() == document.to_bytes()
+    # Above epsilon the preview still tells the error; the simplification refuses.
+    strict = ["--epsilon", told.error / 2]
+    again = run("simplify", FRUIT, "--preview", *manual, *strict)
+    assert f"131 of 132 patches left, FLIP {told.error:.5f}" in again.stdout
+    refused = run("simplify", FRUIT, "-o", out, *manual, *strict)
+    assert refused.returncode == 1 and f"half-edge {edge}" in refused.stderr
+
+
+def test_a_preview_says_what_a_run_does(tmp_path):
+    document = gradmesh.load(FRUIT)
+    (told,) = gradmesh.simplify(document, preview=True)
+    assert document.to_bytes() == FRUIT.read_bytes() and not document.meshes[0].simplified
+    (done,) = gradmesh.simplify(document)
+    assert (told.patches_after, told.error) == (done.patches_after, done.error)
+    both = run("simplify", FRUIT, "--preview", "-o", tmp_path / "out.svg")
+    neither = run("simplify", FRUIT)
+    assert (both.returncode, neither.returncode) == (2, 2)
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"method": "manual"}, "needs the edges"),
+        ({"edges": [1]}, "manual only"),
+        ({"omega": 1.5}, "omega"),
+        ({"omega": float("nan")}, "omega"),
+        ({"kappa": -1}, "kappa"),
+    ],
+)
+def test_options_that_make_no_sense(options, words):
+    with pytest.raises(ValueError, match=words) as refused:
+        gradmesh.simplify(gradmesh.load(FRUIT), **options)
+    assert not isinstance(refused.value, gradmesh.InputError)
+
+
+@pytest.mark.parametrize("edges", [[100000], [-1]])
+def test_edges_that_are_not_there(edges):
+    with pytest.raises(gradmesh.InputError, match=f'"pear": half-edge {edges[0]}'):
+        gradmesh.simplify(gradmesh.load(FRUIT), method="manual", edges=edges)
+
+
+def test_edges_are_named_of_one_mesh():
+    two = gradmesh.load(SAMPLES / "two.svg")
+    with pytest.raises(gradmesh.InputError, match="2 meshes"):
+        gradmesh.simplify(two, method="manual", edges=[4])
+    with pytest.raises(gradmesh.InputError, match='"cap": half-edge'):
+        gradmesh.simplify(two, "cap", method="manual", edges=[10**6])
