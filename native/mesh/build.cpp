@@ -1,5 +1,6 @@
 #include "mesh/build.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -19,8 +20,9 @@ namespace {
 
 class MeshBuilder {
  public:
-  explicit MeshBuilder(const MeshParts& parts) : parts_(parts) {
+  explicit MeshBuilder(const MeshParts& parts) : parts_(parts), own_colors_(parts.own_colors) {
     mesh_.color_model_ = parts.color_model;
+    std::ranges::sort(own_colors_);
   }
 
   Mesh build() {
@@ -60,7 +62,10 @@ class MeshBuilder {
     at(a).twin = b;
     at(b).twin = a;
     const bool use_a = mesh_.is_leaf(a) || !mesh_.is_leaf(b);
-    add_handles(use_a ? a : b);
+    if (curve.tangents)
+      add_handles(a, *curve.tangents);
+    else
+      add_handles(use_a ? a : b);
   }
 
   /// One half-edge for the whole side: the only leaf, or a new parent above the bars.
@@ -93,13 +98,17 @@ class MeshBuilder {
     return parent;
   }
 
+  /// Handles for the tangents that the patches along a side have.
   void add_handles(Halfedge side) {
     const Halfedge first = mesh_.first_leaf(side), last = mesh_.last_leaf(side);
     const Value start = patch_side(first).m0 * (1 / mesh_.span(first).length());
     const Value end = -patch_side(last).m1 * (1 / mesh_.span(last).length());
+    add_handles(side, {start, end});
+  }
+  void add_handles(Halfedge side, const std::array<Value, 2>& tangents) {
     const Handle h0{int(mesh_.handles_.size())}, h1{h0.value + 1};
-    mesh_.handles_.push_back({start, side});
-    mesh_.handles_.push_back({end, at(side).twin});
+    mesh_.handles_.push_back({tangents[0], side});
+    mesh_.handles_.push_back({tangents[1], at(side).twin});
     at(side).handles = {h0, h1};
     if (at(side).twin.valid()) at(at(side).twin).handles = {h1, h0};
   }
@@ -190,11 +199,11 @@ class MeshBuilder {
   void place_junction(Halfedge stem) {
     const Value value = junction_value(mesh_, stem);
     mesh_.points_[mesh_.origin(stem).value].position = value.position;
-    // Half a level of 8 bits and a little: what a writer's rounding leaves.
-    const double tolerance = mesh_.color_model_ == ColorModel::bilinear ? 0.51 / 255 : 1e-9;
+    // What a writer's rounding leaves: half a level of 8 bits and a little, or of six digits.
+    const double tolerance = mesh_.color_model_ == ColorModel::bilinear ? 0.51 / 255 : 1e-5;
     for (const Halfedge leaf : {mesh_.first_leaf(stem), at(stem).next_sibling}) {
       const glm::dvec4 difference = at(leaf).color - value.color;
-      at(leaf).own_color = false;
+      at(leaf).own_color = std::ranges::binary_search(own_colors_, leaf.value);
       for (int i = 0; i < 4; ++i)
         if (std::abs(difference[i]) > tolerance) at(leaf).own_color = true;
       if (!at(leaf).own_color) at(leaf).color = value.color;
@@ -202,6 +211,7 @@ class MeshBuilder {
   }
 
   const MeshParts& parts_;
+  std::vector<int> own_colors_;
   Mesh mesh_;
   std::vector<bool> used_;
   std::vector<int> group_;

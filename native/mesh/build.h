@@ -7,8 +7,8 @@ namespace gradmesh {
 
 /// Makes the mesh of the given patches and curves. Corners that meet along curves become one
 /// point, at the position that the first of their patches gives; T-junctions are put on their
-/// parents. A junction's colour is its own only where it differs visibly from the parent's
-/// (bilinear: by more than the rounding to 8 bits).
+/// parents. A junction's colour is its own only where the parts say so or it differs visibly from
+/// the parent's (by more than the rounding to 8 bits, or to six digits in `bicubic`).
 ///
 /// Half-edge 4 * patch + side keeps its index, and face i is patch i.
 /// Throws InputError where the parts do not fit together or a curve hangs on itself (4.4).

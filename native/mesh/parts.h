@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "geom/patch.h"
@@ -21,6 +23,9 @@ struct CurveSide {
 /// A curve with patches on both sides; `b` runs against `a`.
 struct CurveParts {
   CurveSide a, b;
+  /// Tangents of the whole curve at the start of `a` and of `b`, both into the curve. Where they
+  /// are not given they follow from the patches, up to rounding where both sides are divided.
+  std::optional<std::array<Value, 2>> tangents = std::nullopt;
 };
 
 /// What a reader knows of a mesh: its patches and which of their sides lie on one curve.
@@ -29,6 +34,8 @@ struct MeshParts {
   std::vector<Patch> patches;
   std::vector<CurveParts> curves;
   ColorModel color_model = ColorModel::bilinear;
+  /// Half-edges at T-junctions that keep their colour even where it looks like the parent's.
+  std::vector<int> own_colors = {};
 };
 
 /// Curves of a plain grid of `rows` x `columns` patches stored row by row.

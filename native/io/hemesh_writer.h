@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "mesh/mesh.h"
+
+namespace gradmesh {
+
+/// The mesh as the text of a .hemesh file (see HemeshFile). The colour model must be `bicubic`
+/// (as_bicubic makes it so). Opacities are dropped: the format has none.
+///
+/// read_hemesh makes the same mesh of it: patches, T-junctions, sharp colours and tangents bit for
+/// bit, faces in the same order. Elements that are not alive are left out, and the order of the
+/// others depends on the faces alone, so that what is read is written as the same text again.
+std::string write_hemesh(const Mesh& mesh);
+
+}  // namespace gradmesh
