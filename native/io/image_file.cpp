@@ -49,18 +49,27 @@ Image read_image(const std::filesystem::path& path) {
   return image;
 }
 
-void write_png(const Image& image, const std::filesystem::path& path) {
-  const std::string complaint = path.string() + " cannot be written: ";
-  if (image.width <= 0 || image.height <= 0) throw InputError(complaint + "the image is empty.");
+std::string png_bytes(const Image& image) {
+  if (image.width <= 0 || image.height <= 0) throw InputError("the image is empty.");
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create("png", &memory);
-  if (!output) throw InputError(complaint + one_line(OIIO::geterror()) + ".");
+  if (!output) throw InputError(one_line(OIIO::geterror()) + ".");
   const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
   if (!output->open("image.png", spec) ||
       !output->write_image(OIIO::TypeDesc::UINT8, image.samples.data()) || !output->close())
-    throw InputError(complaint + one_line(output->geterror()) + ".");
-  write_bytes(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    throw InputError(one_line(output->geterror()) + ".");
+  return {bytes.begin(), bytes.end()};
+}
+
+void write_png(const Image& image, const std::filesystem::path& path) {
+  std::string bytes;
+  try {
+    bytes = png_bytes(image);
+  } catch (const InputError& error) {
+    throw InputError(path.string() + " cannot be written: " + error.what());
+  }
+  write_bytes(path, bytes);
 }
 
 }  // namespace gradmesh

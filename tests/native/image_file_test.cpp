@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/base64.h"
 
 namespace gradmesh {
 namespace {
@@ -79,6 +80,15 @@ TEST_F(ImageFile, FailuresNameTheFile) {
   EXPECT_EQ(complaint([&] { write_png(Image(), bad); }),
             bad.string() + " cannot be written: the image is empty.");
   EXPECT_EQ(read_bytes(bad), "no image");
+}
+
+TEST(Base64, GivesTheExamplesOfTheStandard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xfb\xff\xfe"), "+//+");
 }
 
 }  // namespace
