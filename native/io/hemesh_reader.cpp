@@ -16,6 +16,9 @@ constexpr double interval_tolerance = 1e-5;
 /// Bars of bars of bars: more levels are taken for a circle.
 constexpr int most_levels = 1000;
 
+/// The point t of a part of a curve, on the whole; exact at both ends.
+double within(Interval part, double t) { return std::lerp(part.first, part.second, t); }
+
 class HemeshReader {
  public:
   HemeshReader(const HemeshFile& file, const std::string& name) : file_(file), name_(name) {}
@@ -89,7 +92,7 @@ class HemeshReader {
     for (int level = 0; at(side).is_bar(); ++level) {
       const Interval in = at(side).interval;
       if (level == most_levels) fail(h, "its parents go round in a circle");
-      part = {in.first + in.length() * part.first, in.first + in.length() * part.second};
+      part = {within(in, part.first), within(in, part.second)};
       side = checked_halfedge(side, at(side).parent);
     }
     return {side, part};
@@ -183,7 +186,7 @@ class HemeshReader {
     if (leaf != first_leaf(side)) return {side, part.first};
     const auto [parent, over] = place_on_side(checked_halfedge(side, at(side).parent));
     if (!sides_.contains(parent)) fail(side, "its parent is no side of any patch");
-    return {parent, over.first + over.length() * at(side).interval.first};
+    return {parent, within(over, at(side).interval.first)};
   }
 
   /// Where a leaf starts; nothing yet for T-junctions, since build_mesh places those. On the
