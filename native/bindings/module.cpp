@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "document/document.h"
+#include "document/info.h"
 #include "mesh/mesh.h"
 
 namespace py = pybind11;
@@ -119,6 +120,7 @@ PYBIND11_MODULE(_core, m) {
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("preview"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))
+      .def("info", &info_text)
       .def("bytes", [](const Document& d) { return py::bytes(d.bytes()); })
       .def("write_file", [](const Document& d, const std::string& path) { d.write_file(path); });
 }

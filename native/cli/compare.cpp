@@ -14,11 +14,6 @@ struct CompareArguments {
   std::string a, b, metric = "flip";
 };
 
-bool is_document(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension();
-  return extension == ".svg" || extension == ".hemesh";
-}
-
 /// The only mesh of a document.
 struct OnlyMesh {
   explicit OnlyMesh(const std::string& path) : document(Document::read_file(path)) {
@@ -62,13 +57,13 @@ Pair paint_both(const OnlyMesh& a, const OnlyMesh& b) {
 
 /// A document beside an image is painted as large as the image.
 Pair pictures(const std::string& a, const std::string& b) {
-  if (is_document(a) && is_document(b)) return paint_both(OnlyMesh(a), OnlyMesh(b));
-  if (is_document(a)) {
+  if (kind_of(a) && kind_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b));
+  if (kind_of(a)) {
     const Image second = read_image(b);
     return {OnlyMesh(a).paint_like(second), second};
   }
   const Image first = read_image(a);
-  return {first, is_document(b) ? OnlyMesh(b).paint_like(first) : read_image(b)};
+  return {first, kind_of(b) ? OnlyMesh(b).paint_like(first) : read_image(b)};
 }
 
 void run_compare(const CompareArguments& args) {

@@ -1,8 +1,9 @@
 #include <cstdio>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
-#include "cli/json_output.h"
+#include "document/info.h"
 
 namespace gradmesh {
 namespace {
@@ -13,11 +14,12 @@ struct InfoArguments {
 };
 
 void run_info(const InfoArguments& a) {
-  const nlohmann::ordered_json info = info_json(*Document::read_file(a.in));
+  const std::unique_ptr<Document> document = Document::read_file(a.in);
   if (a.as_json) {
-    std::cout << info.dump(2) << "\n";
+    std::cout << info_text(*document);
     return;
   }
+  const nlohmann::ordered_json info = info_json(*document);
   for (const auto& mesh : info["meshes"]) {
     const std::string role =
         mesh["role"].is_null() ? "" : " (" + mesh["role"].get<std::string>() + ")";
@@ -34,7 +36,8 @@ void add_info(CLI::App& program) {
   const auto a = std::make_shared<InfoArguments>();
   CLI::App& command = *program.add_subcommand("info", "List the meshes of a document");
   command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
-  command.add_flag("--json", a->as_json, "Print JSON");
+  command.add_flag("--json", a->as_json,
+                   "Print JSON, with all points, handles, faces and half-edges");
   command.callback([a] { run_info(*a); });
 }
 

@@ -13,7 +13,4 @@ namespace gradmesh {
 nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                                    const SimplifyOptions& options);
 
-/// {"file", "meshes": [{"id", "role", "simplified", "patches", "points", "t_junctions"}]}
-nlohmann::ordered_json info_json(const Document& document);
-
 }  // namespace gradmesh

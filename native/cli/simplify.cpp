@@ -26,6 +26,7 @@ void run_simplify(SimplifyArguments& a) {
   a.options.method = method_named(a.method);
   a.options.metric = metric_named(a.metric);
   const std::unique_ptr<Document> document = Document::read_file(a.in);
+  if (!a.preview) document->check_target(a.out);
   std::vector<MeshReport> reports;
   {
     ProgressBar bar(a.quiet);

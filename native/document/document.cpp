@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "document/hemesh_document.h"
 #include "document/svg_meshes.h"
 #include "io/atomic_file.h"
+#include "io/svg_scanner.h"
 
 namespace gradmesh {
 namespace {
@@ -16,13 +18,26 @@ void check_edges(const SimplifyOptions& options) {
     throw std::invalid_argument("edges can be named for the method manual only.");
 }
 
+/// Where the content is no XML either, the name says as what it is to be refused.
+bool is_hemesh(std::string_view bytes, const std::string& name) {
+  const bool xml = trimmed(bytes).starts_with('<');
+  return bytes.starts_with("HEMESH") || (!xml && kind_of(name) == DocumentKind::hemesh);
+}
+
 }  // namespace
+
+std::optional<DocumentKind> kind_of(const std::filesystem::path& path) {
+  if (path.extension() == ".svg") return DocumentKind::svg;
+  if (path.extension() == ".hemesh") return DocumentKind::hemesh;
+  return std::nullopt;
+}
 
 std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path) {
   return parse(read_bytes(path), path.string());
 }
 
 std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::string& name) {
+  if (is_hemesh(bytes, name)) return std::make_unique<HemeshDocument>(bytes, name);
   return std::make_unique<SvgMeshes>(bytes, name);
 }
 
@@ -81,7 +96,16 @@ std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
   return reports_of(simplified(ids, std::move(options)));
 }
 
-void Document::write_file(const std::filesystem::path& path) const { write_bytes(path, bytes()); }
+void Document::check_target(const std::filesystem::path& path) const {
+  if (kind_of(path).value_or(kind()) != kind())
+    throw InputError(name_ + " is not written as " + path.string() +
+                     " by this: gradmesh convert makes .hemesh files of SVG documents, and back.");
+}
+
+void Document::write_file(const std::filesystem::path& path) const {
+  check_target(path);
+  write_bytes(path, bytes());
+}
 
 std::string mesh_label(int patches, int patches_before, MetricKind metric, double error) {
   char text[96];

@@ -18,6 +18,9 @@ namespace gradmesh {
 
 enum class DocumentKind { svg, hemesh };
 
+/// The kind of document that a file's extension promises; nothing for other extensions.
+std::optional<DocumentKind> kind_of(const std::filesystem::path& path);
+
 /// A mesh as its document lists it.
 struct MeshEntry {
   /// Its place in Document::meshes().
@@ -77,6 +80,9 @@ class Document {
 
   /// The document; the very bytes that were read where nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : original_; }
+  /// Throws InputError where the path's extension is that of the other kind.
+  void check_target(const std::filesystem::path& path) const;
+  /// Throws as check_target does, and where the file cannot be written.
   void write_file(const std::filesystem::path& path) const;
 
  protected:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable, Iterable, Optional, Union
@@ -17,10 +18,10 @@ Progress = Callable[[int, int, int, float], Optional[bool]]
 
 @dataclass(frozen=True)
 class MeshInfo:
-    """An object painted by a gradient mesh."""
+    """A mesh in a document: an object that it paints, or the mesh of a .hemesh file."""
 
-    id: str
-    role: str  #: "fill" or "stroke": what of the object the mesh paints
+    id: str  #: of the object; "mesh" in a .hemesh file
+    role: Optional[str]  #: "fill" or "stroke": what of the object it paints; None in a .hemesh file
     simplified: bool  #: whether it is a group of blocks that gradmesh wrote
     patches: int
 
@@ -39,19 +40,19 @@ class Result:
 
 
 class Document:
-    """An SVG document. Made by load() or loads()."""
+    """An SVG document or a .hemesh file. Made by load() or loads()."""
 
     def __init__(self, core: _core.Document):
         self._core = core
 
     @property
     def ids(self) -> list[str]:
-        """Ids of all objects painted by gradient meshes, which are not read yet; may be empty."""
+        """Ids of all meshes, which need not be readable yet; may be empty."""
         return list(dict.fromkeys(self._core.ids()))
 
     @property
     def meshes(self) -> list[MeshInfo]:
-        """All objects painted by gradient meshes; InputError where there is none."""
+        """All meshes; InputError where there is none."""
         return [MeshInfo(**mesh) for mesh in self._core.meshes([])]
 
     def to_bytes(self) -> bytes:
@@ -60,15 +61,20 @@ class Document:
 
 
 def load(path: Union[str, os.PathLike]) -> Document:
-    """Reads an SVG file. Raises InputError, whose text is one sentence for the person."""
+    """Reads an SVG document or a .hemesh file. Raises InputError, whose text is one sentence for the person."""
     return Document(_core.Document.read_file(os.fspath(path)))
 
 
 def loads(data: Union[bytes, str], name: str = "document") -> Document:
-    """Reads an SVG document from memory; `name` stands for the file in messages."""
+    """Reads a document of either kind from memory; `name` stands for the file in messages."""
     if isinstance(data, str):
         data = data.encode("utf-8")
     return Document(_core.Document.parse(data, name))
+
+
+def info(document: Document) -> dict:
+    """All meshes with their points, handles, faces and half-edges, as `gradmesh info --json`."""
+    return json.loads(document._core.info())
 
 
 def simplify(

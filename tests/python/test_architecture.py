@@ -29,7 +29,8 @@ OWNERS = {
     r"OpenImageIO/": {"io"},
     r"(EGL|GL|GLES\d?)/": {"raster"},
     r"pybind11/": {"bindings"},
-    r"(CLI/|nlohmann/)": {"cli"},
+    r"CLI/": {"cli"},
+    r"nlohmann/": {"document", "cli"},
     r"tbb/": {"base"},
 }
 

@@ -1,0 +1,34 @@
+#include "document/hemesh_document.h"
+
+#include "io/hemesh_reader.h"
+#include "io/hemesh_writer.h"
+#include "io/xml_node.h"
+#include "mesh/build.h"
+
+namespace gradmesh {
+
+HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
+    : Document(name, bytes) {
+  entries_ = {{0, "mesh", std::nullopt, false}};
+  const MeshParts parts = read_hemesh(bytes, name);
+  mesh_ = naming(entries_.front(), [&] { return build_mesh(parts); });
+}
+
+std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& ids) const {
+  for (const std::string& id : ids)
+    if (id != entries_.front().id)
+      throw InputError(name() + ": there is no mesh with the id " + excerpt(id) +
+                       ", the only one is called \"mesh\".");
+  return entries_;
+}
+
+std::vector<Mesh> HemeshDocument::ways_to_write(const Mesh& mesh, const Frame&) const {
+  return {build_mesh(read_hemesh(write_hemesh(mesh), name()))};
+}
+
+void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind) {
+  text_ = write_hemesh(meshes.front().mesh);
+  mesh_ = build_mesh(read_hemesh(text_, name()));
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,89 @@
+"""Writes .hemesh files of our own: grids that are exact parts of one bicubic patch."""
+
+from pathlib import Path
+
+SHARED = Path(__file__).resolve().parents[3] / "shared" / "meshes"
+
+
+class Surface:
+    """The patch over u (down) and v (to the right), both 0 to 1; its values are (x, y, r, g, b)."""
+
+    def at(self, u, v):
+        return (
+            2 * v + 0.2 * u * u,
+            u + 0.15 * v * v - 0.1 * u * v,
+            u * u * (3 - 2 * u),
+            0.2 + 0.6 * v**3,
+            0.9 - 0.5 * u * u - 0.3 * u * v,
+        )
+
+    def along_u(self, u, v):
+        return (0.4 * u, 1 - 0.1 * v, 6 * u * (1 - u), 0, -u - 0.3 * v)
+
+    def along_v(self, u, v):
+        return (2, 0.3 * v - 0.1 * u, 0, 1.8 * v * v, -0.3 * u)
+
+    #: The mixed derivative, everywhere the same.
+    TWIST = (0, -0.1, 0, 0, -0.3)
+
+
+def numbers(values):
+    return " ".join(map(repr, values))
+
+
+def grid(rows, columns, surface=Surface()):
+    """The surface cut into rows x columns patches, as the text of a .hemesh file."""
+    handles, own = [], {}
+
+    def halfedge(i, j, side):
+        return 4 * (i * columns + j) + side if 0 <= i < rows and 0 <= j < columns else -1
+
+    def add_handle(edge, vector, step):
+        handles.append(f"{edge} {numbers(x * step for x in vector)}")
+        return len(handles) - 1
+
+    def add_curve(derivative, step, start, end, there, back):
+        """The handles of a curve; the two half-edges on it get them, each its own first."""
+        first = add_handle(there if there >= 0 else back, derivative(*start), step)
+        second = add_handle(back if back >= 0 else there, derivative(*end), -step)
+        own[there], own[back] = (first, second), (second, first)
+
+    for i in range(rows + 1):
+        for j in range(columns):
+            ends = (i / rows, j / columns), (i / rows, (j + 1) / columns)
+            sides = halfedge(i, j, 0), halfedge(i - 1, j, 2)
+            add_curve(surface.along_v, 1 / columns, *ends, *sides)
+    for i in range(rows):
+        for j in range(columns + 1):
+            ends = (i / rows, j / columns), ((i + 1) / rows, j / columns)
+            sides = halfedge(i, j - 1, 1), halfedge(i, j, 3)
+            add_curve(surface.along_u, 1 / rows, *ends, *sides)
+
+    halfedges, origins = [], {}
+    for i in range(rows):
+        for j in range(columns):
+            corners = (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)
+            across = (i - 1, j, 2), (i, j + 1, 3), (i + 1, j, 0), (i, j - 1, 1)
+            patch = i * columns + j
+            for side, (a, b) in enumerate(corners):
+                edge, origin = 4 * patch + side, a * (columns + 1) + b
+                origins[origin] = edge
+                color = surface.at(a / rows, b / columns)[2:]
+                before, after = 4 * patch + (side + 3) % 4, 4 * patch + (side + 1) % 4
+                # Derivatives along the sides of the patch: every other corner turns one of them.
+                step = (-1) ** side / rows / columns
+                twist = numbers(x * step for x in surface.TWIST)
+                h = numbers(own[edge])
+                halfedges.append(
+                    f"0 1 {twist} {numbers(color)} {h} "
+                    f"{halfedge(*across[side])} {before} {after} {patch} -1 0 {h} {origin}"
+                )
+
+    points = []
+    for a in range(rows + 1):
+        for b in range(columns + 1):
+            position = surface.at(a / rows, b / columns)[:2]
+            points.append(f"{numbers(position)} {origins[a * (columns + 1) + b]}")
+    patches = [str(4 * patch) for patch in range(rows * columns)]
+    counts = " ".join(str(len(kind)) for kind in (points, handles, patches, halfedges))
+    return "\n".join(["HEMESH", counts, *points, *handles, *patches, *halfedges]) + "\n"

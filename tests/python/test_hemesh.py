@@ -1,0 +1,220 @@
+"""Documents of the kind .hemesh: whatever works for SVG documents works for them too."""
+
+import json
+from dataclasses import astuple
+
+import pytest
+
+from built import SAMPLES, gradmesh as run
+from hemesh_files import SHARED, grid
+
+import gradmesh
+
+NUMBERS = {"apple": 80, "teardrop": 25, "global_duck": 230, "local-refinement": 16, "save_1": 12}
+
+
+@pytest.fixture
+def leaf(tmp_path):
+    """A file of 5 x 4 patches that are exact parts of one, in a folder that is empty otherwise."""
+    path = tmp_path / "leaf.hemesh"
+    path.write_text(grid(5, 4))
+    return path
+
+
+def printed(*arguments):
+    done = run(*arguments)
+    assert (done.returncode, done.stderr) == (0, "")
+    return done.stdout
+
+
+def refused(*arguments):
+    done = run(*arguments)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("gradmesh: ") and done.stderr.count("\n") == 1
+    return done.stderr
+
+
+def error(a, b, *options):
+    return float(printed("compare", a, b, *options))
+
+
+def test_info(leaf):
+    assert printed("info", leaf) == "mesh: 20 patches, 30 points, 0 T-junctions\n"
+    found = json.loads(printed("info", "--json", leaf))
+    assert (found["file"], found["kind"]) == (str(leaf), "hemesh")
+    (mesh,) = found["meshes"]
+    assert (mesh["id"], mesh["role"], mesh["simplified"]) == ("mesh", None, False)
+    assert (mesh["color_model"], mesh["patches"]) == ("bicubic", 20)
+
+
+def by_id(elements):
+    return {element["id"]: element for element in elements}
+
+
+def check_elements(elements):
+    """What every half-edge structure holds to, seen through the lists of `info --json`."""
+    points, handles, faces, halfedges = (
+        by_id(elements[kind]) for kind in ("points", "handles", "faces", "halfedges")
+    )
+    for point in points.values():
+        assert halfedges[point["halfedge"]]["origin"] == point["id"]
+        if point["stem"] is not None:
+            assert halfedges[point["stem"]]["origin"] == point["id"]
+    for face in faces.values():
+        edge = face["halfedges"][0]
+        for side in face["halfedges"]:
+            assert side == edge and halfedges[side]["face"] == face["id"]
+            edge = halfedges[edge]["next"]
+        assert edge == face["halfedges"][0]
+    for handle in handles.values():
+        if handle["halfedge"] is not None:
+            assert halfedges[handle["halfedge"]]["handles"][0] == handle["id"]
+    for name, edge in halfedges.items():
+        assert edge["origin"] in points
+        if edge["next"] is not None:
+            assert halfedges[edge["next"]]["prev"] == name
+        if edge["twin"] is not None:
+            twin = halfedges[edge["twin"]]
+            assert twin["twin"] == name
+            assert twin["handles"] == edge["handles"][::-1]
+        for child in edge["children"]:
+            assert halfedges[child]["parent"] == name
+        if edge["parent"] is not None:
+            assert name in halfedges[edge["parent"]]["children"]
+            first, second = edge["interval"]
+            assert 0 <= first <= second <= 1
+            assert (edge["handles"] is None) == (first < second)
+        assert (edge["color"] is None) == (edge["face"] is None) == bool(edge["children"])
+
+
+def elements(path):
+    return json.loads(printed("info", "--json", path))["meshes"][0]["elements"]
+
+
+def test_info_lists_all_elements(leaf, tmp_path):
+    found = elements(leaf)
+    check_elements(found)
+    counts = {kind: len(members) for kind, members in found.items()}
+    assert counts == {"points": 30, "handles": 98, "faces": 20, "halfedges": 80}
+    assert len(found["handles"][0]["tangent"]) == 6
+    assert gradmesh.info(gradmesh.load(leaf))["meshes"][0]["elements"] == found
+
+
+def test_info_lists_t_junctions(tmp_path):
+    out = tmp_path / "out.svg"
+    printed("simplify", SAMPLES / "fruit.svg", "-o", out)
+    found = elements(out)
+    check_elements(found)
+    parents = [edge for edge in found["halfedges"] if edge["children"]]
+    stems = [point for point in found["points"] if point["stem"] is not None]
+    assert parents and stems
+    for parent in parents:
+        children = [by_id(found["halfedges"])[child] for child in parent["children"]]
+        assert len(children) % 2 == 1
+        ends = [child["interval"] for child in children]
+        assert ends[0][0] == 0 and ends[-1][1] == 1
+        assert all(before[1] == after[0] for before, after in zip(ends, ends[1:]))
+    assert {len(handle["tangent"]) for handle in found["handles"]} == {2}
+
+
+def test_render(leaf, tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    numpy = pytest.importorskip("numpy")
+    png = tmp_path / "leaf.png"
+    printed("render", leaf, "-o", png, "--resolution", 300)
+    picture = gradmesh.render(gradmesh.load(leaf), resolution=300)
+    with image.open(png) as written:
+        assert (numpy.array(written) == picture).all()
+    # 2.2 x 1.05 units and 0.03 on every side.
+    assert picture.shape == (int(300 * (1.05 + 0.06) / 2.26), 300, 3)
+    assert picture[2, 2].tolist() == [255, 255, 255]
+    colors = [picture[row, 150].astype(float) for row in (20, 120)]
+    assert colors[0][0] < 40 and colors[1][0] > 200  # red grows downwards
+    assert error(leaf, png) == 0 == error(png, leaf)
+
+
+@pytest.mark.parametrize("method", ["grid", "gqe"])
+def test_exact_parts_become_one_patch_again(leaf, tmp_path, method):
+    out, report = tmp_path / "out.hemesh", tmp_path / "report.json"
+    before = leaf.read_bytes()
+    options = ["--epsilon", 0.004, "--method", method, "--report", report]
+    said = printed("simplify", leaf, "-o", out, *options)
+    assert said.startswith("mesh: 1 of 20 patches left, FLIP ")
+    assert out.read_text().startswith("HEMESH\n4 8 1 4\n")
+    assert leaf.read_bytes() == before
+    (told,) = json.loads(report.read_text())["meshes"]
+    assert error(leaf, out) == pytest.approx(told["error"], abs=1e-6)
+
+
+def test_python(leaf, tmp_path):
+    document = gradmesh.load(leaf)
+    assert document.ids == ["mesh"]
+    assert [astuple(mesh) for mesh in document.meshes] == [("mesh", None, False, 20)]
+    assert gradmesh.loads(leaf.read_text()).to_bytes() == leaf.read_bytes()
+    (result,) = gradmesh.simplify(document, "mesh", epsilon=0.004)
+    assert (result.id, result.patches_after) == ("mesh", 1)
+    gradmesh.save(document, tmp_path / "out.hemesh")
+    assert (tmp_path / "out.hemesh").read_bytes() == document.to_bytes()
+    assert gradmesh.info(gradmesh.loads(document.to_bytes()))["meshes"] == (
+        gradmesh.info(document)["meshes"]
+    )
+
+
+def test_nothing_to_merge_keeps_every_byte(tmp_path):
+    path, out = tmp_path / "one.hemesh", tmp_path / "out.hemesh"
+    path.write_text(grid(1, 1) + "\n  \n")
+    assert "nothing to merge" in printed("simplify", path, "-o", out)
+    assert out.read_bytes() == path.read_bytes()
+
+
+def test_the_only_mesh_is_called_mesh(leaf, tmp_path):
+    assert printed("render", leaf, "-o", tmp_path / "out.png", "--id", "mesh") == ""
+    said = refused("simplify", leaf, "-o", tmp_path / "out.hemesh", "--id", "pear")
+    assert str(leaf) in said and '"pear"' in said
+    with pytest.raises(gradmesh.InputError, match='"pear"'):
+        gradmesh.render(gradmesh.load(leaf), "pear")
+
+
+def test_the_content_says_what_a_file_is(leaf, tmp_path):
+    disguised = tmp_path / "leaf.svg", tmp_path / "fruit.hemesh"
+    disguised[0].write_bytes(leaf.read_bytes())
+    disguised[1].write_bytes((SAMPLES / "fruit.svg").read_bytes())
+    assert printed("info", disguised[0]) == printed("info", leaf)
+    assert printed("info", disguised[1]).startswith("pear (fill)")
+
+
+@pytest.mark.parametrize(
+    "text, words", [("", "HEMESH"), ("no mesh\n", "HEMESH"), ("HEMESH\n4 8", "line 2")]
+)
+def test_bad_files(tmp_path, text, words):
+    path = tmp_path / "bad.hemesh"
+    path.write_text(text)
+    said = refused("info", path)
+    assert str(path) in said and words in said
+    assert refused("render", path, "-o", tmp_path / "out.png") == said
+    assert refused("simplify", path, "-o", path) == said
+    with pytest.raises(gradmesh.InputError, match=words):
+        gradmesh.load(path)
+    assert [file.name for file in tmp_path.iterdir()] == ["bad.hemesh"]
+
+
+def test_the_other_kind_is_written_by_convert(leaf, tmp_path):
+    out = tmp_path / "out.svg"
+    said = refused("simplify", leaf, "-o", out)
+    assert str(leaf) in said and str(out) in said and "gradmesh convert" in said
+    with pytest.raises(gradmesh.InputError, match="gradmesh convert"):
+        gradmesh.save(gradmesh.load(leaf), out)
+    assert not out.exists()
+
+
+@pytest.mark.skipif(not SHARED.is_dir(), reason="the authors' meshes are not in ../shared/meshes")
+@pytest.mark.parametrize("name", NUMBERS)
+def test_the_authors_meshes(tmp_path, name):
+    path, out = SHARED / f"{name}.hemesh", tmp_path / "out.hemesh"
+    assert f"mesh: {NUMBERS[name]} patches" in printed("info", path)
+    check_elements(elements(path))
+    said = printed("simplify", path, "-o", out, "--resolution", 200, "--method", "motorcycle")
+    check_elements(elements(out))
+    left = len(elements(out)["faces"])
+    assert f"mesh: {left} of {NUMBERS[name]} patches left" in said
+    assert 0 < left < NUMBERS[name] or name == "save_1"  # which the authors have merged already
