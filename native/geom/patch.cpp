@@ -65,32 +65,30 @@ Value Patch::twist(int k) const {
   return c[twist_index(corner_row[k])][twist_index(corner_column[k])] * twist_sign[k];
 }
 
-std::array<Patch, 2> Patch::split_v(double t) const {
-  std::array<Patch, 2> parts;
+Patch Patch::part_v(double a, double b) const {
+  Patch part;
   for (int i = 0; i < 4; ++i) {
     // Row i is a cubic in v: of values for i = 0, 3 and of u-derivatives for i = 1, 2.
-    const Cubic<Value> row{c[i][0], c[i][1], c[i][2], c[i][3]};
-    const Cubic<Value> left = row.part(0, t), right = row.part(t, 1);
-    parts[0].c[i] = {left.p0, left.m0, left.m1, left.p1};
-    parts[1].c[i] = {right.p0, right.m0, right.m1, right.p1};
+    const Cubic<Value> row = Cubic<Value>{c[i][0], c[i][1], c[i][2], c[i][3]}.part(a, b);
+    part.c[i] = {row.p0, row.m0, row.m1, row.p1};
   }
-  return parts;
+  return part;
 }
 
-std::array<Patch, 2> Patch::split_u(double t) const {
-  std::array<Patch, 2> parts;
+Patch Patch::part_u(double a, double b) const {
+  Patch part;
   for (int j = 0; j < 4; ++j) {
-    const Cubic<Value> column{c[0][j], c[1][j], c[2][j], c[3][j]};
-    const Cubic<Value> top = column.part(0, t), bottom = column.part(t, 1);
-    const std::array<Value, 4> a{top.p0, top.m0, top.m1, top.p1};
-    const std::array<Value, 4> b{bottom.p0, bottom.m0, bottom.m1, bottom.p1};
-    for (int i = 0; i < 4; ++i) {
-      parts[0].c[i][j] = a[i];
-      parts[1].c[i][j] = b[i];
-    }
+    const Cubic<Value> column = Cubic<Value>{c[0][j], c[1][j], c[2][j], c[3][j]}.part(a, b);
+    part.c[0][j] = column.p0;
+    part.c[1][j] = column.m0;
+    part.c[2][j] = column.m1;
+    part.c[3][j] = column.p1;
   }
-  return parts;
+  return part;
 }
+
+std::array<Patch, 2> Patch::split_u(double t) const { return {part_u(0, t), part_u(t, 1)}; }
+std::array<Patch, 2> Patch::split_v(double t) const { return {part_v(0, t), part_v(t, 1)}; }
 
 Patch patch_from_sides(const std::array<Cubic<Value>, 4>& sides,
                        const std::array<Value, 4>& twists) {

@@ -36,7 +36,10 @@ struct Patch {
   /// the number does not depend on which side of a face is called the top.
   Value twist(int k) const;
 
-  /// Exact split, A.1: the parts [0, t] and [t, 1] of u or of v. t in (0, 1).
+  /// The part [a, b] of u or of v, exactly (A.1).
+  Patch part_u(double a, double b) const;
+  Patch part_v(double a, double b) const;
+  /// The parts [0, t] and [t, 1]. t in (0, 1).
   std::array<Patch, 2> split_u(double t) const;
   std::array<Patch, 2> split_v(double t) const;
 };

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "mesh/mesh.h"
+
+namespace gradmesh {
+
+/// The mesh with every patch split exactly (A.1) into n x n of equal parameters, n at least 1; it
+/// paints the same. Patches are in the order of the faces, those of one face row by row. Where
+/// both sides of a curve are divided at the same place (to 1e-9 of the curve) the curve is cut
+/// there, so that a plain grid stays one; elsewhere the new points on curves are T-junctions.
+MeshParts subdivided(const Mesh& mesh, int n);
+
+}  // namespace gradmesh
