@@ -105,54 +105,56 @@ bool fits(const Mesh& mesh, const Region& r) {
   return !tops.empty() && region_name(mesh, r, tops) == r;
 }
 
-}  // namespace
-
-AnalysisFile AnalysisFile::read(const std::filesystem::path& path) {
-  AnalysisFile file;
-  file.name_ = path.string();
-  const InputError damaged(file.name_ + ": this analysis is damaged or cut off.");
-  const std::string text = read_bytes(path);
+std::list<Analysis> read(const std::filesystem::path& path) {
+  const std::string name = path.string(), text = read_bytes(path);
+  const InputError damaged(name + ": this analysis is damaged or cut off.");
   if (text.find(format) == std::string::npos)
-    throw InputError(file.name_ + ": this is no file with an analysis.");
+    throw InputError(name + ": this is no file with an analysis.");
   try {
     const Json json = Json::parse(text);
     if (json.at("version") != version)
-      throw InputError(file.name_ + ": this analysis has the format version " +
+      throw InputError(name + ": this analysis has the format version " +
                        json.at("version").dump() + ", but only version " + std::to_string(version) +
                        " is known here.");
     if (json.at("checksum") != checksum(json.at("analyses"))) throw damaged;
-    for (const Json& analysis : json.at("analyses")) file.analyses_.push_back(from_json(analysis));
+    std::list<Analysis> analyses;
+    for (const Json& analysis : json.at("analyses")) analyses.push_back(from_json(analysis));
+    return analyses;
   } catch (const Json::exception&) {
     throw damaged;
   } catch (const std::logic_error&) {
     throw damaged;
   }
-  return file;
 }
 
-const Analysis& AnalysisFile::find(const AnalysisKey& key, const Mesh& mesh) const {
+}  // namespace
+
+AnalysisFiles::AnalysisFiles(AnalysisPaths paths) : paths_(std::move(paths)) {
+  if (!paths_.load.empty()) analyses_ = read(paths_.load);
+}
+
+Analysis& AnalysisFiles::start(const AnalysisKey& key, const Mesh& mesh) {
+  if (paths_.load.empty()) return analyses_.emplace_back(Analysis{key, {}});
+  const std::string complaint = paths_.load.string() + ": this analysis ";
   const auto closest = std::ranges::max_element(
       analyses_, {}, [&](const Analysis& analysis) { return likeness(analysis.key, key); });
-  if (closest == analyses_.end()) throw InputError(name_ + ": there is no analysis in this file.");
-  if (closest->key != key)
-    throw InputError(name_ + ": this analysis " + difference(closest->key, key) + ".");
+  if (closest == analyses_.end()) throw InputError(complaint + "holds no mesh.");
+  if (closest->key != key) throw InputError(complaint + difference(closest->key, key) + ".");
   for (const auto& [region, price] : closest->prices)
-    if (!fits(mesh, region) || !(price == price))
-      throw InputError(name_ + ": this analysis has a region that is not in the mesh, at patch " +
+    if (!fits(mesh, region))
+      throw InputError(complaint + "has a region that is not in the mesh, at patch " +
                        std::to_string(region.face.value) + ".");
   return *closest;
 }
 
-void write_analyses(const std::filesystem::path& path, const std::vector<Analysis>& analyses) {
+void AnalysisFiles::save() const {
+  if (paths_.save.empty()) return;
   Json list = Json::array();
-  for (std::size_t i = 0; i < analyses.size(); ++i)
-    if (std::none_of(analyses.begin() + i + 1, analyses.end(),
-                     [&](const Analysis& later) { return later.key == analyses[i].key; }))
-      list.push_back(to_json(analyses[i]));
+  for (const Analysis& analysis : analyses_) list.push_back(to_json(analysis));
   const std::string sum = checksum(list);
   const Json file{
       {"format", format}, {"version", version}, {"checksum", sum}, {"analyses", std::move(list)}};
-  write_bytes(path, file.dump() + "\n");
+  write_bytes(paths_.save, file.dump() + "\n");
 }
 
 }  // namespace gradmesh

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
+#include <list>
 
 #include "mesh/mesh.h"
 #include "select/analysis.h"
 
 namespace gradmesh {
+
+/// Where known prices come from, and where those go that a run has used. Empty: neither.
+struct AnalysisPaths {
+  std::filesystem::path load, save;
+};
 
 /// The analyses of a document's meshes, kept in a file of their own (paper B.3): JSON,
 ///   {"format": "gradmesh analysis", "version": 1, "checksum": C, "analyses": [
@@ -15,21 +19,22 @@ namespace gradmesh {
 ///      "color_model": "bicubic", "prices": [[face, top, rows, columns, price], ...]}]}
 /// with hashes as 16 hexadecimal digits. The price of a region that cannot be merged is null. Which
 /// analysis belongs to which mesh follows from the keys alone.
-class AnalysisFile {
+class AnalysisFiles {
  public:
-  /// Throws InputError where the file cannot be read, is something else, or damaged.
-  static AnalysisFile read(const std::filesystem::path& path);
+  /// Throws InputError where the file to load cannot be read, is something else, or damaged.
+  explicit AnalysisFiles(AnalysisPaths paths);
 
-  /// The analysis of `mesh` with this key. Throws InputError where there is none, with what differs
-  /// where that can be told, and where regions do not fit the mesh.
-  const Analysis& find(const AnalysisKey& key, const Mesh& mesh) const;
+  /// What a run over `mesh` begins with, and adds to: the analysis with this key, or an empty one
+  /// where no file is loaded. Throws InputError where the file holds none, with what differs where
+  /// that can be told, and where regions do not fit the mesh.
+  Analysis& start(const AnalysisKey& key, const Mesh& mesh);
+
+  /// Writes what was loaded and added, whole or not at all. Throws InputError naming the file.
+  void save() const;
 
  private:
-  std::string name_;
-  std::vector<Analysis> analyses_;
+  AnalysisPaths paths_;
+  std::list<Analysis> analyses_;
 };
-
-/// Writes them as one file, of equal keys the last. The file is whole or as it was before.
-void write_analyses(const std::filesystem::path& path, const std::vector<Analysis>& analyses);
 
 }  // namespace gradmesh

@@ -18,6 +18,13 @@ void check_edges(const SimplifyOptions& options) {
     throw std::invalid_argument("edges can be named for the method manual only.");
 }
 
+void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) {
+  const Method m = options.method;
+  if (!analyses.save.empty() && m != Method::motorcycle && m != Method::gqe && m != Method::gqe1)
+    throw std::invalid_argument(std::string("the method ") + name(m) +
+                                " needs no analysis, so there is none to save.");
+}
+
 /// Where the content is no XML either, the name says as what it is to be refused.
 bool is_hemesh(std::string_view bytes, const std::string& name) {
   const bool xml = trimmed(bytes).starts_with('<');
@@ -56,29 +63,42 @@ std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& 
   return reports;
 }
 
+SimplifyOptions Document::options_with(const MeshEntry& entry, const Mesh& start,
+                                       SimplifyOptions options, AnalysisFiles& files) const {
+  options.view = view(entry);
+  options.padding = padding();
+  options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
+    return ways_to_write(mesh, frame);
+  };
+  const AnalysisKey key = naming(entry, [&] { return analysis_key(start, options); });
+  options.analysis = &files.start(key, start);
+  return options;
+}
+
 std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
-                                                           SimplifyOptions options) const {
+                                                           const SimplifyOptions& options,
+                                                           const AnalysisPaths& analyses) const {
   check_edges(options);
+  check_saved(options, analyses);
   std::vector<SimplifiedMesh> meshes;
   for (const MeshEntry& entry : selected(ids)) meshes.push_back({entry, mesh(entry), {}});
   if (options.method == Method::manual && meshes.size() > 1)
     throw InputError(name_ + ": there are " + std::to_string(meshes.size()) +
                      " meshes, and edges can be named of one only.");
 
-  options.padding = padding();
-  options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
-    return ways_to_write(mesh, frame);
-  };
+  AnalysisFiles files(analyses);
   for (SimplifiedMesh& m : meshes) {
-    options.view = view(m.entry);
-    m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, options); });
+    const SimplifyOptions complete = options_with(m.entry, m.mesh, options, files);
+    m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, complete); });
   }
+  files.save();
   return meshes;
 }
 
 std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
-                                           const SimplifyOptions& options) {
-  std::vector<SimplifiedMesh> meshes = simplified(ids, options);
+                                           const SimplifyOptions& options,
+                                           const AnalysisPaths& analyses) {
+  std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
   std::vector<MeshReport> reports = reports_of(meshes);
   std::erase_if(meshes, [](const SimplifiedMesh& m) {
     return m.result.patches_after == m.result.patches_before;
@@ -91,9 +111,24 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
 }
 
 std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
-                                          SimplifyOptions options) const {
+                                          SimplifyOptions options,
+                                          const AnalysisPaths& analyses) const {
   if (options.method == Method::manual) options.epsilon = 1;
-  return reports_of(simplified(ids, std::move(options)));
+  return reports_of(simplified(ids, options, analyses));
+}
+
+std::size_t Document::analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
+                              const AnalysisPaths& analyses) const {
+  AnalysisFiles files(analyses);
+  std::size_t prices = 0;
+  for (const MeshEntry& entry : selected(ids)) {
+    const Mesh start = mesh(entry);
+    const SimplifyOptions complete = options_with(entry, start, options, files);
+    naming(entry, [&] { analyze_regions(start, complete); });
+    prices += complete.analysis->prices.size();
+  }
+  files.save();
+  return prices;
 }
 
 void Document::check_target(const std::filesystem::path& path) const {

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/image.h"
+#include "document/analysis_file.h"
 #include "io/svg_objects.h"
 #include "mesh/mesh.h"
 #include "raster/rasterizer.h"
@@ -66,17 +67,26 @@ class Document {
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
   Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer) const;
 
+  /// The options of a run over the mesh `start`: `options` with what this document sets of view,
+  /// padding, writing and the analysis, which is one of `files`.
+  SimplifyOptions options_with(const MeshEntry& entry, const Mesh& start, SimplifyOptions options,
+                               AnalysisFiles& files) const;
+
   /// Simplifies the selected meshes in place, each against itself as it was. A mesh that does not
-  /// come out with fewer patches stays as it is. What `options` says of view, padding and writing
-  /// is set here. Where this throws, the document is as it was.
-  /// Throws std::invalid_argument as gradmesh::simplify does, and where edges are named for another
-  /// method than `manual` or none for that.
+  /// come out with fewer patches stays as it is. Where an analysis is loaded, there must be one for
+  /// each of the meshes. Where this throws, the document is as it was.
+  /// Throws std::invalid_argument as gradmesh::simplify does, where edges are named for another
+  /// method than `manual` or none for that, and where there are no prices to save.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids,
-                                   const SimplifyOptions& options);
+                                   const SimplifyOptions& options,
+                                   const AnalysisPaths& analyses = {});
   /// What simplify() would do; nothing is changed. For `manual` it tells the error of the edges
   /// also where that is above epsilon.
-  std::vector<MeshReport> preview(const std::vector<std::string>& ids,
-                                  SimplifyOptions options) const;
+  std::vector<MeshReport> preview(const std::vector<std::string>& ids, SimplifyOptions options,
+                                  const AnalysisPaths& analyses = {}) const;
+  /// Prices the selected meshes up to epsilon and saves that; the number of prices.
+  std::size_t analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
+                      const AnalysisPaths& analyses) const;
 
   /// The document; the very bytes that were read where nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : original_; }
@@ -119,7 +129,8 @@ class Document {
 
  private:
   std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
-                                         SimplifyOptions options) const;
+                                         const SimplifyOptions& options,
+                                         const AnalysisPaths& analyses) const;
   static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes);
 
   std::string name_, original_;
