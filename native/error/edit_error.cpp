@@ -33,20 +33,20 @@ EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame
     : rasterizer_(make_software_rasterizer()),
       frame_(frame),
       reference_(rasterizer_->paint(original, frame)),
-      metric_(make_metric(metric, reference_)),
-      map_(frame.width, frame.height) {
+      metric_(make_metric(metric, reference_)) {
   frame_.masked_opacity = start.color_model() == ColorModel::bilinear && is_translucent(start);
-  image_ = rasterizer_->paint(start, frame_);
-  map_ = metric_->map(image_);
-  sum_ = sum(map_, map_.window());
-  bounds_.resize(start.face_slots());
-  for (const Face f : start.faces()) bounds_[f.value] = pixel_bounds(start.patch(f), frame_);
+  state_.image = rasterizer_->paint(start, frame_);
+  state_.map = metric_->map(state_.image);
+  state_.sum = sum(state_.map, state_.map.window());
+  state_.bounds.resize(start.face_slots());
+  for (const Face f : start.faces()) state_.bounds[f.value] = pixel_bounds(start.patch(f), frame_);
 }
 
 Window EditError::changed_pixels(const Mesh& mesh) const {
   Window changed;
   for (const Face f : trial_.touched) {
-    if (std::size_t(f.value) < bounds_.size()) changed = changed.united(bounds_[f.value]);
+    if (std::size_t(f.value) < state_.bounds.size())
+      changed = changed.united(state_.bounds[f.value]);
     if (mesh[f].alive) changed = changed.united(pixel_bounds(mesh.patch(f), frame_));
   }
   return changed.clipped(frame_.window());
@@ -58,28 +58,28 @@ double EditError::after_edits(const Journal& journal, std::size_t depth) {
   trial_.measured = trial_.pixels.empty()
                         ? Window{}
                         : trial_.pixels.grown(metric_->reach()).clipped(frame_.window());
-  trial_.sum = sum_;
-  take(image_, trial_.pixels, trial_.image);
-  take(map_, trial_.measured, trial_.map);
+  trial_.sum = state_.sum;
+  take(state_.image, trial_.pixels, trial_.image);
+  take(state_.map, trial_.measured, trial_.map);
 
-  const double before = sum(map_, trial_.measured);
-  rasterizer_->paint(journal.mesh(), frame_, trial_.pixels, image_);
-  metric_->fill_map(image_, trial_.measured, map_);
-  sum_ += sum(map_, trial_.measured) - before;
+  const double before = sum(state_.map, trial_.measured);
+  rasterizer_->paint(journal.mesh(), frame_, trial_.pixels, state_.image);
+  metric_->fill_map(state_.image, trial_.measured, state_.map);
+  state_.sum += sum(state_.map, trial_.measured) - before;
   return error();
 }
 
 void EditError::accept(const Journal& journal) {
-  bounds_.resize(journal.mesh().face_slots());
+  state_.bounds.resize(journal.mesh().face_slots());
   for (const Face f : trial_.touched)
-    bounds_[f.value] =
+    state_.bounds[f.value] =
         journal.mesh()[f].alive ? pixel_bounds(journal.mesh().patch(f), frame_) : Window{};
 }
 
 void EditError::reject() {
-  put(trial_.image, trial_.pixels, image_);
-  put(trial_.map, trial_.measured, map_);
-  sum_ = trial_.sum;
+  put(trial_.image, trial_.pixels, state_.image);
+  put(trial_.map, trial_.measured, state_.map);
+  state_.sum = trial_.sum;
 }
 
 double EditError::whole_frame(const Mesh& mesh) const {

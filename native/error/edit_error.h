@@ -21,13 +21,25 @@ class EditError {
   EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric);
 
   /// Error of the mesh as last accepted.
-  double error() const { return sum_ / double(map_.samples.size()); }
+  double error() const { return state_.sum / double(state_.map.samples.size()); }
 
   /// Error of the journal's mesh, which is the accepted one and the operations after the first
   /// `depth`. To be followed by accept() or reject().
   double after_edits(const Journal& journal, std::size_t depth);
   void accept(const Journal& journal);
   void reject();
+
+  /// What has been accepted so far.
+  struct State {
+    Image image;
+    Plane map;
+    double sum = 0;
+    /// Where each face lies in `image`.
+    std::vector<Window> bounds;
+  };
+  const State& state() const { return state_; }
+  /// Goes back to an earlier state, after the journal did.
+  void restore(const State& state) { state_ = state; }
 
   /// Paints and measures everything afresh.
   double whole_frame(const Mesh& mesh) const;
@@ -42,11 +54,7 @@ class EditError {
   Image reference_;
   std::unique_ptr<Metric> metric_;
 
-  Image image_;
-  Plane map_;
-  double sum_ = 0;
-  /// Where each face lies in `image_`.
-  std::vector<Window> bounds_;
+  State state_;
 
   /// What is on trial, and what it has overwritten.
   struct Trial {

@@ -12,13 +12,23 @@ bool MergeTrial::try_merge(Halfedge edge) {
     return false;
   const std::size_t depth = journal_.depth();
   merge(journal_, edge);
+  return keep_if_cheap(depth);
+}
+
+bool MergeTrial::try_merge(const Region& region) {
+  const std::size_t depth = journal_.depth();
+  const std::vector<Halfedge> tops = region_tops(journal_.mesh(), region);
+  return !tops.empty() && merge_region(journal_, region, tops) && keep_if_cheap(depth);
+}
+
+bool MergeTrial::keep_if_cheap(std::size_t depth) {
   ++evaluations_;
   if (error_.after_edits(journal_, depth) <= epsilon_) {
     error_.accept(journal_);
     return true;
   }
   error_.reject();
-  journal_.undo();
+  while (journal_.depth() > depth) journal_.undo();
   return false;
 }
 
@@ -34,6 +44,7 @@ double MergeTrial::price(const Region& region, const std::vector<Halfedge>& tops
 }
 
 double MergeTrial::merge_all(const std::vector<Region>& regions) {
+  ++evaluations_;
   for (const Region& region : regions)
     if (const auto tops = region_tops(journal_.mesh(), region); !tops.empty())
       merge_region(journal_, region, tops);
@@ -41,7 +52,9 @@ double MergeTrial::merge_all(const std::vector<Region>& regions) {
 }
 
 void MergeTrial::undo_all() {
+  if (journal_.depth() == 0) return;
   while (journal_.depth() > 0) journal_.undo();
+  error_.restore(start_);
 }
 
 }  // namespace gradmesh

@@ -13,7 +13,7 @@ namespace gradmesh {
 class MergeTrial {
  public:
   MergeTrial(Journal& journal, EditError& error, double epsilon)
-      : journal_(journal), error_(error), epsilon_(epsilon) {}
+      : journal_(journal), error_(error), start_(error.state()), epsilon_(epsilon) {}
 
   /// Merges the edge if that is possible and the whole error stays at most epsilon.
   bool try_merge(Halfedge edge);
@@ -22,10 +22,15 @@ class MergeTrial {
   /// where it cannot be merged. Changes nothing. `tops` as of region_tops.
   double price(const Region& region, const std::vector<Halfedge>& tops);
 
+  /// The same for all the patches of a region.
+  bool try_merge(const Region& region);
+
   /// Merges all these regions, whatever the error, which is measured on the whole frame and
-  /// returned. Those that cannot be merged after the others are left out. To be followed by
+  /// returned; those that cannot be merged after the others are left out. To be followed by
   /// undo_all() before anything else is tried.
   double merge_all(const std::vector<Region>& regions);
+
+  /// Takes everything back.
   void undo_all();
 
   const Mesh& mesh() const { return journal_.mesh(); }
@@ -35,8 +40,12 @@ class MergeTrial {
   int evaluations() const { return evaluations_; }
 
  private:
+  /// Keeps the operations after the first `depth`, or takes them back if they cost too much.
+  bool keep_if_cheap(std::size_t depth);
+
   Journal& journal_;
   EditError& error_;
+  const EditError::State start_;
   double epsilon_;
   int evaluations_ = 0;
 };

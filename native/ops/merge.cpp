@@ -8,13 +8,6 @@
 namespace gradmesh {
 namespace {
 
-/// Eq. 6: where p lies on the combined curve, if r is the share of `in` in the length of in and
-/// out, which are the fractions `in_span` and `out_span` of their own curves.
-double combined_share(double r, double in_span, double out_span) {
-  const double in_curve = r / in_span, out_curve = (1 - r) / out_span;
-  return in_curve / (in_curve + out_curve);
-}
-
 class Merge {
  public:
   Merge(Journal& journal, Halfedge edge)
@@ -23,8 +16,8 @@ class Merge {
   void run() {
     const MergeEnd tail = merge_end(mesh_, edge_), head = merge_end(mesh_, twin_);
     const double r = split_factor(mesh_, edge_);
-    const double r_tail = tail.kind == MergeEnd::stem ? bar_share(mesh_, tail) : r;
-    const double r_head = head.kind == MergeEnd::stem ? bar_share(mesh_, head) : 1 - r;
+    const double r_tail = split_share(mesh_, edge_, tail, r);
+    const double r_head = split_share(mesh_, twin_, head, 1 - r);
     const Face kept = mesh_.face(edge_), gone = mesh_.face(twin_);
     const Halfedge opposite = mesh_.next(head.out), twin_opposite = mesh_.next(tail.out);
     // u and v keep their directions: the top stays or, where the edge itself was the top, it is
@@ -98,7 +91,7 @@ class Merge {
   Halfedge join_curves(const MergeEnd& end, double r) {
     const Halfedge in = mesh_.curve_side(end.in), out = mesh_.curve_side(end.out);
     const Halfedge in_twin = mesh_[in].twin, out_twin = mesh_[out].twin;
-    const double t = combined_share(r, mesh_.span(end.in).length(), mesh_.span(end.out).length());
+    const double t = combined_share(mesh_, end, r);
 
     join_handles(in, out, t);
     edit(in).twin = out_twin;

@@ -30,4 +30,14 @@ MergeEnd merge_end(const Mesh& mesh, Halfedge edge);
 /// The share of `in` in the length of in and out where both are bars of one parent.
 double bar_share(const Mesh& mesh, const MergeEnd& end);
 
+/// Eq. 6: where p lies on the curve that the curves of in and out become, if r is the share of
+/// `in` in the length of in and out.
+double combined_share(const Mesh& mesh, const MergeEnd& end, double r);
+
+/// Where the merge at this end of `edge` takes the patches to be split, as the share of `in`: at a
+/// T-junction where that is, otherwise by r of Eq. 4 or by that one of its parts, or of the curves'
+/// lengths, with which the curves are changed least. Eq. 4 supposes that tangents on both sides
+/// of the edge are those of one smooth curve; where they are not, r can be far off.
+double split_share(const Mesh& mesh, Halfedge edge, const MergeEnd& end, double r);
+
 }  // namespace gradmesh

@@ -96,33 +96,48 @@ class Gqe {
 
   /// The candidates of the ranking, each if it overlaps none before it and their prices together
   /// stay within gamma.
-  std::vector<Region> independent_set(const Ranking& order, double gamma) const {
+  std::vector<const Candidate*> independent_set(const Ranking& order, double gamma) const {
     std::vector<bool> taken(trial_.mesh().face_slots(), false);
-    std::vector<Region> chosen;
+    std::vector<const Candidate*> chosen;
     double sum = 0;
     for (const int i : order) {
       const Candidate& c = candidates_[i];
       const bool overlaps = std::ranges::any_of(c.faces, [&](Face f) { return taken[f.value]; });
       if (overlaps || sum + c.error > gamma) continue;
       for (const Face f : c.faces) taken[f.value] = true;
-      chosen.push_back(c.region);
+      chosen.push_back(&c);
       sum += c.error;
     }
     return chosen;
   }
 
-  /// Merges the set, measures it, keeps it in mind if it is the best so far, and takes it back.
-  bool consider(std::vector<Region> chosen) {
-    const double error = trial_.merge_all(chosen);
-    const int patches = trial_.mesh().face_count();
+  /// Whether all of the set keeps to epsilon. Where it does not, since some regions cost more
+  /// beside others than alone, those that do are left out.
+  bool consider(const std::vector<const Candidate*>& chosen) {
+    std::vector<Region> regions;
+    for (const Candidate* c : chosen) regions.push_back(c->region);
+    const double error = trial_.merge_all(regions);
+    const bool fits = error <= trial_.epsilon();
+    if (fits) remember(regions, error);
     trial_.undo_all();
-    if (error > trial_.epsilon()) return false;
-    if (patches < best_patches_ || (patches == best_patches_ && error < best_error_)) {
-      best_ = std::move(chosen);
-      best_patches_ = patches;
-      best_error_ = error;
-    }
-    return true;
+    if (fits) return true;
+
+    regions.clear();
+    for (const Candidate* c : chosen)
+      if (trial_.error() + c->error <= trial_.epsilon() && trial_.try_merge(c->region))
+        regions.push_back(c->region);
+    remember(regions, trial_.error());
+    trial_.undo_all();
+    return false;
+  }
+
+  /// The mesh is merged as these regions say.
+  void remember(const std::vector<Region>& regions, double error) {
+    const int patches = trial_.mesh().face_count();
+    if (patches > best_patches_ || (patches == best_patches_ && error >= best_error_)) return;
+    best_ = regions;
+    best_patches_ = patches;
+    best_error_ = error;
   }
 
   MergeTrial& trial_;
