@@ -462,7 +462,7 @@ struct SharedMesh {
 
 void PrintTo(const SharedMesh& mesh, std::ostream* out) { *out << mesh.name; }
 
-/// Throws where the file is absent: see SetUp.
+/// Empty where the file is absent.
 std::string shared_text(const std::string& name) {
   std::ifstream file(std::filesystem::path(GRADMESH_SHARED_DIR) / "meshes" / (name + ".hemesh"));
   return {std::istreambuf_iterator<char>(file), {}};
@@ -505,6 +505,17 @@ INSTANTIATE_TEST_SUITE_P(
                       SharedMesh{"junction-recolor-demo", 3, 1},
                       SharedMesh{"sharp-color-transition", 4, 0}, SharedMesh{"L", 3, 0},
                       SharedMesh{"U", 4, 0}, SharedMesh{"save_1", 12, 1}));
+
+TEST(SharedHemeshBranches, stay) {
+  for (const char* name : {"L", "U"}) {
+    const std::string text = shared_text(name);
+    if (text.empty()) GTEST_SKIP() << "the authors' meshes are not beside the project";
+    const Mesh mesh = read(text);
+    for (const Halfedge h : mesh.halfedges())
+      EXPECT_EQ(can_merge(mesh, h),
+                mesh[h].twin.valid() ? MergeObstacle::branch : MergeObstacle::boundary);
+  }
+}
 
 /// Fixes the sign of the twists (see HemeshFile): where the authors split a patch exactly, merging
 /// two parts and splitting the result again gives the parts back, their twists among them.
