@@ -84,7 +84,10 @@ class Subdivider {
     while (i < a.size()) {
       const std::size_t first_a = i++, first_b = j++;
       const auto gap = [&] { return a[i - 1].second - (1 - b[b.size() - j].first); };
-      while (std::abs(gap()) > same_place) ++(gap() < 0 ? i : j);
+      while (std::abs(gap()) > same_place && i < a.size() && j < b.size()) ++(gap() < 0 ? i : j);
+      // What is left of only one side is no curve of its own.
+      if (i == a.size()) j = b.size();
+      if (j == b.size()) i = a.size();
       add_part(side, Pieces(a).subspan(first_a, i - first_a),
                Pieces(b).subspan(b.size() - j, j - first_b));
     }

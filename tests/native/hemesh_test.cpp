@@ -1,11 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <iterator>
-#include <ostream>
 #include <sstream>
 
 #include "base/error.h"
@@ -15,11 +11,15 @@
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "random_meshes.h"
+#include "same_mesh.h"
 
 namespace gradmesh {
 namespace {
 
 using test::difference;
+using test::junctions;
+using test::leaves_of_faces;
+using test::same;
 
 Mesh read(const std::string& text) { return build_mesh(read_hemesh(text, "test.hemesh")); }
 
@@ -39,64 +39,6 @@ MeshParts bicubic_parts(unsigned seed, int rows = 4, int columns = 4) {
         if (random() % 8 == 0)
           for (int channel = 0; channel < 3; ++channel) v.color[channel] += 0.3 * unit(random);
   return parts;
-}
-
-std::size_t junctions(const Mesh& mesh) {
-  std::size_t count = 0;
-  for (const Point p : mesh.points()) count += mesh[p].is_junction();
-  return count;
-}
-
-/// The leaves of all faces, each face from its top: in two equal meshes they correspond.
-std::vector<Halfedge> leaves_of_faces(const Mesh& mesh) {
-  std::vector<Halfedge> leaves;
-  for (const Face f : mesh.faces())
-    for (const Halfedge h : mesh.sides(f)) leaves.push_back(h);
-  return leaves;
-}
-
-/// Without opacity, which the format does not hold (after splits it is 1 up to rounding).
-Value solid(Value v) {
-  v.color.a = 0;
-  return v;
-}
-Cubic<Value> solid(const Cubic<Value>& c) {
-  return {solid(c.p0), solid(c.m0), solid(c.m1), solid(c.p1)};
-}
-Patch solid(Patch patch) {
-  for (auto& row : patch.c)
-    for (Value& v : row) v = solid(v);
-  return patch;
-}
-
-/// Bit for bit, up to opacity and the order of what is no face.
-::testing::AssertionResult same(const Mesh& a, const Mesh& b) {
-  const auto sizes = [](const Mesh& mesh) {
-    return std::array{std::ranges::distance(mesh.faces()), std::ranges::distance(mesh.points()),
-                      std::ranges::distance(mesh.handles()),
-                      std::ranges::distance(mesh.halfedges())};
-  };
-  if (sizes(a) != sizes(b)) return ::testing::AssertionFailure() << "the sizes differ";
-  const std::vector<Halfedge> in_a = leaves_of_faces(a), in_b = leaves_of_faces(b);
-  for (std::size_t i = 0; i < in_a.size(); ++i) {
-    const Halfedge h = in_a[i], g = in_b[i];
-    const auto differ = [&](const char* what) {
-      return ::testing::AssertionFailure() << what << " of side " << i << " differs";
-    };
-    const bool junction = a[a.origin(h)].is_junction();
-    if (junction != b[b.origin(g)].is_junction())
-      return differ("whether a T-junction is the start");
-    if (a.position(a.origin(h)) != b.position(b.origin(g))) return differ("the start");
-    if (glm::dvec3(a[h].color) != glm::dvec3(b[g].color)) return differ("the colour");
-    if (junction && a[h].own_color != b[g].own_color) return differ("whose the colour is");
-    if (solid(a[h].twist) != solid(b[g].twist)) return differ("the twist");
-    if (a.span(h) != b.span(g)) return differ("the interval");
-    if (a.other_side(h).valid() != b.other_side(g).valid()) return differ("the boundary");
-    if (solid(a.curve_of(a.curve_side(h))) != solid(b.curve_of(b.curve_side(g))))
-      return differ("the curve");
-    if (solid(a.patch(a.face(h))) != solid(b.patch(b.face(g)))) return differ("the patch");
-  }
-  return ::testing::AssertionSuccess();
 }
 
 TEST(Hemesh, is_read_back_the_same_bit_for_bit) {
@@ -451,96 +393,6 @@ TEST(Hemesh, a_damaged_text_is_refused_or_makes_a_sound_mesh) {
   }
   EXPECT_GT(refused, 1000);
   EXPECT_GT(read, 500);
-}
-
-// --- the authors' meshes ---
-
-struct SharedMesh {
-  const char* name;
-  int patches, junctions;
-};
-
-void PrintTo(const SharedMesh& mesh, std::ostream* out) { *out << mesh.name; }
-
-/// Empty where the file is absent.
-std::string shared_text(const std::string& name) {
-  std::ifstream file(std::filesystem::path(GRADMESH_SHARED_DIR) / "meshes" / (name + ".hemesh"));
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-class SharedHemesh : public ::testing::TestWithParam<SharedMesh> {
- protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(GRADMESH_SHARED_DIR "/meshes"))
-      GTEST_SKIP() << "the authors' meshes are not beside the project, in ../shared/meshes";
-  }
-};
-
-TEST_P(SharedHemesh, is_read_and_written_back_the_same) {
-  const auto [name, patches, expected_junctions] = GetParam();
-  const Mesh mesh = read(shared_text(name));
-  EXPECT_EQ(validate(mesh), std::vector<std::string>{});
-  EXPECT_EQ(mesh.face_count(), patches);
-  EXPECT_EQ(junctions(mesh), std::size_t(expected_junctions));
-  const std::string text = write_hemesh(mesh);
-  const Mesh again = read(text);
-  EXPECT_TRUE(same(mesh, again));
-  EXPECT_EQ(write_hemesh(again), text);
-}
-
-TEST_P(SharedHemesh, is_still_the_same_after_merges) {
-  const Mesh mesh = test::changed_mesh(read_hemesh(shared_text(GetParam().name), "shared"), 5, 60);
-  EXPECT_EQ(validate(mesh), std::vector<std::string>{});
-  const std::string text = write_hemesh(mesh);
-  EXPECT_TRUE(same(mesh, read(text)));
-  EXPECT_EQ(write_hemesh(read(text)), text);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    All, SharedHemesh,
-    ::testing::Values(SharedMesh{"teardrop", 25, 0}, SharedMesh{"global-refinement", 36, 0},
-                      SharedMesh{"modifiedgr", 36, 0}, SharedMesh{"apple", 80, 0},
-                      SharedMesh{"banana", 92, 0}, SharedMesh{"global-tulips", 102, 0},
-                      SharedMesh{"global_duck", 230, 0}, SharedMesh{"local-refinement", 16, 10},
-                      SharedMesh{"junction-recolor-demo", 3, 1},
-                      SharedMesh{"sharp-color-transition", 4, 0}, SharedMesh{"L", 3, 0},
-                      SharedMesh{"U", 4, 0}, SharedMesh{"save_1", 12, 1}));
-
-TEST(SharedHemeshBranches, stay) {
-  for (const char* name : {"L", "U"}) {
-    const std::string text = shared_text(name);
-    if (text.empty()) GTEST_SKIP() << "the authors' meshes are not beside the project";
-    const Mesh mesh = read(text);
-    for (const Halfedge h : mesh.halfedges())
-      EXPECT_EQ(can_merge(mesh, h),
-                mesh[h].twin.valid() ? MergeObstacle::branch : MergeObstacle::boundary);
-  }
-}
-
-/// Fixes the sign of the twists (see HemeshFile): where the authors split a patch exactly, merging
-/// two parts and splitting the result again gives the parts back, their twists among them.
-TEST(SharedHemeshTwists, are_those_of_exact_splits) {
-  const std::string text = shared_text("global-refinement");
-  if (text.empty()) GTEST_SKIP() << "the authors' meshes are not beside the project";
-  Mesh mesh = read(text);
-  Journal journal(mesh);
-  int tried = 0;
-  for (const Face f : mesh.faces()) {
-    const Halfedge right = mesh.sides(f)[1];
-    if (can_merge(mesh, right) != MergeObstacle::none) continue;
-    const Patch before = mesh.patch(f);
-    const double r = split_factor(mesh, right);
-    merge(journal, right);
-    const Patch left = mesh.patch(f).split_v(r)[0];
-    journal.undo();
-    EXPECT_LE(difference(left, before), 2e-5);
-    double twist = 0;
-    for (int k = 0; k < 4; ++k)
-      for (int channel = 0; channel < 3; ++channel)
-        twist = std::max(twist, std::abs(before.twist(k).color[channel]));
-    tried += twist > 1e-3;
-  }
-  EXPECT_GT(tried, 10);
 }
 
 }  // namespace

@@ -91,6 +91,23 @@ TEST(Subdivided, curves_are_cut_where_both_sides_are_divided) {
   EXPECT_EQ(count_junctions(build_mesh(subdivided(mesh, 2))), 4u);
 }
 
+TEST(Subdivided, a_sliver_at_the_end_of_a_curve_is_no_curve_of_its_own) {
+  for (const double at : {4e-10, 1 - 4e-10}) {
+    Mesh mesh = test::grid_mesh({.rows = 2, .columns = 1});
+    Journal journal(mesh);
+    split(journal, mesh.sides(Face{1})[0], at);
+    for (const int n : {1, 2}) {
+      const Mesh fine = build_mesh(subdivided(mesh, n));
+      EXPECT_EQ(validate(fine), std::vector<std::string>{});
+      EXPECT_EQ(fine.face_count(), 3 * n * n);
+      int outside = 0;
+      for (const Halfedge h : fine.halfedges())
+        outside += fine.is_leaf(h) && !fine.other_side(h).valid();
+      EXPECT_EQ(outside, 7 * n);
+    }
+  }
+}
+
 TEST(Subdivided, junctions_keep_their_own_colours) {
   Mesh mesh = test::grid_mesh({.rows = 2, .columns = 1, .color_model = ColorModel::bicubic});
   Journal journal(mesh);
