@@ -10,5 +10,7 @@ void add_info(CLI::App& program);
 void add_simplify(CLI::App& program);
 void add_render(CLI::App& program);
 void add_compare(CLI::App& program);
+void add_analyze(CLI::App& program);
+void add_draw(CLI::App& program);
 
 }  // namespace gradmesh

@@ -14,4 +14,30 @@ void add_resolution_option(CLI::App& command, int& resolution) {
       ->capture_default_str();
 }
 
+void add_epsilon_option(CLI::App& command, double& epsilon) {
+  command.add_option("--epsilon", epsilon, "Largest error allowed")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
+void add_kappa_option(CLI::App& command, double& kappa) {
+  command
+      .add_option("--kappa", kappa,
+                  "motorcycle: share of epsilon above which an edge bounds the parts")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "0: all cores")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+void add_analysis_options(CLI::App& command, AnalysisPaths& analyses) {
+  command.add_option("--load-analysis", analyses.load,
+                     "Take prices from this file, which an earlier run has saved");
+  command.add_option("--save-analysis", analyses.save, "Save all prices that were used");
+}
+
 }  // namespace gradmesh

@@ -3,11 +3,18 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "document/analysis_file.h"
+
 namespace gradmesh {
 
 /// Options that several subcommands share; the variable holds the default and must outlive
 /// parsing.
 void add_metric_option(CLI::App& command, std::string& metric);
 void add_resolution_option(CLI::App& command, int& resolution);
+void add_epsilon_option(CLI::App& command, double& epsilon);
+void add_kappa_option(CLI::App& command, double& kappa);
+void add_threads_option(CLI::App& command, int& threads);
+/// --load-analysis and --save-analysis.
+void add_analysis_options(CLI::App& command, AnalysisPaths& analyses);
 
 }  // namespace gradmesh

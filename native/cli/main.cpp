@@ -15,6 +15,8 @@ int run(int argc, char** argv) {
   add_simplify(program);
   add_render(program);
   add_compare(program);
+  add_analyze(program);
+  add_draw(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -13,6 +13,7 @@ struct SimplifyArguments {
   std::string in, out, report, method = "grid", metric = "flip";
   std::vector<std::string> ids;
   SimplifyOptions options;
+  AnalysisPaths analyses;
   bool quiet = false, preview = false;
 };
 
@@ -31,8 +32,8 @@ void run_simplify(SimplifyArguments& a) {
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    reports =
-        a.preview ? document->preview(a.ids, a.options) : document->simplify(a.ids, a.options);
+    reports = a.preview ? document->preview(a.ids, a.options, a.analyses)
+                        : document->simplify(a.ids, a.options, a.analyses);
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
@@ -62,9 +63,7 @@ void add_simplify(CLI::App& program) {
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_metric_option(command, a->metric);
-  command.add_option("--epsilon", a->options.epsilon, "Largest error allowed")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+  add_epsilon_option(command, a->options.epsilon);
   add_resolution_option(command, a->options.resolution);
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)
@@ -72,11 +71,7 @@ void add_simplify(CLI::App& program) {
   command.add_option("--omega", a->options.omega, "gqe, gqe1: weight of size against error")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  command
-      .add_option("--kappa", a->options.kappa,
-                  "motorcycle: share of epsilon above which an edge bounds the parts")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_kappa_option(command, a->options.kappa);
   command.add_option("--edges", a->options.edges, "manual: the half-edges to merge, in this order")
       ->delimiter(',');
   command
@@ -84,9 +79,8 @@ void add_simplify(CLI::App& program) {
                   "Seconds a mesh may take, then the best so far is kept; 0: no limit")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command.add_option("--threads", a->options.threads, "0: all cores")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_threads_option(command, a->options.threads);
+  add_analysis_options(command, a->analyses);
   command.add_option("--report", a->report, "Write a report as JSON");
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a] { run_simplify(*a); });

@@ -1,6 +1,7 @@
 #include "select/regions.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "select/edges.h"
@@ -42,6 +43,16 @@ std::vector<RegionPrice> price_regions(MergeTrial& trial, Analysis& analysis, do
       for (const Region& next : larger) known += of_size[next.size()].insert(next).second;
     }
   return regions;
+}
+
+std::vector<RegionPrice> regions_with(const Mesh& mesh, const std::vector<RegionPrice>& regions,
+                                      Face patch) {
+  std::vector<RegionPrice> found;
+  std::ranges::copy_if(regions, std::back_inserter(found), [&](const RegionPrice& r) {
+    return std::ranges::any_of(region_tops(mesh, r.region),
+                               [&](Halfedge top) { return mesh.face(top) == patch; });
+  });
+  return found;
 }
 
 }  // namespace gradmesh

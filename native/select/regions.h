@@ -20,4 +20,8 @@ struct RegionPrice {
 std::vector<RegionPrice> price_regions(MergeTrial& trial, Analysis& analysis, double limit,
                                        StopWatch& watch);
 
+/// Those of the regions that hold the patch, in their order.
+std::vector<RegionPrice> regions_with(const Mesh& mesh, const std::vector<RegionPrice>& regions,
+                                      Face patch);
+
 }  // namespace gradmesh

@@ -17,6 +17,7 @@ RANK = {
     "raster": 3,
     "error": 4,
     "select": 5,
+    "draw": 6,
     "simplify": 6,
     "document": 7,
     "bindings": 8,

@@ -1,0 +1,52 @@
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "cli/progress_bar.h"
+#include "document/document.h"
+
+namespace gradmesh {
+namespace {
+
+struct AnalyzeArguments {
+  std::string in, metric = "flip";
+  std::vector<std::string> ids;
+  SimplifyOptions options;
+  AnalysisPaths analyses;
+  bool quiet = false;
+};
+
+void run_analyze(AnalyzeArguments& a) {
+  a.options.metric = metric_named(a.metric);
+  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  std::size_t prices = 0;
+  {
+    ProgressBar bar(a.quiet);
+    a.options.progress = bar.callback();
+    prices = document->analyze(a.ids, a.options, a.analyses);
+  }
+  if (!a.quiet) std::printf("%s: %zu prices\n", a.analyses.save.c_str(), prices);
+}
+
+}  // namespace
+
+void add_analyze(CLI::App& program) {
+  const auto a = std::make_shared<AnalyzeArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "analyze", "Work out what merging single edges and regions costs, for later runs");
+  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
+  command.add_option("-o,--output", a->analyses.save, "Where to write the analysis")->required();
+  command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
+      ->take_all()
+      ->expected(1);
+  add_metric_option(command, a->metric);
+  add_epsilon_option(command, a->options.epsilon);
+  add_resolution_option(command, a->options.resolution);
+  command.add_option("--load-analysis", a->analyses.load,
+                     "Take prices from this file, which an earlier run has saved");
+  add_threads_option(command, a->options.threads);
+  command.add_flag("--quiet", a->quiet, "Print nothing");
+  command.callback([a] { run_analyze(*a); });
+}
+
+}  // namespace gradmesh

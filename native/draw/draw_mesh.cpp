@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "draw/draw.h"
+#include "draw/legend.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr const char *curve_color = "#33415c", *handle_color = "#0072b2", *point_color = "#1d1d24",
+                     *junction_color = "#d55e00";
+
+/// Radii and widths of marks, from the line width.
+struct Marks {
+  explicit Marks(const Subject& subject)
+      : curve{.stroke = curve_color, .stroke_width = 1.3 * subject.line_width()},
+        handle{.stroke = handle_color, .stroke_width = 0.7 * subject.line_width()},
+        knob{.fill = "white", .stroke = handle_color, .stroke_width = 0.7 * subject.line_width()},
+        point{.fill = point_color},
+        junction{
+            .fill = junction_color, .stroke = "white", .stroke_width = 0.5 * subject.line_width()},
+        knob_radius(1.5 * subject.line_width()),
+        point_radius(2.4 * subject.line_width()),
+        junction_radius(4.2 * subject.line_width()) {}
+
+  Style curve, handle, knob, point, junction;
+  double knob_radius, point_radius, junction_radius;
+};
+
+Layer curves_layer(const Subject& subject, const Style& style) {
+  Layer layer{"Curves", {}, {}};
+  for (const Halfedge h : subject.curves())
+    layer.shapes.push_back({subject.curve(h), style, "Half-edge " + std::to_string(h.value)});
+  return layer;
+}
+
+/// Adds the layer, and room for handles that stick out.
+void add_handles(Drawing& drawing, const Subject& subject, const Marks& marks) {
+  PathText lines = subject.path(), knobs = subject.path();
+  for (const Halfedge h : subject.curves()) {
+    const Cubic<Value> curve = subject.mesh().curve_of(h);
+    for (const auto& [end, knob] :
+         {std::pair(curve.p0, curve.bezier1()), std::pair(curve.p1, curve.bezier2())}) {
+      lines.move(end.position);
+      lines.line(knob.position);
+      knobs.circle(knob.position, marks.knob_radius);
+      for (const double side : {-1.0, 1.0})
+        drawing.box.add(subject.point(knob.position) + glm::dvec2(side * subject.unit()));
+    }
+  }
+  drawing.layers.push_back(
+      {"Handles", {{lines.text(), marks.handle, ""}, {knobs.text(), marks.knob, ""}}, {}});
+}
+
+Layer points_layer(const Subject& subject, const Marks& marks) {
+  const Mesh& mesh = subject.mesh();
+  Layer layer{"Points", {}, {}};
+  for (const Point p : mesh.points()) {
+    const bool is_junction = mesh[p].is_junction();
+    PathText mark = subject.path();
+    if (is_junction) {
+      mark.diamond(mesh.position(p), marks.junction_radius);
+    } else {
+      mark.circle(mesh.position(p), marks.point_radius);
+    }
+    layer.shapes.push_back({mark.text(), is_junction ? marks.junction : marks.point,
+                            (is_junction ? "T-junction " : "Point ") + std::to_string(p.value)});
+  }
+  return layer;
+}
+
+glm::dvec3 mean_color(const Patch& patch) {
+  glm::dvec4 sum(0);
+  for (int k = 0; k < 4; ++k) sum += patch.corner(k).color;
+  const double alpha = sum.a / 4;
+  return glm::dvec3(sum) * 0.25 * alpha + glm::dvec3(1 - alpha);
+}
+
+bool is_light(const glm::dvec3& color) {
+  return glm::dot(color, glm::dvec3(0.299, 0.587, 0.114)) > 0.55;
+}
+
+std::string count(std::size_t number, const char* one, const char* many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+}  // namespace
+
+Drawing draw_edges(const Subject& subject) {
+  const Mesh& mesh = subject.mesh();
+  const Marks marks(subject);
+  Drawing drawing = blank_drawing(subject);
+  drawing.layers.push_back(curves_layer(subject, marks.curve));
+  add_handles(drawing, subject, marks);
+  drawing.layers.push_back(points_layer(subject, marks));
+
+  const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
+  const auto points = mesh.points();
+  const auto junctions = std::size_t(std::ranges::count_if(points, is_junction));
+  const auto all = std::size_t(std::ranges::distance(points));
+  Legend legend(subject, drawing, "Gradient mesh");
+  legend.text(count(std::size_t(mesh.face_count()), "patch", "patches"));
+  legend.gap();
+  legend.line(marks.curve, count(subject.curves().size(), "curve", "curves"));
+  legend.circle(marks.point, count(all - junctions, "control point", "control points"));
+  if (junctions > 0) legend.diamond(marks.junction, count(junctions, "T-junction", "T-junctions"));
+  legend.circle(marks.knob, "ends of handles");
+  std::move(legend).add_to(drawing);
+  return drawing;
+}
+
+Drawing draw_faces(const Subject& subject) {
+  const Mesh& mesh = subject.mesh();
+  Drawing drawing = blank_drawing(subject);
+  Layer layer{"Patches", {}, {}};
+  for (const Face f : mesh.faces()) {
+    const glm::dvec3 color = mean_color(mesh.patch(f));
+    const std::string number = std::to_string(f.value);
+    layer.shapes.push_back(
+        {subject.outline(f),
+         {.fill = hex_color(color), .stroke = "white", .stroke_width = subject.line_width()},
+         "Patch " + number});
+    const double size =
+        std::min(2.4 * subject.unit(), 0.9 * subject.narrowness(f) / double(number.size() + 1));
+    layer.labels.push_back({number, subject.center(f) + glm::dvec2(0, 0.36 * size), size,
+                            is_light(color) ? "#1d1d24" : "white", Anchor::middle});
+  }
+  drawing.layers.push_back(std::move(layer));
+  return drawing;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "draw/draw.h"
+#include "draw/legend.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr const char *boundary_color = "#8a8f9c", *unmergeable_color = "#0077b6";
+
+Style boundary_style(const Subject& subject) {
+  return {.stroke = boundary_color, .stroke_width = 0.8 * subject.line_width()};
+}
+
+Style unmergeable_style(const Subject& subject) {
+  return {.stroke = unmergeable_color,
+          .stroke_width = 1.6 * subject.line_width(),
+          .dash = 4 * subject.line_width()};
+}
+
+/// Curves with a patch on one side only.
+Layer boundary_layer(const Subject& subject) {
+  Layer layer{"Boundary", {}, {}};
+  for (const Halfedge h : subject.curves())
+    if (!subject.mesh()[h].twin.valid())
+      layer.shapes.push_back({subject.curve(h), boundary_style(subject), ""});
+  return layer;
+}
+
+std::string half_edge(Halfedge h) { return "Half-edge " + std::to_string(h.value); }
+
+}  // namespace
+
+Drawing draw_errors(const Subject& subject, const std::vector<EdgePrice>& prices,
+                    const std::string& measure) {
+  std::vector<EdgePrice> known, unmergeable;
+  for (const EdgePrice& p : prices) (std::isfinite(p.error) ? known : unmergeable).push_back(p);
+  // Costly edges last, so that they lie on top.
+  std::ranges::stable_sort(known, {}, &EdgePrice::error);
+
+  Drawing drawing = blank_drawing(subject);
+  drawing.layers.push_back(boundary_layer(subject));
+  Legend legend(subject, drawing, "Error of merging single edges");
+  legend.text(measure);
+  legend.gap();
+
+  Layer edges{"Single-edge errors", {}, {}}, blocked{"Unmergeable edges", {}, {}};
+  if (!known.empty()) {
+    const double least = known.front().error, largest = known.back().error;
+    // Where nothing costs anything, all edges are at the low end of some scale.
+    const HeatScale scale(largest > 0 ? largest : 1e-3);
+    for (const EdgePrice& p : known)
+      edges.shapes.push_back(
+          {subject.curve(p.edge),
+           {.stroke = scale.color(p.error), .stroke_width = 3 * subject.line_width()},
+           half_edge(p.edge) + ": " + short_number(p.error)});
+    legend.scale(scale, least);
+    legend.gap();
+  }
+  for (const EdgePrice& p : unmergeable) {
+    const std::string why = p.obstacle == MergeObstacle::none ? "" : describe(p.obstacle);
+    blocked.shapes.push_back(
+        {subject.curve(p.edge), unmergeable_style(subject),
+         half_edge(p.edge) + " cannot be merged" + (why.empty() ? "" : ": " + why)});
+  }
+  if (!unmergeable.empty())
+    legend.line(unmergeable_style(subject),
+                std::to_string(unmergeable.size()) + " cannot be merged");
+  legend.line(boundary_style(subject), "boundary");
+  drawing.layers.push_back(std::move(edges));
+  drawing.layers.push_back(std::move(blocked));
+  std::move(legend).add_to(drawing);
+  return drawing;
+}
+
+namespace {
+
+/// Tints that are told apart beside each other, also without red or green.
+constexpr std::array<const char*, 6> part_colors{"#56b4e9", "#e69f00", "#009e73",
+                                                 "#cc79a7", "#f0e442", "#0072b2"};
+
+/// A patch belongs to the part of any of its edges.
+std::vector<int> parts_of_faces(const Mesh& mesh, const MotorcycleGraph& graph) {
+  std::vector<int> part(mesh.face_slots(), -1);
+  for (std::size_t i = 0; i < graph.parts.size(); ++i)
+    for (const Halfedge edge : graph.parts[i])
+      for (const Halfedge side : {edge, mesh[edge].twin})
+        if (mesh.is_leaf(side)) part[mesh.face(side).value] = int(i);
+  return part;
+}
+
+/// For each part the first tint that none of its neighbours before it has.
+std::vector<int> tints(const Mesh& mesh, const std::vector<int>& part, std::size_t parts) {
+  std::vector<std::vector<int>> beside(parts);
+  for (const Halfedge h : mesh.halfedges()) {
+    const Halfedge across = mesh.is_leaf(h) ? leaf_across(mesh, h) : Halfedge{};
+    if (!across.valid()) continue;
+    const int a = part[mesh.face(h).value], b = part[mesh.face(across).value];
+    if (a > b && b >= 0) beside[a].push_back(b);
+  }
+  std::vector<int> tint(parts);
+  for (std::size_t i = 0; i < parts; ++i) {
+    std::array<bool, part_colors.size()> used{};
+    for (const int other : beside[i]) used[tint[other]] = true;
+    const auto free = std::ranges::find(used, false);
+    tint[i] = free == used.end() ? int(i % used.size()) : int(free - used.begin());
+  }
+  return tint;
+}
+
+Layer parts_layer(const Subject& subject, const MotorcycleGraph& graph) {
+  const Mesh& mesh = subject.mesh();
+  const std::vector<int> part = parts_of_faces(mesh, graph);
+  const std::vector<int> tint = tints(mesh, part, graph.parts.size());
+  Layer layer{"Parts", {}, {}};
+  for (const Face f : mesh.faces())
+    if (const int i = part[f.value]; i >= 0)
+      layer.shapes.push_back({subject.outline(f),
+                              {.fill = part_colors[tint[i]], .fill_opacity = 0.45},
+                              "Part " + std::to_string(i + 1)});
+  return layer;
+}
+
+void add_edges(Layer& layer, const Subject& subject, const std::vector<Halfedge>& edges,
+               const Style& style) {
+  for (const Halfedge h : edges) layer.shapes.push_back({subject.curve(h), style, half_edge(h)});
+}
+
+}  // namespace
+
+Drawing draw_motorcycle(const Subject& subject, const MotorcycleGraph& graph, double limit) {
+  const double width = subject.line_width();
+  const Style inner{.stroke = "#5b6170", .stroke_width = 0.7 * width},
+      costly{.stroke = "#c8102e", .stroke_width = 3 * width},
+      traced{.stroke = "#1d1d24", .stroke_width = 2 * width, .dash = 4.5 * width};
+  Drawing drawing = blank_drawing(subject);
+  drawing.layers.push_back(parts_layer(subject, graph));
+  drawing.layers.push_back(boundary_layer(subject));
+  Layer edges{"Motorcycle graph", {}, {}};
+  std::size_t inner_edges = 0;
+  for (const auto& part : graph.parts) {
+    add_edges(edges, subject, part, inner);
+    inner_edges += part.size();
+  }
+  add_edges(edges, subject, graph.costly, costly);
+  add_edges(edges, subject, graph.unmergeable, unmergeable_style(subject));
+  add_edges(edges, subject, graph.traced, traced);
+  drawing.layers.push_back(std::move(edges));
+
+  const auto counted = [](std::size_t number, const std::string& what) {
+    return std::to_string(number) + " " + what;
+  };
+  Legend legend(subject, drawing, "Motorcycle graph");
+  legend.gap();
+  legend.line(costly, counted(graph.costly.size(), "cost more than " + short_number(limit)));
+  legend.line(unmergeable_style(subject), counted(graph.unmergeable.size(), "cannot be merged"));
+  legend.line(traced, counted(graph.traced.size(), "traced from their ends"));
+  legend.line(inner, counted(inner_edges, "left to merge"));
+  legend.area({.fill = part_colors[0], .fill_opacity = 0.45},
+              counted(graph.parts.size(), graph.parts.size() == 1 ? "part" : "parts"));
+  std::move(legend).add_to(drawing);
+  return drawing;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include "draw/draw.h"
+#include "draw/legend.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr const char *region_color = "#0072b2", *patch_color = "#d55e00";
+/// How many lines of a list are shown on either side of the chosen one.
+constexpr int lines_around = 8;
+
+Shape region_area(const Subject& subject, const Region& region, double opacity) {
+  std::string path;
+  for (const Halfedge top : region_tops(subject.mesh(), region))
+    path += subject.outline(subject.mesh().face(top)) + " ";
+  return {path, {.fill = region_color, .fill_opacity = opacity}, ""};
+}
+
+/// The sides of the region's patches that have no patch of it on their other side.
+Shape region_border(const Subject& subject, const Region& region, double width) {
+  const Mesh& mesh = subject.mesh();
+  std::vector<bool> inside(mesh.face_slots(), false);
+  const std::vector<Halfedge> tops = region_tops(mesh, region);
+  for (const Halfedge top : tops) inside[mesh.face(top).value] = true;
+  PathText path = subject.path();
+  for (const Halfedge top : tops)
+    for (const Halfedge side : mesh.sides(mesh.face(top))) {
+      const Halfedge across = leaf_across(mesh, side);
+      if (across.valid() && inside[mesh.face(across).value]) continue;
+      const Cubic<Value> curve = mesh.side_of(side);
+      path.move(curve.p0.position);
+      path.curve(curve);
+    }
+  return {path.text(), {.stroke = region_color, .stroke_width = width}, describe(region)};
+}
+
+void list(Legend& legend, const std::vector<RegionPrice>& regions, int shown) {
+  const int count = int(regions.size());
+  const bool one = shown >= 0 && shown < count;
+  const int first =
+      one ? std::clamp(shown - lines_around, 0, std::max(0, count - 2 * lines_around)) : 0;
+  const int last = std::min(count, first + 2 * lines_around);
+  if (first > 0) legend.entry({"...", std::to_string(first) + " smaller", ""}, false);
+  for (int i = first; i < last; ++i)
+    legend.entry(
+        {std::to_string(i + 1), describe(regions[i].region), short_number(regions[i].error)},
+        i == shown);
+  if (last < count) legend.entry({"...", std::to_string(count - last) + " larger", ""}, false);
+}
+
+}  // namespace
+
+std::string describe(const Region& region) {
+  return std::to_string(region.rows) + " \u00d7 " + std::to_string(region.columns);
+}
+
+Drawing draw_regions(const Subject& subject, Face patch, const std::vector<RegionPrice>& regions,
+                     int shown) {
+  Drawing drawing = blank_drawing(subject);
+  Layer curves{"Curves", {}, {}};
+  for (const Halfedge h : subject.curves())
+    curves.shapes.push_back(
+        {subject.curve(h), {.stroke = "#5b6170", .stroke_width = subject.line_width()}, ""});
+  drawing.layers.push_back(std::move(curves));
+
+  const bool one = shown >= 0 && shown < int(regions.size());
+  // Many areas upon one another stay translucent.
+  const double opacity = one ? 0.35 : std::clamp(1.5 / double(regions.size() + 1), 0.03, 0.35);
+  const double width = (one ? 3 : 0.8) * subject.line_width();
+  Layer layer{"Regions", {}, {}};
+  for (int i = 0; i < int(regions.size()); ++i)
+    if (!one || i == shown)
+      layer.shapes.push_back(region_area(subject, regions[i].region, opacity));
+  for (int i = 0; i < int(regions.size()); ++i)
+    if (!one || i == shown)
+      layer.shapes.push_back(region_border(subject, regions[i].region, width));
+  const Style chosen{.fill = patch_color,
+                     .fill_opacity = 0.85,
+                     .stroke = patch_color,
+                     .stroke_width = 2 * subject.line_width()};
+  layer.shapes.push_back({subject.outline(patch), chosen, "Patch " + std::to_string(patch.value)});
+  drawing.layers.push_back(std::move(layer));
+
+  Legend legend(subject, drawing, "Regions of patch " + std::to_string(patch.value));
+  legend.gap();
+  legend.area(chosen, "the patch");
+  legend.area({.fill = region_color,
+               .fill_opacity = 0.3,
+               .stroke = region_color,
+               .stroke_width = 2 * subject.line_width()},
+              one ? "the region shown" : "all its regions");
+  legend.gap();
+  legend.text(regions.empty() ? "No region within epsilon holds it."
+                              : "Rows \u00d7 columns, and the error:");
+  list(legend, regions, shown);
+  std::move(legend).add_to(drawing);
+  return drawing;
+}
+
+}  // namespace gradmesh
