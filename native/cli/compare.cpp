@@ -5,6 +5,7 @@
 #include "cli/common_options.h"
 #include "document/document.h"
 #include "io/image_file.h"
+#include "mesh/boundary.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {
@@ -38,19 +39,25 @@ struct OnlyMesh {
 
 using Pair = std::pair<Image, Image>;
 
-/// Two documents of one kind share their coordinates: the frame is that of the first. Where the
-/// kinds differ, each mesh is fitted into the picture.
+/// Takes the second mesh to where the first one is, as both are seen: the same box, whose longer
+/// sides agree.
+Affine aligned(const OnlyMesh& a, const OnlyMesh& b) {
+  const Box to = bounding_box(a.mesh, a.view()), from = bounding_box(b.mesh, b.view());
+  const double scale = std::max(to.size().x, to.size().y) / std::max(from.size().x, from.size().y);
+  return Affine::translation(to.low()) * Affine::scaling(glm::dvec2(scale)) *
+         Affine::translation(-from.low());
+}
+
+/// Two documents of one kind share their coordinates. Where the kinds differ, one mesh is laid on
+/// the other.
 Pair paint_both(const OnlyMesh& a, const OnlyMesh& b) {
   constexpr int resolution = 700;
-  Frame first = a.document->frame(a.entry, a.mesh, resolution), second = first;
-  if (a.document->kind() == b.document->kind()) {
-    second.to_pixels = first.to_pixels * a.view().inverse() * b.view();
-  } else {
-    first = fit_frame(a.mesh, a.view(), resolution);
-    second.to_pixels = fit_frame(b.mesh, b.view(), resolution).to_pixels;
-    second.width = first.width;
-    second.height = first.height;
-  }
+  const bool same_kind = a.document->kind() == b.document->kind();
+  const Frame first = same_kind ? a.document->frame(a.entry, a.mesh, resolution)
+                                : fit_frame(a.mesh, a.view(), resolution);
+  Frame second = first;
+  const Affine onto_first = same_kind ? b.view() : aligned(a, b) * b.view();
+  second.to_pixels = first.to_pixels * a.view().inverse() * onto_first;
   const auto rasterizer = make_software_rasterizer();
   return {rasterizer->paint(a.mesh, first), rasterizer->paint(b.mesh, second)};
 }

@@ -1,7 +1,6 @@
 #include "document/svg_meshes.h"
 
 #include <algorithm>
-#include <array>
 
 #include "io/blocks.h"
 #include "io/svg_group.h"
@@ -16,12 +15,6 @@ namespace {
 bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
   while (node && node != ancestor) node = parent_element(node);
   return node != nullptr;
-}
-
-/// The blocks in which a mesh can be written, in either order.
-std::array<std::vector<Block>, 2> possible_blocks(const Mesh& mesh) {
-  const std::vector<Block> by_area = find_blocks(mesh);
-  return {by_area, in_order_of_faces(by_area)};
 }
 
 }  // namespace

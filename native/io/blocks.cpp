@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 #include <queue>
-#include <set>
+#include <utility>
 
 #include "geom/written.h"
 #include "io/block_outline.h"
@@ -23,18 +23,20 @@ bool same_as_written(const glm::dvec4& a, const glm::dvec4& b) {
 
 class BlockFinder {
  public:
-  explicit BlockFinder(const Mesh& mesh) : mesh_(mesh), used_(mesh.face_slots(), false) {}
+  explicit BlockFinder(const Mesh& mesh)
+      : mesh_(mesh), used_(mesh.face_slots(), false), taken_in_(mesh.face_slots(), 0) {}
 
   std::vector<Block> run() {
     // A rectangle can only shrink as others take its faces, so the first that is still whole when
     // its turn comes is the largest there is.
     std::priority_queue<Candidate> queue;
-    for (const Face f : mesh_.faces()) queue.push({largest_from(f), f});
+    for (const Face f : mesh_.faces())
+      for (int top = 0; top < 4; ++top) queue.push({largest_from({f, top}), {f, top}});
     std::vector<Block> blocks;
     while (!queue.empty()) {
       const Candidate candidate = queue.top();
       queue.pop();
-      if (used_[candidate.seed.value]) continue;
+      if (used_[candidate.seed.face.value]) continue;
       const bool whole = std::ranges::none_of(candidate.block.cells,
                                               [&](const Cell& c) { return used_[c.face.value]; });
       if (!whole) {
@@ -50,11 +52,12 @@ class BlockFinder {
  private:
   struct Candidate {
     Block block;
-    Face seed;
+    Cell seed;
 
     bool operator<(const Candidate& o) const {
       const std::size_t a = block.cells.size(), b = o.block.cells.size();
-      return a != b ? a < b : seed.value > o.seed.value;
+      if (a != b) return a < b;
+      return std::pair(seed.top, seed.face) > std::pair(o.seed.top, o.seed.face);
     }
   };
 
@@ -76,13 +79,13 @@ class BlockFinder {
     return Cell{face, (found - side + 6) % 4};
   }
 
-  /// The largest rectangle with this face in its top left corner.
-  Block largest_from(Face seed) const {
+  /// The largest rectangle with this cell in its top left corner.
+  Block largest_from(const Cell& seed) {
     std::vector<std::vector<Cell>> rows;
-    std::set<int> taken;
+    ++search_;
     std::size_t width = mesh_.face_slots(), best_rows = 0, best_width = 0;
-    for (std::optional<Cell> first = Cell{seed, 0}; first; first = across(rows.back().front(), 2)) {
-      std::vector<Cell> row = row_from(*first, rows.empty() ? nullptr : &rows.back(), width, taken);
+    for (std::optional<Cell> first = seed; first; first = across(rows.back().front(), 2)) {
+      std::vector<Cell> row = row_from(*first, rows.empty() ? nullptr : &rows.back(), width);
       if (row.empty()) break;
       width = row.size();
       rows.push_back(std::move(row));
@@ -98,13 +101,12 @@ class BlockFinder {
   }
 
   /// Cells to the right of `first`, each below the one of the row above, at most `width`.
-  std::vector<Cell> row_from(const Cell& first, const std::vector<Cell>* above, std::size_t width,
-                             std::set<int>& taken) const {
+  std::vector<Cell> row_from(const Cell& first, const std::vector<Cell>* above, std::size_t width) {
     std::vector<Cell> row;
     for (std::optional<Cell> cell = first; cell && row.size() < width;
          cell = across(row.back(), 1)) {
       if (above && across((*above)[row.size()], 2) != cell) break;
-      if (!taken.insert(cell->face.value).second) break;
+      if (std::exchange(taken_in_[cell->face.value], search_) == search_) break;
       row.push_back(*cell);
     }
     return row;
@@ -112,6 +114,9 @@ class BlockFinder {
 
   const Mesh& mesh_;
   std::vector<bool> used_;
+  /// The last search that has met a face.
+  std::vector<int> taken_in_;
+  int search_ = 0;
 };
 
 }  // namespace
@@ -143,12 +148,13 @@ std::vector<Block> find_blocks(const Mesh& mesh) {
   return sorted;
 }
 
-std::vector<Block> in_order_of_faces(std::vector<Block> blocks) {
-  const auto first_face = [](const Block& block) {
+std::array<std::vector<Block>, 2> possible_blocks(const Mesh& mesh) {
+  const std::vector<Block> by_area = find_blocks(mesh);
+  std::vector<Block> by_face = by_area;
+  std::ranges::stable_sort(by_face, {}, [](const Block& block) {
     return std::ranges::min(block.cells, {}, &Cell::face).face;
-  };
-  std::ranges::stable_sort(blocks, {}, first_face);
-  return blocks;
+  });
+  return {by_area, by_face};
 }
 
 MeshParts block_parts(const Mesh& mesh, const std::vector<Block>& blocks, double coons_tolerance) {

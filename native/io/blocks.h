@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -33,9 +34,9 @@ Patch block_patch(const Mesh& mesh, const Block::Cell& cell);
 /// lie below, so that a click finds the smaller ones.
 std::vector<Block> find_blocks(const Mesh& mesh);
 
-/// The same blocks, each where its first face comes in the order of the mesh: for meshes that lie
-/// over themselves, where the order is seen.
-std::vector<Block> in_order_of_faces(std::vector<Block> blocks);
+/// The ways to write a mesh: those blocks in the order above, and each where its first face comes
+/// in the order of the mesh, for meshes that lie over themselves, where the order is seen.
+std::array<std::vector<Block>, 2> possible_blocks(const Mesh& mesh);
 
 /// The mesh as a reader of these blocks finds it: patches as they will be written, in the order
 /// in which they will be painted, and all curves.

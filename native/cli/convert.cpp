@@ -1,0 +1,50 @@
+#include "document/convert.h"
+
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "cli/one_mesh.h"
+
+namespace gradmesh {
+namespace {
+
+struct ConvertArguments {
+  std::string in, out, id, metric = "flip";
+  ConvertOptions options;
+};
+
+void run_convert(ConvertArguments& a) {
+  const std::optional<DocumentKind> kind = kind_of(a.out);
+  if (!kind) throw std::invalid_argument(a.out + " must end in .svg or .hemesh.");
+  a.options.metric = metric_named(a.metric);
+  const std::unique_ptr<Document> from = Document::read_file(a.in);
+  const MeshEntry entry = one_mesh(*from, a.id);
+  const Conversion to = convert(*from, entry, *kind, a.options);
+  to.document->write_file(a.out);
+  std::printf("%s: %d patches, %s %.5f%s\n", entry.id.c_str(),
+              to.document->mesh(to.document->meshes().front()).face_count(),
+              a.options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM", to.error,
+              to.lost_opacity ? "; its opacity is lost, which .hemesh cannot hold" : "");
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program) {
+  const auto a = std::make_shared<ConvertArguments>();
+  CLI::App& command =
+      *program.add_subcommand("convert", "Make an SVG document of a .hemesh file, or the reverse");
+  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
+  command.add_option("OUT", a->out, "Its extension, .svg or .hemesh, says what it becomes")
+      ->required();
+  command.add_option("--id", a->id, "Which mesh, where there are several");
+  command
+      .add_option("--subdivide", a->options.subdivide,
+                  "Split every patch into N x N first; by default 4 towards SVG, otherwise 1")
+      ->check(CLI::Range(1, 32));
+  add_metric_option(command, a->metric);
+  add_resolution_option(command, a->options.resolution);
+  command.callback([a] { run_convert(*a); });
+}
+
+}  // namespace gradmesh

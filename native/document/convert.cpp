@@ -1,0 +1,148 @@
+#include "document/convert.h"
+
+#include <glm/geometric.hpp>
+#include <map>
+#include <stdexcept>
+
+#include "document/hemesh_document.h"
+#include "document/svg_meshes.h"
+#include "io/hemesh_writer.h"
+#include "io/mesh_outline.h"
+#include "io/svg_new.h"
+#include "mesh/boundary.h"
+#include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/subdivide.h"
+
+namespace gradmesh {
+namespace {
+
+void check(const ConvertOptions& options) {
+  if (options.subdivide && (*options.subdivide < 1 || *options.subdivide > 32))
+    throw std::invalid_argument("patches can be subdivided into 1 to 32 each way.");
+  if (options.resolution < 16 || options.resolution > 8192)
+    throw std::invalid_argument("the resolution must be between 16 and 8192 pixels.");
+}
+
+void transform(MeshParts& parts, const Affine& affine) {
+  for (Patch& patch : parts.patches) transform(patch, affine);
+  for (CurveParts& curve : parts.curves)
+    if (curve.tangents)
+      for (Value& tangent : *curve.tangents) tangent.position = affine.vector(tangent.position);
+}
+
+/// Gives corners that meet the same colour where they differ by rounding only: blocks would end
+/// there as at a step in colour.
+void join_colors(MeshParts& parts) {
+  constexpr double rounding = 0.1 / 255;
+  constexpr int row[] = {0, 0, 3, 3}, column[] = {0, 3, 3, 0};
+  const Mesh mesh = build_mesh(parts);
+  std::map<Point, glm::dvec4> colors;
+  for (const Face f : mesh.faces()) {
+    Patch& patch = parts.patches[f.value];
+    for (int k = 0; k < 4; ++k) {
+      glm::dvec4& color = patch.c[row[k]][column[k]].color;
+      const auto [first, added] = colors.emplace(mesh.origin(mesh.sides(f)[k]), color);
+      if (glm::distance(first->second, color) < rounding) color = first->second;
+    }
+    make_color_bilinear(patch);
+  }
+}
+
+/// Between the coordinates of SVG and .hemesh, so that the mesh's longer side has `length` units
+/// and its middle lies at `middle`.
+Affine fitted(const Box& box, double length, glm::dvec2 middle) {
+  const double scale = length / std::max(box.size().x, box.size().y);
+  const glm::dvec2 center = 0.5 * (box.low() + box.high());
+  return Affine::translation(middle) * Affine::scaling(glm::dvec2(scale)) *
+         Affine::translation(-center);
+}
+
+class Converter {
+ public:
+  Converter(const Document& from, const MeshEntry& entry, const ConvertOptions& options)
+      : from_(from), entry_(entry), options_(options), source_(from.mesh(entry)) {
+    from.frame(entry, source_, options.resolution);  // Throws where the mesh has no size.
+  }
+
+  Conversion to_svg() {
+    constexpr double length = 600, margin = 20;
+    const Box box = bounding_box(source_, from_.view(entry_));
+    const glm::dvec2 size = box.size() * (length / std::max(box.size().x, box.size().y));
+    const SvgPage page{size.x + 2 * margin, size.y + 2 * margin};
+    place_ = fitted(box, length, {page.width / 2, page.height / 2}) * from_.view(entry_);
+    Conversion conversion = start();
+    MeshParts patches = as_bilinear(parts(options_.subdivide.value_or(4)));
+    join_colors(patches);
+    const Mesh mesh = build_mesh(patches);
+    const std::string outline = outline_path(conversion.original);
+    const std::string label = "Gradient mesh: " + std::to_string(mesh.face_count()) + " patches";
+    const double coons_tolerance =
+        fit_frame(conversion.original, {}, options_.resolution).coons_tolerance;
+    for (const std::vector<Block>& blocks : possible_blocks(mesh)) {
+      const SvgDocument svg =
+          new_svg(page, outline, {mesh, blocks, coons_tolerance, label, mesh.face_count()});
+      keep_better(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
+    }
+    return conversion;
+  }
+
+  Conversion to_hemesh() {
+    if (from_.kind() == DocumentKind::svg)
+      place_ =
+          fitted(bounding_box(source_, from_.view(entry_)), 2, glm::dvec2(0)) * from_.view(entry_);
+    Conversion conversion = start();
+    conversion.lost_opacity = is_translucent(source_);
+    const Mesh mesh = build_mesh(as_bicubic(parts(options_.subdivide.value_or(1))));
+    keep_better(conversion, std::make_unique<HemeshDocument>(write_hemesh(mesh), from_.name()));
+    return conversion;
+  }
+
+ private:
+  /// The mesh subdivided, in the new coordinates.
+  MeshParts parts(int subdivide) const {
+    MeshParts result = subdivided(source_, subdivide);
+    transform(result, place_);
+    return result;
+  }
+
+  Conversion start() const {
+    Conversion conversion;
+    conversion.original = build_mesh(parts(1));
+    return conversion;
+  }
+
+  /// Measures the document and takes it unless the one there is as good.
+  void keep_better(Conversion& conversion, std::unique_ptr<Document> document) const {
+    const MeshEntry entry = document->meshes().front();
+    const Frame frame = document->kind() == from_.kind()
+                            ? document->frame(entry, conversion.original, options_.resolution)
+                            : fit_frame(conversion.original, {}, options_.resolution);
+    const auto rasterizer = make_software_rasterizer();
+    const auto metric = make_metric(options_.metric, rasterizer->paint(conversion.original, frame));
+    const double error = mean(metric->map(rasterizer->paint(document->mesh(entry), frame)));
+    if (conversion.document && conversion.error <= error) return;
+    conversion.document = std::move(document);
+    conversion.error = error;
+  }
+
+  const Document& from_;
+  const MeshEntry& entry_;
+  const ConvertOptions& options_;
+  const Mesh source_;
+  /// From the old mesh's coordinates to the new document's.
+  Affine place_;
+};
+
+}  // namespace
+
+Conversion convert(const Document& from, const MeshEntry& entry, DocumentKind to,
+                   const ConvertOptions& options) {
+  check(options);
+  if (to == DocumentKind::hemesh) return Converter(from, entry, options).to_hemesh();
+  if (from.kind() == DocumentKind::svg)
+    throw InputError(from.name() + " is an SVG document already.");
+  return Converter(from, entry, options).to_svg();
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "document/document.h"
+
+namespace gradmesh {
+
+struct ConvertOptions {
+  /// Every patch is split exactly into subdivide x subdivide, 1..32: SVG knows no colours but the
+  /// bilinear mixtures of four, so that smaller patches are closer to the original. By default 4
+  /// towards SVG and 1 towards .hemesh, where it loses nothing.
+  std::optional<int> subdivide;
+  /// How the error is measured; 16..8192 pixels along the longer side.
+  MetricKind metric = MetricKind::flip;
+  int resolution = 700;
+};
+
+struct Conversion {
+  /// Holds the one mesh, as a reader finds it.
+  std::unique_ptr<Document> document;
+  /// The mesh as it was, in the coordinates of the new document.
+  Mesh original;
+  /// Of the new document's mesh against the original, 0..1.
+  double error = 0;
+  /// Whether the mesh had opacities, which a .hemesh file cannot hold.
+  bool lost_opacity = false;
+};
+
+/// Makes a document of the other kind, or a .hemesh file of a .hemesh file, that holds one mesh of
+/// `from`. Towards SVG its longer side becomes 600 pixels, from SVG to .hemesh 2 units. Throws
+/// InputError where that cannot be done, std::invalid_argument where an option is out of range.
+Conversion convert(const Document& from, const MeshEntry& entry, DocumentKind to,
+                   const ConvertOptions& options);
+
+}  // namespace gradmesh

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "mesh/mesh.h"
+
+namespace gradmesh {
+
+/// The outline of a mesh as SVG path data, for the fill rule nonzero: parts of the mesh may lie
+/// over one another, and holes stay holes. Empty where the mesh has no boundary.
+std::string outline_path(const Mesh& mesh);
+
+}  // namespace gradmesh

@@ -1,0 +1,60 @@
+#include "mesh/boundary.h"
+
+#include <map>
+
+namespace gradmesh {
+
+std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh) {
+  std::multimap<Point, Halfedge> starts;
+  for (const Halfedge h : mesh.halfedges())
+    if (mesh.is_leaf(h) && !mesh.other_side(h).valid()) starts.emplace(mesh.origin(h), h);
+  // As many leaves of the boundary start at a point as end there: a walk ends where it began.
+  std::vector<std::vector<Halfedge>> loops;
+  while (!starts.empty()) {
+    std::vector<Halfedge>& loop = loops.emplace_back();
+    for (auto at = starts.begin(); at != starts.end(); at = starts.find(mesh.end(loop.back()))) {
+      loop.push_back(at->second);
+      starts.erase(at);
+    }
+  }
+  return loops;
+}
+
+std::vector<int> face_components(const Mesh& mesh) {
+  std::vector<int> component(mesh.face_slots(), -1);
+  int count = 0;
+  for (const Face start : mesh.faces()) {
+    if (component[start.value] >= 0) continue;
+    std::vector<Face> waiting{start};
+    component[start.value] = count;
+    while (!waiting.empty()) {
+      const Face face = waiting.back();
+      waiting.pop_back();
+      for (const Halfedge h : mesh.sides(face)) {
+        const Halfedge side = mesh.curve_side(h), twin = mesh[side].twin;
+        for (const Halfedge s : {side, twin})
+          for (const Halfedge leaf : s.valid() ? mesh.leaves(s) : std::vector<Halfedge>{}) {
+            const Face beside = mesh.face(leaf);
+            if (component[beside.value] >= 0) continue;
+            component[beside.value] = count;
+            waiting.push_back(beside);
+          }
+      }
+    }
+    ++count;
+  }
+  return component;
+}
+
+Box bounding_box(const Mesh& mesh, const Affine& view) {
+  Box box;
+  for (const Face f : mesh.faces())
+    for (const Halfedge h : mesh.sides(f)) {
+      const Cubic<Value> side = mesh.side_of(h);
+      box.add_cubic(view.point(side.p0.position), view.point(side.bezier1().position),
+                    view.point(side.bezier2().position), view.point(side.p1.position));
+    }
+  return box;
+}
+
+}  // namespace gradmesh
