@@ -39,6 +39,7 @@ void add_analyze(CLI::App& program) {
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()
       ->expected(1);
+  add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);
   add_epsilon_option(command, a->options.epsilon);
   add_resolution_option(command, a->options.resolution);

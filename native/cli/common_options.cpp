@@ -1,5 +1,7 @@
 #include "cli/common_options.h"
 
+#include "simplify/simplify.h"
+
 namespace gradmesh {
 
 void add_metric_option(CLI::App& command, std::string& metric) {
@@ -26,6 +28,15 @@ void add_kappa_option(CLI::App& command, double& kappa) {
                   "motorcycle: share of epsilon above which an edge bounds the parts")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+}
+
+void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model) {
+  command
+      .add_option_function<std::string>(
+          "--color-model", [&model](const std::string& name) { model = color_model_named(name); },
+          "How colours are held between corners; by default bicubic in .hemesh files, where SVG "
+          "is involved bilinear")
+      ->check(CLI::IsMember({"bilinear", "bicubic"}));
 }
 
 void add_threads_option(CLI::App& command, int& threads) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "document/analysis_file.h"
@@ -13,6 +14,7 @@ void add_metric_option(CLI::App& command, std::string& metric);
 void add_resolution_option(CLI::App& command, int& resolution);
 void add_epsilon_option(CLI::App& command, double& epsilon);
 void add_kappa_option(CLI::App& command, double& kappa);
+void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model);
 void add_threads_option(CLI::App& command, int& threads);
 /// --load-analysis and --save-analysis.
 void add_analysis_options(CLI::App& command, AnalysisPaths& analyses);

@@ -8,6 +8,7 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
   for (const auto& [id, result] : reports)
     meshes.push_back({{"id", id},
                       {"method", name(options.method)},
+                      {"color_model", name(*options.color_model)},
                       {"metric", name(options.metric)},
                       {"epsilon", options.epsilon},
                       {"resolution", options.resolution},

@@ -7,9 +7,10 @@
 
 namespace gradmesh {
 
-/// {"meshes": [{"id", "method", "metric", "epsilon", "resolution", "seed", "omega", "kappa",
-///  "patches_before", "patches_after", "error", "evaluations", "seconds": {"total", ...},
+/// {"meshes": [{"id", "method", "color_model", "metric", "epsilon", "resolution", "seed", "omega",
+///  "kappa", "patches_before", "patches_after", "error", "evaluations", "seconds": {"total", ...},
 ///  "stopped"}]}
+/// The options name the colour model.
 nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                                    const SimplifyOptions& options);
 

@@ -2,12 +2,16 @@
 
 namespace gradmesh {
 
-MeshEntry one_mesh(const Document& document, const std::string& id) {
-  const auto found = document.selected(id.empty() ? std::vector<std::string>{} : std::vector{id});
+MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids) {
+  const auto found = document.selected(ids);
   if (found.size() > 1)
     throw InputError(document.name() + ": there are " + std::to_string(found.size()) +
                      " meshes, choose one with --id.");
   return found.front();
+}
+
+MeshEntry one_mesh(const Document& document, const std::string& id) {
+  return one_mesh(document, id.empty() ? std::vector<std::string>{} : std::vector{id});
 }
 
 }  // namespace gradmesh

@@ -3,7 +3,9 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/json_output.h"
+#include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
+#include "document/convert.h"
 #include "io/atomic_file.h"
 
 namespace gradmesh {
@@ -23,11 +25,40 @@ std::vector<std::string> method_names() {
   return names;
 }
 
+/// What IN becomes where OUT is of the other kind. The error stays that against IN.
+std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, SimplifyArguments& a) {
+  const MeshEntry entry = one_mesh(in, a.ids);
+  ConvertOptions options;
+  options.metric = a.options.metric;
+  options.resolution = a.options.resolution;
+  Conversion conversion = convert(in, entry, kind, options);
+  if (kind == DocumentKind::svg && conversion.error > a.options.epsilon)
+    throw InputError(a.in + ": written as SVG its error is " + std::to_string(conversion.error) +
+                     " before anything is merged, above epsilon; gradmesh convert --subdivide " +
+                     "makes finer patches, to be simplified from there.");
+  if (conversion.lost_opacity)
+    throw InputError(a.in + ": the mesh " + entry.id +
+                     " has opacities, which .hemesh cannot hold; " +
+                     "gradmesh convert shows what is lost.");
+  a.ids.clear();
+  a.options.original = std::make_shared<const Mesh>(std::move(conversion.original));
+  return std::move(conversion.document);
+}
+
+/// The document that will be written to OUT.
+std::unique_ptr<Document> read_document(SimplifyArguments& a) {
+  std::unique_ptr<Document> in = Document::read_file(a.in);
+  const DocumentKind kind = a.preview ? in->kind() : kind_of(a.out).value_or(in->kind());
+  if (kind == in->kind()) return in;
+  if (!a.options.color_model) a.options.color_model = ColorModel::bilinear;
+  return converted(*in, kind, a);
+}
+
 void run_simplify(SimplifyArguments& a) {
   a.options.method = method_named(a.method);
   a.options.metric = metric_named(a.metric);
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
-  if (!a.preview) document->check_target(a.out);
+  const std::unique_ptr<Document> document = read_document(a);
+  if (!a.options.color_model) a.options.color_model = document->color_model();
   std::vector<MeshReport> reports;
   {
     ProgressBar bar(a.quiet);
@@ -62,6 +93,7 @@ void add_simplify(CLI::App& program) {
   command.add_option("--method", a->method, "How edges are chosen")
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
+  add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);
   add_epsilon_option(command, a->options.epsilon);
   add_resolution_option(command, a->options.resolution);

@@ -7,6 +7,9 @@
 #include "document/svg_meshes.h"
 #include "io/atomic_file.h"
 #include "io/svg_scanner.h"
+#include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/subdivide.h"
 
 namespace gradmesh {
 namespace {
@@ -23,6 +26,18 @@ void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) 
   if (!analyses.save.empty() && m != Method::motorcycle && m != Method::gqe && m != Method::gqe1)
     throw std::invalid_argument(std::string("the method ") + name(m) +
                                 " needs no analysis, so there is none to save.");
+}
+
+/// Puts the mesh into the colour model that is asked for. The options returned name the mesh as it
+/// was, where that makes a difference.
+SimplifyOptions in_color_model(SimplifyOptions options, Mesh& mesh) {
+  const ColorModel model = options.color_model.value_or(mesh.color_model());
+  if (model == mesh.color_model()) return options;
+  if (!options.original) options.original = std::make_shared<const Mesh>(mesh);
+  MeshParts parts = subdivided(mesh, 1);
+  mesh = build_mesh(model == ColorModel::bilinear ? as_bilinear(std::move(parts))
+                                                  : as_bicubic(std::move(parts)));
+  return options;
 }
 
 /// Where the content is no XML either, the name says as what it is to be refused.
@@ -75,11 +90,28 @@ SimplifyOptions Document::options_with(const MeshEntry& entry, const Mesh& start
   return options;
 }
 
+void Document::check_color_model(const SimplifyOptions& options) const {
+  if (kind() == DocumentKind::svg && options.color_model == ColorModel::bicubic)
+    throw InputError(name_ +
+                     ": an SVG document cannot hold bicubic colours; gradmesh convert makes "
+                     "a .hemesh file of it, which can.");
+}
+
+void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& options) const {
+  if (m.result.patches_after < m.result.patches_before || m.result.error <= options.epsilon) return;
+  char error[32];
+  std::snprintf(error, sizeof error, "%.5f", m.result.error);
+  throw InputError(describe(m.entry) +
+                   ": before anything is merged, its error in the color model " +
+                   gradmesh::name(m.mesh.color_model()) + " is " + error + ", above epsilon.");
+}
+
 std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
                                                            const SimplifyOptions& options,
                                                            const AnalysisPaths& analyses) const {
   check_edges(options);
   check_saved(options, analyses);
+  check_color_model(options);
   std::vector<SimplifiedMesh> meshes;
   for (const MeshEntry& entry : selected(ids)) meshes.push_back({entry, mesh(entry), {}});
   if (options.method == Method::manual && meshes.size() > 1)
@@ -88,8 +120,10 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
 
   AnalysisFiles files(analyses);
   for (SimplifiedMesh& m : meshes) {
-    const SimplifyOptions complete = options_with(m.entry, m.mesh, options, files);
+    SimplifyOptions complete = in_color_model(options, m.mesh);
+    complete = options_with(m.entry, m.mesh, complete, files);
     m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, complete); });
+    check_start(m, complete);
   }
   files.save();
   return meshes;
@@ -119,11 +153,13 @@ std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
 
 std::size_t Document::analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
                               const AnalysisPaths& analyses) const {
+  check_color_model(options);
   AnalysisFiles files(analyses);
   std::size_t prices = 0;
   for (const MeshEntry& entry : selected(ids)) {
-    const Mesh start = mesh(entry);
-    const SimplifyOptions complete = options_with(entry, start, options, files);
+    Mesh start = mesh(entry);
+    SimplifyOptions complete = in_color_model(options, start);
+    complete = options_with(entry, start, complete, files);
     naming(entry, [&] { analyze_regions(start, complete); });
     prices += complete.analysis->prices.size();
   }
@@ -133,8 +169,9 @@ std::size_t Document::analyze(const std::vector<std::string>& ids, const Simplif
 
 void Document::check_target(const std::filesystem::path& path) const {
   if (kind_of(path).value_or(kind()) != kind())
-    throw InputError(name_ + " is not written as " + path.string() +
-                     " by this: gradmesh convert makes .hemesh files of SVG documents, and back.");
+    throw InputError(
+        name_ + " is not of the kind of " + path.string() +
+        ": gradmesh convert makes a .hemesh file of an SVG document, and the reverse.");
 }
 
 void Document::write_file(const std::filesystem::path& path) const {

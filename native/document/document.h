@@ -52,6 +52,10 @@ class Document {
 
   const std::string& name() const { return name_; }
   virtual DocumentKind kind() const = 0;
+  /// The colour model of its meshes.
+  ColorModel color_model() const {
+    return kind() == DocumentKind::svg ? ColorModel::bilinear : ColorModel::bicubic;
+  }
 
   /// All meshes; there may be none.
   const std::vector<MeshEntry>& meshes() const { return entries_; }
@@ -72,11 +76,12 @@ class Document {
   SimplifyOptions options_with(const MeshEntry& entry, const Mesh& start, SimplifyOptions options,
                                AnalysisFiles& files) const;
 
-  /// Simplifies the selected meshes in place, each against itself as it was. A mesh that does not
-  /// come out with fewer patches stays as it is. Where an analysis is loaded, there must be one for
-  /// each of the meshes. Where this throws, the document is as it was.
-  /// Throws std::invalid_argument as gradmesh::simplify does, where edges are named for another
-  /// method than `manual` or none for that, and where there are no prices to save.
+  /// Simplifies the selected meshes in place, each against itself as it was or `options.original`.
+  /// A mesh that does not come out with fewer patches stays as it is. In another colour model than
+  /// its own it is converted first, which counts towards the error. Where an analysis is loaded,
+  /// there must be one for each of the meshes. Where this throws, the document is as it was. Throws
+  /// std::invalid_argument as gradmesh::simplify does, where edges are named for another method
+  /// than `manual` or none for that, and where there are no prices to save.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids,
                                    const SimplifyOptions& options,
                                    const AnalysisPaths& analyses = {});
@@ -131,6 +136,10 @@ class Document {
   std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
                                          const SimplifyOptions& options,
                                          const AnalysisPaths& analyses) const;
+  /// Throws where the document cannot hold the colour model that is asked for.
+  void check_color_model(const SimplifyOptions& options) const;
+  /// Throws where a mesh was above epsilon from the start, in another colour model or document.
+  void check_start(const SimplifiedMesh& mesh, const SimplifyOptions& options) const;
   static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes);
 
   std::string name_, original_;

@@ -4,8 +4,18 @@
 #include "io/hemesh_writer.h"
 #include "io/xml_node.h"
 #include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/subdivide.h"
 
 namespace gradmesh {
+namespace {
+
+std::string text_of(const Mesh& mesh) {
+  if (mesh.color_model() == ColorModel::bicubic) return write_hemesh(mesh);
+  return write_hemesh(build_mesh(as_bicubic(subdivided(mesh, 1))));
+}
+
+}  // namespace
 
 HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
     : Document(name, bytes) {
@@ -23,11 +33,11 @@ std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& 
 }
 
 std::vector<Mesh> HemeshDocument::ways_to_write(const Mesh& mesh, const Frame&) const {
-  return {build_mesh(read_hemesh(write_hemesh(mesh), name()))};
+  return {build_mesh(read_hemesh(text_of(mesh), name()))};
 }
 
 void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind) {
-  text_ = write_hemesh(meshes.front().mesh);
+  text_ = text_of(meshes.front().mesh);
   mesh_ = build_mesh(read_hemesh(text_, name()));
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,9 @@ struct SimplifyOptions {
   double kappa = 0.05;
   /// manual: the edges to merge, in this order, by either of their half-edges.
   std::vector<int> edges;
+  /// In which colour model a document's mesh is merged, by default its own (Document::simplify).
+  /// simplify() itself takes the mesh's.
+  std::optional<ColorModel> color_model;
   /// Seconds after which the best mesh so far is taken; 0: no limit.
   double time_budget = 0;
   /// 0: all cores. The result does not depend on it.
@@ -57,7 +62,7 @@ struct SimplifyOptions {
   /// counts is that of the first way that keeps to epsilon. Empty: it is written as it is.
   std::function<std::vector<Mesh>(const Mesh&, const Frame&)> ways_to_write;
   /// The picture that counts, where that is not the mesh as given.
-  const Mesh* original = nullptr;
+  std::shared_ptr<const Mesh> original;
   /// Prices known from earlier runs; what is priced anew is added. Its key must be that of the
   /// mesh and these options, or it must be empty. May be null.
   Analysis* analysis = nullptr;
@@ -88,9 +93,9 @@ struct SimplifyResult {
 /// epsilon; the mesh is then as it was.
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 
-/// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most epsilon,
-/// whose prices are all that the methods need. They are added to `options.analysis`, if there is
-/// one. Fewer where the time budget ends or the caller cancels. Throw as simplify does.
+/// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most
+/// epsilon, whose prices are all that the methods need. They are added to `options.analysis`, if
+/// there is one. Fewer where the time budget ends or the caller cancels. Throw as simplify does.
 std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options);
 std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options);
 

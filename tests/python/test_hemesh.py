@@ -198,13 +198,26 @@ def test_bad_files(tmp_path, text, words):
     assert [file.name for file in tmp_path.iterdir()] == ["bad.hemesh"]
 
 
-def test_the_other_kind_is_written_by_convert(leaf, tmp_path):
+def test_a_document_is_not_saved_as_the_other_kind(leaf, tmp_path):
     out = tmp_path / "out.svg"
-    said = refused("simplify", leaf, "-o", out)
-    assert str(leaf) in said and str(out) in said and "gradmesh convert" in said
     with pytest.raises(gradmesh.InputError, match="gradmesh convert"):
         gradmesh.save(gradmesh.load(leaf), out)
     assert not out.exists()
+
+
+def test_colors_may_be_made_bilinear(leaf, tmp_path):
+    out, report = tmp_path / "out.hemesh", tmp_path / "report.json"
+    bilinear = ["-o", out, "--color-model", "bilinear", "--report", report]
+    said = refused("simplify", leaf, *bilinear, "--epsilon", 0.001)
+    assert str(leaf) in said and "bilinear" in said and not out.exists()
+    printed("simplify", leaf, *bilinear, "--epsilon", 0.1)
+    (told,) = json.loads(report.read_text())["meshes"]
+    assert (told["color_model"], told["patches_before"]) == ("bilinear", 20)
+    assert 1 < told["patches_after"] < 20 and 0.001 < told["error"] <= 0.1
+    assert error(leaf, out) == pytest.approx(told["error"], abs=1e-6)
+    # What is written is bilinear: made bilinear again, it is the same.
+    again = ["simplify", out, "--preview", "--color-model", "bilinear", "--epsilon", 0]
+    assert "nothing to merge" in printed(*again)
 
 
 @pytest.mark.skipif(not SHARED.is_dir(), reason="the authors' meshes are not in ../shared/meshes")
