@@ -61,14 +61,24 @@ py::list report_list(const std::vector<MeshReport>& reports) {
 }
 
 py::list simplify_document(Document& document, const std::vector<std::string>& ids,
-                           SimplifyOptions options, bool preview, const py::object& progress) {
+                           SimplifyOptions options, const AnalysisPaths& analyses, bool preview,
+                           const py::object& progress) {
   options.progress = progress_callback(progress);
   std::vector<MeshReport> reports;
   {
     const py::gil_scoped_release release;
-    reports = preview ? document.preview(ids, options) : document.simplify(ids, options);
+    reports = preview ? document.preview(ids, options, analyses)
+                      : document.simplify(ids, options, analyses);
   }
   return report_list(reports);
+}
+
+std::size_t analyze_document(const Document& document, const std::vector<std::string>& ids,
+                             SimplifyOptions options, const AnalysisPaths& analyses,
+                             const py::object& progress) {
+  options.progress = progress_callback(progress);
+  const py::gil_scoped_release release;
+  return document.analyze(ids, options, analyses);
 }
 
 void bind_options(py::module_& m) {
@@ -88,6 +98,11 @@ void bind_options(py::module_& m) {
       .def_readwrite("edges", &SimplifyOptions::edges)
       .def_readwrite("time_budget", &SimplifyOptions::time_budget)
       .def_readwrite("threads", &SimplifyOptions::threads);
+  py::class_<AnalysisPaths>(m, "AnalysisPaths")
+      .def(py::init([](const std::string& load, const std::string& save) {
+             return AnalysisPaths{load, save};
+           }),
+           py::arg("load"), py::arg("save"));
 }
 
 py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution) {
@@ -118,7 +133,9 @@ PYBIND11_MODULE(_core, m) {
       .def("ids", &ids)
       .def("meshes", &meshes, py::arg("ids"))
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
-           py::arg("preview"), py::arg("progress"))
+           py::arg("analyses"), py::arg("preview"), py::arg("progress"))
+      .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
+           py::arg("analyses"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))
       .def("info", &info_text)
       .def("bytes", [](const Document& d) { return py::bytes(d.bytes()); })

@@ -9,7 +9,7 @@
 
 from ._core import InputError
 from ._core import version as __version__
-from .api import Document, MeshInfo, Result, info, load, loads, render, save, simplify
+from .api import Document, MeshInfo, Result, analyze, info, load, loads, render, save, simplify
 
 __all__ = [
     "Document",
@@ -17,6 +17,7 @@ __all__ = [
     "MeshInfo",
     "Result",
     "__version__",
+    "analyze",
     "info",
     "load",
     "loads",

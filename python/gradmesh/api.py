@@ -12,6 +12,8 @@ from . import _core
 if TYPE_CHECKING:
     import numpy
 
+Path = Union[str, os.PathLike]
+
 #: Called with (edges done, edges in all, patches left, error so far); False cancels the run.
 Progress = Callable[[int, int, int, float], Optional[bool]]
 
@@ -60,7 +62,7 @@ class Document:
         return self._core.bytes()
 
 
-def load(path: Union[str, os.PathLike]) -> Document:
+def load(path: Path) -> Document:
     """Reads an SVG document or a .hemesh file. Raises InputError, whose text is one sentence for the person."""
     return Document(_core.Document.read_file(os.fspath(path)))
 
@@ -92,6 +94,8 @@ def simplify(
     time_budget: float = 0.0,
     threads: int = 0,
     preview: bool = False,
+    load_analysis: Optional[Path] = None,
+    save_analysis: Optional[Path] = None,
     progress: Optional[Progress] = None,
 ) -> list[Result]:
     """Simplifies meshes of the document in place and says what became of each.
@@ -107,29 +111,66 @@ def simplify(
     threads: 0 for all cores; the result is the same.
     preview: only say what would become of each; the document stays as it is. With "manual" the
     error is told even where it is above epsilon.
+    load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe" and "gqe1"
+    take what is known already, and to which they save what they have used.
 
     Raises InputError (bad input) and ValueError (bad options); the document is then unchanged.
     """
     if not 0 <= seed < 2**64:
         raise ValueError("the seed must be between 0 and 2^64 - 1.")
-    options = _core.SimplifyOptions()
+    options = _options(metric, epsilon, resolution, threads)
     options.method = method
-    options.metric = metric
-    options.epsilon = epsilon
-    options.resolution = resolution
     options.seed = seed
     options.omega = omega
     options.kappa = kappa
     options.edges = list(edges)
     options.time_budget = time_budget
-    options.threads = threads
     results = document._core.simplify(
         ids=[ids] if isinstance(ids, str) else list(ids),
         options=options,
+        analyses=_analyses(load_analysis, save_analysis),
         preview=preview,
         progress=progress,
     )
     return [Result(**result) for result in results]
+
+
+def analyze(
+    document: Document,
+    path: Path,
+    ids: Union[str, Iterable[str]] = (),
+    *,
+    metric: str = "flip",
+    epsilon: float = 0.01,
+    resolution: int = 700,
+    threads: int = 0,
+    load_analysis: Optional[Path] = None,
+    progress: Optional[Progress] = None,
+) -> int:
+    """Prices the edges and regions of meshes for simplify(load_analysis=...); how many there are.
+
+    Changing epsilon, up to that of the analysis, omega or kappa then costs no new pricing. The file
+    serves the same meshes with the same metric and resolution. Options and errors as of simplify().
+    """
+    return document._core.analyze(
+        ids=[ids] if isinstance(ids, str) else list(ids),
+        options=_options(metric, epsilon, resolution, threads),
+        analyses=_analyses(load_analysis, path),
+        progress=progress,
+    )
+
+
+def _options(metric: str, epsilon: float, resolution: int, threads: int) -> _core.SimplifyOptions:
+    options = _core.SimplifyOptions()
+    options.metric = metric
+    options.epsilon = epsilon
+    options.resolution = resolution
+    options.threads = threads
+    return options
+
+
+def _analyses(load: Optional[Path], save: Optional[Path]) -> _core.AnalysisPaths:
+    return _core.AnalysisPaths(*("" if path is None else os.fspath(path) for path in (load, save)))
 
 
 def render(document: Document, id: Optional[str] = None, resolution: int = 700) -> "numpy.ndarray":
@@ -147,6 +188,6 @@ def render(document: Document, id: Optional[str] = None, resolution: int = 700) 
     return document._core.render(id, resolution)
 
 
-def save(document: Document, path: Union[str, os.PathLike]) -> None:
+def save(document: Document, path: Path) -> None:
     """Writes the document; the file is whole or as it was before."""
     document._core.write_file(os.fspath(path))

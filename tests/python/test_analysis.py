@@ -1,0 +1,175 @@
+"""Analyses kept in a file: what is priced once is never priced again, and strangers are refused."""
+
+import json
+import re
+
+import pytest
+
+from built import SAMPLES, gradmesh as run
+
+import gradmesh
+
+FRUIT = SAMPLES / "fruit.svg"
+COARSE = ("--resolution", 150)
+
+
+@pytest.fixture(scope="module")
+def prices(tmp_path_factory):
+    """What `analyze` knows of the fruit up to epsilon 0.02."""
+    path = tmp_path_factory.mktemp("analysis") / "prices.json"
+    done = run("analyze", FRUIT, "-o", path, "--epsilon", 0.02, *COARSE)
+    assert (done.returncode, done.stderr) == (0, "")
+    (analysis,) = json.loads(path.read_text())["analyses"]
+    assert done.stdout == f"{path}: {len(analysis['prices'])} prices\n"
+    return path
+
+
+def listed(path):
+    """The prices of all meshes in a file, one below the other."""
+    return [price for mesh in json.loads(path.read_text())["analyses"] for price in mesh["prices"]]
+
+
+def simplified(folder, *options):
+    """The document that comes out, and what the report says of its only mesh."""
+    out, report = folder / "out.svg", folder / "report.json"
+    done = run("simplify", FRUIT, "-o", out, "--report", report, *COARSE, *options)
+    assert (done.returncode, done.stderr) == (0, "")
+    (mesh,) = json.loads(report.read_text())["meshes"]
+    return out.read_bytes(), mesh
+
+
+def refused(*arguments, code=1):
+    done = run(*arguments)
+    assert (done.returncode, done.stdout) == (code, "")
+    assert done.stderr.startswith("gradmesh: ") and done.stderr.count("\n") == 1
+    return done.stderr[len("gradmesh: ") : -1]
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("gqe", "--epsilon", 0.02),
+        ("gqe", "--epsilon", 0.005),
+        ("gqe", "--epsilon", 0.02, "--omega", 0.3),
+        ("gqe1", "--epsilon", 0.01),
+        ("motorcycle", "--epsilon", 0.02),
+        ("motorcycle", "--epsilon", 0.01, "--kappa", 0.3),
+    ],
+)
+def test_nothing_is_priced_anew(tmp_path, prices, options):
+    options = ("--method", *options)
+    alone, loaded = tmp_path / "alone.json", tmp_path / "loaded.json"
+    expected, told = simplified(tmp_path, *options, "--save-analysis", alone)
+    document, quick = simplified(
+        tmp_path, *options, "--load-analysis", prices, "--save-analysis", loaded
+    )
+    assert document == expected
+    assert quick["error"] == told["error"]
+    measured = sum(price[-1] is not None for price in listed(alone))
+    assert measured > 100
+    assert quick["evaluations"] == told["evaluations"] - measured
+    assert loaded.read_bytes() == prices.read_bytes()
+
+
+def test_a_larger_epsilon_prices_only_what_is_missing(tmp_path, prices):
+    more, fresh = tmp_path / "more.json", tmp_path / "fresh.json"
+    wide = ("--epsilon", 0.04, *COARSE)
+    assert run("analyze", FRUIT, "-o", more, "--load-analysis", prices, *wide).returncode == 0
+    assert run("analyze", FRUIT, "-o", fresh, *wide).returncode == 0
+    assert more.read_bytes() == fresh.read_bytes()
+    assert len(listed(more)) > len(listed(prices))
+
+
+def test_from_python(tmp_path, prices):
+    document, path = gradmesh.load(FRUIT), tmp_path / "prices.json"
+    count = gradmesh.analyze(document, path, epsilon=0.02, resolution=150)
+    assert count == len(listed(path))
+    assert path.read_bytes() == prices.read_bytes()
+    options = {"method": "gqe", "epsilon": 0.02, "resolution": 150}
+    again = tmp_path / "again.json"
+    (result,) = gradmesh.simplify(document, load_analysis=path, save_analysis=again, **options)
+    assert again.read_bytes() == path.read_bytes()
+    untouched = gradmesh.load(FRUIT)
+    (expected,) = gradmesh.simplify(untouched, **options)
+    assert result.evaluations < expected.evaluations
+    assert document.to_bytes() == untouched.to_bytes()
+    with pytest.raises(gradmesh.InputError, match="the metric flip, not ssim"):
+        gradmesh.analyze(
+            gradmesh.load(FRUIT), again, metric="ssim", resolution=150, load_analysis=path
+        )
+
+
+def test_several_meshes_share_a_file(tmp_path):
+    path = tmp_path / "prices.json"
+    both = (SAMPLES / "two.svg", "-o", path, *COARSE, "--epsilon", 0.002)
+    assert run("analyze", *both).returncode == 0
+    assert len(json.loads(path.read_text())["analyses"]) == 2
+    only = ("simplify", SAMPLES / "two.svg", *COARSE, "--method", "gqe", "--id", "cap")
+    done = run(*only, "--epsilon", 0.002, "-o", tmp_path / "out.svg", "--load-analysis", path)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(
+    "options, sentence",
+    [
+        (["--metric", "ssim", *COARSE], "this analysis was made with the metric flip, not ssim."),
+        (["--resolution", 151], "this analysis was made at {} pixels, not {} pixels."),
+    ],
+)
+def test_other_options_are_refused(tmp_path, prices, options, sentence):
+    out = tmp_path / "out.svg"
+    told = refused(
+        "simplify", FRUIT, "-o", out, "--method", "gqe", "--load-analysis", prices, *options
+    )
+    sizes = [f"{frame(size)}" for size in (150, 151)]
+    assert told == f"{prices}: " + sentence.format(*sizes)
+    assert not out.exists()
+
+
+def frame(resolution):
+    height, width = gradmesh.render(gradmesh.load(FRUIT), resolution=resolution).shape[:2]
+    return f"{width} x {height}"
+
+
+def test_a_changed_mesh_is_refused(tmp_path, prices):
+    changed = tmp_path / "fruit.svg"
+    color = r"(<meshpatch.*?stop-color:)#\w{6}"
+    changed.write_text(re.sub(color, r"\1#123456", FRUIT.read_text(), count=1, flags=re.DOTALL))
+    told = refused("draw", changed, "-o", tmp_path / "out.svg", "--show", "errors", *COARSE,
+                   "--load-analysis", prices)  # fmt: skip
+    assert told == f"{prices}: this analysis is of another mesh, or the mesh was changed since."
+
+
+@pytest.mark.parametrize(
+    "spoil, sentence",
+    [
+        (lambda text: text[: len(text) // 2], "this analysis is damaged or cut off."),
+        (lambda text: text.replace('"prices":[[0', '"prices":[[1', 1), "this analysis is damaged or cut off."),
+        (lambda text: "", "this is no file with an analysis."),
+        (lambda text: "<svg/>", "this is no file with an analysis."),
+    ],
+)  # fmt: skip
+def test_damage_is_refused(tmp_path, prices, spoil, sentence):
+    path, out = tmp_path / "prices.json", tmp_path / "out.svg"
+    path.write_text(spoil(prices.read_text()))
+    arguments = ("simplify", FRUIT, "-o", out, "--method", "gqe", "--load-analysis", path)
+    assert refused(*arguments) == f"{path}: {sentence}"
+    path.unlink()
+    assert refused(*arguments) == f"{path} cannot be read: No such file or directory."
+    assert not out.exists()
+
+
+def test_methods_without_prices_have_nothing_to_save(tmp_path):
+    path = tmp_path / "prices.json"
+    told = refused("simplify", FRUIT, "-o", tmp_path / "out.svg", "--method", "grid",
+                   "--save-analysis", path, code=2)  # fmt: skip
+    assert told == "the method grid needs no analysis, so there is none to save."
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_file_that_cannot_be_written_leaves_the_document_alone(tmp_path):
+    missing, out = tmp_path / "missing" / "prices.json", tmp_path / "out.svg"
+    told = refused("simplify", FRUIT, "-o", out, "--method", "motorcycle", *COARSE,
+                   "--save-analysis", missing)  # fmt: skip
+    assert told == f"{missing} cannot be written: No such file or directory."
+    assert not out.exists()
