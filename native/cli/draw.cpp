@@ -28,20 +28,22 @@ class Draw {
  public:
   explicit Draw(const DrawArguments& a)
       : a_(a),
+        files_(a.analyses),
         document_(Document::read_file(a.in)),
         entry_(one_mesh(*document_, a.id)),
-        mesh_(document_->mesh(entry_)),
-        frame_(document_->frame(entry_, mesh_, a.options.resolution)),
-        view_(document_->view(entry_)),
-        subject_(mesh_, view_) {}
+        start_(document_->start(entry_, a.options, files_)),
+        mesh_(start_.mesh),
+        subject_(mesh_, start_.options.view) {}
 
   std::string text() const {
     Drawing drawing = this->drawing();
     drawing.title = "Gradient mesh " + entry_.id;
     // The patches are pictures themselves.
-    if (!a_.no_picture && a_.show != "faces")
-      drawing.picture = backdrop(make_software_rasterizer()->paint(mesh_, frame_), frame_, view_,
-                                 a_.show != "edges");
+    if (!a_.no_picture && a_.show != "faces") {
+      const Frame frame = document_->frame(entry_, mesh_, a_.options.resolution);
+      drawing.picture = backdrop(make_software_rasterizer()->paint(mesh_, frame), frame,
+                                 start_.options.view, a_.show != "edges");
+    }
     return svg_text(drawing);
   }
 
@@ -49,12 +51,11 @@ class Draw {
   Drawing drawing() const {
     if (a_.show == "edges") return draw_edges(subject_);
     if (a_.show == "faces") return draw_faces(subject_);
-    AnalysisFiles files(a_.analyses);
     ProgressBar bar(a_.quiet);
-    SimplifyOptions options = document_->options_with(entry_, mesh_, a_.options, files);
+    SimplifyOptions options = start_.options;
     options.progress = bar.callback();
     Drawing drawing = priced_drawing(options);
-    files.save();
+    files_.save();
     return drawing;
   }
 
@@ -98,11 +99,11 @@ class Draw {
   }
 
   const DrawArguments& a_;
+  AnalysisFiles files_;
   std::unique_ptr<Document> document_;
   MeshEntry entry_;
-  Mesh mesh_;
-  Frame frame_;
-  Affine view_;
+  Document::Start start_;
+  const Mesh& mesh_;
   Subject subject_;
 };
 
@@ -135,6 +136,7 @@ void add_draw(CLI::App& program) {
       ->required()
       ->check(CLI::IsMember({"edges", "errors", "motorcycle", "regions", "faces"}));
   command.add_option("--id", a->id, "Which mesh, where there are several");
+  add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);
   add_epsilon_option(command, a->options.epsilon);
   add_resolution_option(command, a->options.resolution);

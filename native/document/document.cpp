@@ -78,16 +78,19 @@ std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& 
   return reports;
 }
 
-SimplifyOptions Document::options_with(const MeshEntry& entry, const Mesh& start,
-                                       SimplifyOptions options, AnalysisFiles& files) const {
-  options.view = view(entry);
-  options.padding = padding();
-  options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
+Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& options,
+                                AnalysisFiles& files) const {
+  check_color_model(options);
+  Start start{mesh(entry), {}};
+  start.options = in_color_model(options, start.mesh);
+  start.options.view = view(entry);
+  start.options.padding = padding();
+  start.options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
     return ways_to_write(mesh, frame);
   };
-  const AnalysisKey key = naming(entry, [&] { return analysis_key(start, options); });
-  options.analysis = &files.start(key, start);
-  return options;
+  const AnalysisKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
+  start.options.analysis = &files.start(key, start.mesh);
+  return start;
 }
 
 void Document::check_color_model(const SimplifyOptions& options) const {
@@ -111,19 +114,20 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
                                                            const AnalysisPaths& analyses) const {
   check_edges(options);
   check_saved(options, analyses);
-  check_color_model(options);
-  std::vector<SimplifiedMesh> meshes;
-  for (const MeshEntry& entry : selected(ids)) meshes.push_back({entry, mesh(entry), {}});
-  if (options.method == Method::manual && meshes.size() > 1)
-    throw InputError(name_ + ": there are " + std::to_string(meshes.size()) +
+  const std::vector<MeshEntry> entries = selected(ids);
+  if (options.method == Method::manual && entries.size() > 1)
+    throw InputError(name_ + ": there are " + std::to_string(entries.size()) +
                      " meshes, and edges can be named of one only.");
 
+  // All are read before the first of them takes its time.
   AnalysisFiles files(analyses);
-  for (SimplifiedMesh& m : meshes) {
-    SimplifyOptions complete = in_color_model(options, m.mesh);
-    complete = options_with(m.entry, m.mesh, complete, files);
-    m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, complete); });
-    check_start(m, complete);
+  std::vector<Start> starts;
+  for (const MeshEntry& entry : entries) starts.push_back(start(entry, options, files));
+  std::vector<SimplifiedMesh> meshes;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    SimplifiedMesh& m = meshes.emplace_back(SimplifiedMesh{entries[i], starts[i].mesh, {}});
+    m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, starts[i].options); });
+    check_start(m, options);
   }
   files.save();
   return meshes;
@@ -153,15 +157,12 @@ std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
 
 std::size_t Document::analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
                               const AnalysisPaths& analyses) const {
-  check_color_model(options);
   AnalysisFiles files(analyses);
   std::size_t prices = 0;
   for (const MeshEntry& entry : selected(ids)) {
-    Mesh start = mesh(entry);
-    SimplifyOptions complete = in_color_model(options, start);
-    complete = options_with(entry, start, complete, files);
-    naming(entry, [&] { analyze_regions(start, complete); });
-    prices += complete.analysis->prices.size();
+    const Start start = this->start(entry, options, files);
+    naming(entry, [&] { analyze_regions(start.mesh, start.options); });
+    prices += start.options.analysis->prices.size();
   }
   files.save();
   return prices;

@@ -71,10 +71,14 @@ class Document {
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
   Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer) const;
 
-  /// The options of a run over the mesh `start`: `options` with what this document sets of view,
-  /// padding, writing and the analysis, which is one of `files`.
-  SimplifyOptions options_with(const MeshEntry& entry, const Mesh& start, SimplifyOptions options,
-                               AnalysisFiles& files) const;
+  /// What a run over a mesh begins with: the mesh, in the colour model that is asked for, and the
+  /// options with what this document sets: the view, the padding, the ways to write, the original
+  /// where that is another mesh, and the analysis, which is one of `files`.
+  struct Start {
+    Mesh mesh;
+    SimplifyOptions options;
+  };
+  Start start(const MeshEntry& entry, const SimplifyOptions& options, AnalysisFiles& files) const;
 
   /// Simplifies the selected meshes in place, each against itself as it was or `options.original`.
   /// A mesh that does not come out with fewer patches stays as it is. In another colour model than

@@ -6,6 +6,7 @@ import re
 import pytest
 
 from built import SAMPLES, gradmesh as run
+from hemesh_files import grid
 
 import gradmesh
 
@@ -173,3 +174,14 @@ def test_a_file_that_cannot_be_written_leaves_the_document_alone(tmp_path):
                    "--save-analysis", missing)  # fmt: skip
     assert told == f"{missing} cannot be written: No such file or directory."
     assert not out.exists()
+
+
+def test_the_color_model_counts(tmp_path):
+    leaf, path = tmp_path / "leaf.hemesh", tmp_path / "prices.json"
+    leaf.write_text(grid(3, 3))
+    assert run("analyze", leaf, "-o", path, *COARSE, "--color-model", "bilinear").returncode == 0
+    draw = ("draw", leaf, "-o", tmp_path / "out.svg", "--show", "regions", *COARSE)
+    loaded = (*draw, "--load-analysis", path)
+    told = refused(*loaded)
+    assert told == f"{path}: this analysis was made in the color model bilinear, not bicubic."
+    assert run(*loaded, "--color-model", "bilinear").returncode == 0
