@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/common_frames.h"
 #include "cli/common_options.h"
 #include "document/document.h"
 #include "io/image_file.h"
-#include "mesh/boundary.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {
@@ -22,44 +22,24 @@ struct OnlyMesh {
     if (found.size() > 1)
       throw InputError(path + ": there are " + std::to_string(found.size()) +
                        " meshes, but a document to be compared must hold one.");
-    entry = found.front();
-    mesh = document->mesh(entry);
+    seen = {document.get(), found.front(), document->mesh(found.front())};
   }
 
-  Affine view() const { return document->view(entry); }
   Image paint_like(const Image& other) const {
-    return document->render(entry, std::max(other.width, other.height),
+    return document->render(seen.entry, std::max(other.width, other.height),
                             *make_software_rasterizer());
   }
 
   std::unique_ptr<Document> document;
-  MeshEntry entry;
-  Mesh mesh;
+  SeenMesh seen;
 };
 
 using Pair = std::pair<Image, Image>;
 
-/// Takes the second mesh to where the first one is, as both are seen: the same box, whose longer
-/// sides agree.
-Affine aligned(const OnlyMesh& a, const OnlyMesh& b) {
-  const Box to = bounding_box(a.mesh, a.view()), from = bounding_box(b.mesh, b.view());
-  const double scale = std::max(to.size().x, to.size().y) / std::max(from.size().x, from.size().y);
-  return Affine::translation(to.low()) * Affine::scaling(glm::dvec2(scale)) *
-         Affine::translation(-from.low());
-}
-
-/// Two documents of one kind share their coordinates. Where the kinds differ, one mesh is laid on
-/// the other.
 Pair paint_both(const OnlyMesh& a, const OnlyMesh& b) {
-  constexpr int resolution = 700;
-  const bool same_kind = a.document->kind() == b.document->kind();
-  const Frame first = same_kind ? a.document->frame(a.entry, a.mesh, resolution)
-                                : fit_frame(a.mesh, a.view(), resolution);
-  Frame second = first;
-  const Affine onto_first = same_kind ? b.view() : aligned(a, b) * b.view();
-  second.to_pixels = first.to_pixels * a.view().inverse() * onto_first;
+  const auto [first, second] = common_frames(a.seen, b.seen, 700);
   const auto rasterizer = make_software_rasterizer();
-  return {rasterizer->paint(a.mesh, first), rasterizer->paint(b.mesh, second)};
+  return {rasterizer->paint(a.seen.mesh, first), rasterizer->paint(b.seen.mesh, second)};
 }
 
 /// A document beside an image is painted as large as the image.

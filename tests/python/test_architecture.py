@@ -31,7 +31,7 @@ OWNERS = {
     r"(EGL|GL|GLES\d?)/": {"raster"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
-    r"nlohmann/": {"document", "cli"},
+    r"nlohmann/": {"io", "document", "report", "cli"},
     r"tbb/": {"base"},
 }
 
