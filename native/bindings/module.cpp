@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "document/convert.h"
 #include "document/document.h"
 #include "document/info.h"
 #include "mesh/mesh.h"
@@ -81,6 +82,31 @@ std::size_t analyze_document(const Document& document, const std::vector<std::st
   return document.analyze(ids, options, analyses);
 }
 
+DocumentKind kind_named(const std::string& name) {
+  if (name == "svg") return DocumentKind::svg;
+  if (name == "hemesh") return DocumentKind::hemesh;
+  throw std::invalid_argument("documents are of the kind svg or hemesh, not '" + name + "'.");
+}
+
+py::dict convert_document(const Document& document, const std::string& kind, const std::string& id,
+                          std::optional<int> subdivide, const std::string& metric, int resolution) {
+  ConvertOptions options;
+  options.subdivide = subdivide;
+  options.metric = metric_named(metric);
+  options.resolution = resolution;
+  const DocumentKind to = kind_named(kind);
+  Conversion conversion;
+  {
+    const py::gil_scoped_release release;
+    conversion = convert(document, document.selected({id}).front(), to, options);
+  }
+  const Document& made = *conversion.document;
+  const int patches = made.mesh(made.meshes().front()).face_count();
+  return py::dict(py::arg("document") = std::move(conversion.document),
+                  py::arg("patches") = patches, py::arg("error") = conversion.error,
+                  py::arg("lost_opacity") = conversion.lost_opacity);
+}
+
 void bind_options(py::module_& m) {
   py::class_<SimplifyOptions>(m, "SimplifyOptions")
       .def(py::init<>())
@@ -90,6 +116,16 @@ void bind_options(py::module_& m) {
       .def_property(
           "metric", [](const SimplifyOptions& o) { return name(o.metric); },
           [](SimplifyOptions& o, const std::string& value) { o.metric = metric_named(value); })
+      .def_property(
+          "color_model",
+          [](const SimplifyOptions& o) -> std::optional<std::string> {
+            if (!o.color_model) return std::nullopt;
+            return name(*o.color_model);
+          },
+          [](SimplifyOptions& o, const std::optional<std::string>& value) {
+            o.color_model.reset();
+            if (value) o.color_model = color_model_named(*value);
+          })
       .def_readwrite("epsilon", &SimplifyOptions::epsilon)
       .def_readwrite("resolution", &SimplifyOptions::resolution)
       .def_readwrite("seed", &SimplifyOptions::seed)
@@ -138,6 +174,8 @@ PYBIND11_MODULE(_core, m) {
            py::arg("analyses"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))
       .def("info", &info_text)
+      .def("convert", &convert_document, py::kw_only(), py::arg("kind"), py::arg("id"),
+           py::arg("subdivide"), py::arg("metric"), py::arg("resolution"))
       .def("bytes", [](const Document& d) { return py::bytes(d.bytes()); })
       .def("write_file", [](const Document& d, const std::string& path) { d.write_file(path); });
 }

@@ -93,7 +93,9 @@ class Converter {
           fitted(bounding_box(source_, from_.view(entry_)), 2, glm::dvec2(0)) * from_.view(entry_);
     Conversion conversion = start();
     conversion.lost_opacity = is_translucent(source_);
-    const Mesh mesh = build_mesh(as_bicubic(parts(options_.subdivide.value_or(1))));
+    MeshParts patches = parts(options_.subdivide.value_or(1));
+    if (patches.color_model == ColorModel::bilinear) patches = as_bicubic(std::move(patches));
+    const Mesh mesh = build_mesh(patches);
     keep_better(conversion, std::make_unique<HemeshDocument>(write_hemesh(mesh), from_.name()));
     return conversion;
   }

@@ -9,15 +9,30 @@
 
 from ._core import InputError
 from ._core import version as __version__
-from .api import Document, MeshInfo, Result, analyze, info, load, loads, render, save, simplify
+from .api import (
+    Conversion,
+    Document,
+    MeshInfo,
+    Result,
+    analyze,
+    convert,
+    info,
+    load,
+    loads,
+    render,
+    save,
+    simplify,
+)
 
 __all__ = [
+    "Conversion",
     "Document",
     "InputError",
     "MeshInfo",
     "Result",
     "__version__",
     "analyze",
+    "convert",
     "info",
     "load",
     "loads",

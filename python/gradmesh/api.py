@@ -41,6 +41,16 @@ class Result:
     seconds: float
 
 
+@dataclass(frozen=True)
+class Conversion:
+    """A document of one mesh, made of another document."""
+
+    document: Document
+    patches: int
+    error: float  #: of the new document's mesh against the old one, 0 to 1
+    lost_opacity: bool  #: whether the mesh had opacities, which a .hemesh file cannot hold
+
+
 class Document:
     """An SVG document or a .hemesh file. Made by load() or loads()."""
 
@@ -87,6 +97,7 @@ def simplify(
     metric: str = "flip",
     epsilon: float = 0.01,
     resolution: int = 700,
+    color_model: Optional[str] = None,
     seed: int = 0,
     omega: float = 0.75,
     kappa: float = 0.05,
@@ -103,6 +114,8 @@ def simplify(
     ids: objects, or groups that hold them; none: all meshes of the document.
     epsilon: largest error allowed, 0 to 1, by `metric` ("flip" or "ssim", as 1 - SSIM), at
     `resolution` pixels along the mesh's longer side.
+    color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
+    are then made bilinear first, which counts towards the error.
     method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
     "gqe1" weigh patches saved against error by `omega`; "manual" merges the half-edges `edges`,
@@ -118,7 +131,7 @@ def simplify(
     """
     if not 0 <= seed < 2**64:
         raise ValueError("the seed must be between 0 and 2^64 - 1.")
-    options = _options(metric, epsilon, resolution, threads)
+    options = _options(metric, epsilon, resolution, color_model, threads)
     options.method = method
     options.seed = seed
     options.omega = omega
@@ -143,6 +156,7 @@ def analyze(
     metric: str = "flip",
     epsilon: float = 0.01,
     resolution: int = 700,
+    color_model: Optional[str] = None,
     threads: int = 0,
     load_analysis: Optional[Path] = None,
     progress: Optional[Progress] = None,
@@ -154,17 +168,20 @@ def analyze(
     """
     return document._core.analyze(
         ids=[ids] if isinstance(ids, str) else list(ids),
-        options=_options(metric, epsilon, resolution, threads),
+        options=_options(metric, epsilon, resolution, color_model, threads),
         analyses=_analyses(load_analysis, path),
         progress=progress,
     )
 
 
-def _options(metric: str, epsilon: float, resolution: int, threads: int) -> _core.SimplifyOptions:
+def _options(
+    metric: str, epsilon: float, resolution: int, color_model: Optional[str], threads: int
+) -> _core.SimplifyOptions:
     options = _core.SimplifyOptions()
     options.metric = metric
     options.epsilon = epsilon
     options.resolution = resolution
+    options.color_model = color_model
     options.threads = threads
     return options
 
@@ -178,14 +195,45 @@ def render(document: Document, id: Optional[str] = None, resolution: int = 700) 
 
     `id` may be left out where the document has one mesh only.
     """
+    id = _one_id(document, id)
+    if not 16 <= resolution <= 8192:
+        raise ValueError("the resolution must be between 16 and 8192 pixels")
+    return document._core.render(id, resolution)
+
+
+def convert(
+    document: Document,
+    kind: str,
+    id: Optional[str] = None,
+    *,
+    subdivide: Optional[int] = None,
+    metric: str = "flip",
+    resolution: int = 700,
+) -> Conversion:
+    """Makes a document of the kind "svg" or "hemesh" that holds one mesh of `document`.
+
+    subdivide: every patch is split into this many times as many, 1 to 32. SVG knows no colours but
+    the bilinear mixtures of four, which come closer to the original in smaller patches: there the
+    default is 4, otherwise 1. The error is by `metric` at `resolution` pixels along the longer
+    side. `id` may be left out where the document has one mesh only.
+    """
+    made = document._core.convert(
+        kind=kind,
+        id=_one_id(document, id),
+        subdivide=subdivide,
+        metric=metric,
+        resolution=resolution,
+    )
+    return Conversion(**{**made, "document": Document(made["document"])})
+
+
+def _one_id(document: Document, id: Optional[str]) -> str:
     if id is None:
         meshes = document.meshes
         if len(meshes) > 1:
             raise ValueError(f"the document has {len(meshes)} meshes: say which one by its id")
         id = meshes[0].id
-    if not 16 <= resolution <= 8192:
-        raise ValueError("the resolution must be between 16 and 8192 pixels")
-    return document._core.render(id, resolution)
+    return id
 
 
 def save(document: Document, path: Path) -> None:

@@ -31,12 +31,14 @@ def numbers(values):
     return " ".join(map(repr, values))
 
 
-def grid(rows, columns, surface=Surface()):
-    """The surface cut into rows x columns patches, as the text of a .hemesh file."""
+def grid(rows, columns, without=(), surface=Surface()):
+    """The surface cut into rows x columns patches, some of them left out, as a .hemesh text."""
+    cells = [(i, j) for i in range(rows) for j in range(columns) if (i, j) not in without]
+    number = {cell: i for i, cell in enumerate(cells)}
     handles, own = [], {}
 
     def halfedge(i, j, side):
-        return 4 * (i * columns + j) + side if 0 <= i < rows and 0 <= j < columns else -1
+        return 4 * number[i, j] + side if (i, j) in number else -1
 
     def add_handle(edge, vector, step):
         handles.append(f"{edge} {numbers(x * step for x in vector)}")
@@ -44,6 +46,8 @@ def grid(rows, columns, surface=Surface()):
 
     def add_curve(derivative, step, start, end, there, back):
         """The handles of a curve; the two half-edges on it get them, each its own first."""
+        if there < 0 and back < 0:
+            return
         first = add_handle(there if there >= 0 else back, derivative(*start), step)
         second = add_handle(back if back >= 0 else there, derivative(*end), -step)
         own[there], own[back] = (first, second), (second, first)
@@ -59,31 +63,25 @@ def grid(rows, columns, surface=Surface()):
             sides = halfedge(i, j - 1, 1), halfedge(i, j, 3)
             add_curve(surface.along_u, 1 / rows, *ends, *sides)
 
-    halfedges, origins = [], {}
-    for i in range(rows):
-        for j in range(columns):
-            corners = (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)
-            across = (i - 1, j, 2), (i, j + 1, 3), (i + 1, j, 0), (i, j - 1, 1)
-            patch = i * columns + j
-            for side, (a, b) in enumerate(corners):
-                edge, origin = 4 * patch + side, a * (columns + 1) + b
-                origins[origin] = edge
-                color = surface.at(a / rows, b / columns)[2:]
-                before, after = 4 * patch + (side + 3) % 4, 4 * patch + (side + 1) % 4
-                # Derivatives along the sides of the patch: every other corner turns one of them.
-                step = (-1) ** side / rows / columns
-                twist = numbers(x * step for x in surface.TWIST)
-                h = numbers(own[edge])
-                halfedges.append(
-                    f"0 1 {twist} {numbers(color)} {h} "
-                    f"{halfedge(*across[side])} {before} {after} {patch} -1 0 {h} {origin}"
-                )
+    halfedges, points = [], {}
+    for (i, j), patch in number.items():
+        corners = (i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)
+        across = (i - 1, j, 2), (i, j + 1, 3), (i + 1, j, 0), (i, j - 1, 1)
+        for side, (a, b) in enumerate(corners):
+            edge = 4 * patch + side
+            values = surface.at(a / rows, b / columns)
+            origin, _ = points.setdefault((a, b), (len(points), f"{numbers(values[:2])} {edge}"))
+            before, after = 4 * patch + (side + 3) % 4, 4 * patch + (side + 1) % 4
+            # Derivatives along the sides of the patch: every other corner turns one of them.
+            step = (-1) ** side / rows / columns
+            twist = numbers(x * step for x in surface.TWIST)
+            h = numbers(own[edge])
+            halfedges.append(
+                f"0 1 {twist} {numbers(values[2:])} {h} "
+                f"{halfedge(*across[side])} {before} {after} {patch} -1 0 {h} {origin}"
+            )
 
-    points = []
-    for a in range(rows + 1):
-        for b in range(columns + 1):
-            position = surface.at(a / rows, b / columns)[:2]
-            points.append(f"{numbers(position)} {origins[a * (columns + 1) + b]}")
-    patches = [str(4 * patch) for patch in range(rows * columns)]
-    counts = " ".join(str(len(kind)) for kind in (points, handles, patches, halfedges))
-    return "\n".join(["HEMESH", counts, *points, *handles, *patches, *halfedges]) + "\n"
+    patches = [str(4 * patch) for patch in number.values()]
+    positions = [text for _, text in points.values()]
+    counts = numbers(len(kind) for kind in (positions, handles, patches, halfedges))
+    return "\n".join(["HEMESH", counts, *positions, *handles, *patches, *halfedges]) + "\n"

@@ -1,0 +1,268 @@
+"""From .hemesh to SVG and back: gradmesh convert, and simplify from one kind to the other."""
+
+import xml.etree.ElementTree as ET
+
+import pytest
+
+import inkscape_harness
+from built import SAMPLES, gradmesh as run
+from hemesh_files import SHARED, grid
+from test_hemesh import check_elements, elements, error, printed, refused
+
+import gradmesh
+
+SVG = "{http://www.w3.org/2000/svg}"
+INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
+FRUIT = SAMPLES / "fruit.svg"
+#: Patches of a grid that are left out, and points of the others once each is cut into 4 x 4.
+SHAPES = {
+    "rectangle": ((2, 3), (), 8 * 12 + 8 + 12 + 1),
+    "corner": ((2, 2), ((0, 1),), 9 * 9 - 16),
+    "ring": ((3, 3), ((1, 1),), 13 * 13 - 9),
+}
+
+
+@pytest.fixture
+def shape(tmp_path):
+    """Writes the .hemesh file of a shape."""
+
+    def write(name):
+        path = tmp_path / f"{name}.hemesh"
+        (rows, columns), without, _ = SHAPES[name]
+        path.write_text(grid(rows, columns, without))
+        return path
+
+    return write
+
+
+def converted(*arguments):
+    """The number of patches and the error that are printed."""
+    words = printed("convert", *arguments).split()
+    assert words[2] == "patches," and words[3] in ("FLIP", "1")
+    return int(words[1]), float(words[-1])
+
+
+def test_a_rectangle_becomes_one_ordinary_mesh(shape, tmp_path):
+    leaf, out = shape("rectangle"), tmp_path / "out.svg"
+    patches, told = converted(leaf, out)
+    assert patches == 6 * 16 and 0 < told < 0.03
+    assert error(leaf, out) == pytest.approx(told, abs=1e-4)
+    root = ET.parse(out).getroot()
+    assert root.get("viewBox") == f"0 0 {root.get('width')} {root.get('height')}"
+    assert root.get("width") == "640"
+    (path,), (gradient,) = root.iter(SVG + "path"), root.iter(SVG + "meshgradient")
+    assert path.get("id") == "mesh" and path.get(INKSCAPE + "label")
+    assert f"fill:url(#{gradient.get('id')})" in path.get("style")
+    assert [len(row) for row in gradient] == [12] * 8
+    assert "gradmesh" not in out.read_text()
+    assert printed("info", out) == f"mesh (fill): 96 patches, {SHAPES['rectangle'][2]} points, 0 T-junctions\n"
+
+
+@pytest.mark.parametrize("name", ["corner", "ring"])
+def test_other_shapes_become_blocks(shape, tmp_path, name):
+    mesh, out = shape(name), tmp_path / "out.svg"
+    patches, told = converted(mesh, out)
+    (rows, columns), without, points = SHAPES[name]
+    assert patches == 16 * (rows * columns - len(without)) and 0 < told < 0.03
+    assert error(mesh, out) == pytest.approx(told, abs=1e-4)
+    root = ET.parse(out).getroot()
+    (group,), (clip,) = root.iter(SVG + "g"), root.iter(SVG + "clipPath")
+    assert group.get("id") == "mesh" and len(group) > 1
+    outline = clip[0].get("d")
+    assert outline.count("M") == (2 if name == "ring" else 1)
+    # The blocks are one mesh again: every point is there once.
+    assert f": {patches} patches, {points} points, 0 T-junctions, simplified" in printed("info", out)
+    check_elements(elements(out))
+
+
+def test_smaller_patches_come_closer(shape, tmp_path):
+    leaf, out = shape("corner"), tmp_path / "out.svg"
+    made = [converted(leaf, out, "--subdivide", n) for n in (2, 4, 8)]
+    assert [patches for patches, _ in made] == [3 * n * n for n in (2, 4, 8)]
+    errors = [told for _, told in made]
+    assert errors[0] > 1.5 * errors[1] > 1.5 * errors[2] > 0
+    assert converted(leaf, out) == made[1]
+
+
+def test_metric_and_resolution_are_those_of_the_measure_alone(shape, tmp_path):
+    leaf, out = shape("corner"), tmp_path / "out.svg"
+    flip, ssim = (converted(leaf, out, "--metric", metric) for metric in ("flip", "ssim"))
+    before = ET.parse(out).getroot().get("width")
+    assert flip[1] != ssim[1] > 0
+    assert converted(leaf, out, "--resolution", 100)[1] != flip[1]
+    assert ET.parse(out).getroot().get("width") == before
+
+
+def test_from_svg_nothing_is_lost(tmp_path):
+    there, back = tmp_path / "pear.hemesh", tmp_path / "pear.svg"
+    assert converted(FRUIT, there) == (132, 0)
+    assert error(FRUIT, there) == 0
+    assert converted(there, back, "--subdivide", 1) == (132, 0)
+    sizes = [abs(x) for p in elements(there)["points"] for x in p["position"]]
+    assert max(sizes) == pytest.approx(1, abs=0.05)
+
+
+def test_t_junctions_are_kept(tmp_path):
+    simple, there, back = (tmp_path / name for name in ("s.svg", "s.hemesh", "b.svg"))
+    printed("simplify", FRUIT, "-o", simple, "--method", "motorcycle")
+
+    def count(path):
+        return printed("info", path).rstrip().partition(": ")[2].removesuffix(", simplified")
+
+    assert " 0 T-junctions" not in count(simple)
+    # A bar that ends in a colour of its own takes its slope from the parent in a .hemesh file.
+    assert converted(simple, there)[1] < 0.005
+    converted(there, back, "--subdivide", 1)
+    assert count(simple) == count(there) == count(back)
+    check_elements(elements(there))
+
+
+def test_from_hemesh_to_hemesh(shape, tmp_path):
+    leaf, same, finer = shape("ring"), tmp_path / "same.hemesh", tmp_path / "finer.hemesh"
+    assert converted(leaf, same) == (8, 0)
+    assert error(leaf, same) == 0
+    patches, told = converted(leaf, finer, "--subdivide", 2)
+    assert patches == 32 and told < 0.004  # pixels between two levels may take the other one
+    assert printed("info", finer) == "mesh: 32 patches, 48 points, 0 T-junctions\n"
+
+
+def test_opacity_is_lost_but_not_silently(tmp_path):
+    bubble, out = SAMPLES / "opacity.svg", tmp_path / "out.hemesh"
+    assert "opacity is lost" in printed("convert", bubble, out)
+    assert "opacity" not in printed("convert", FRUIT, out)
+    out.unlink()
+    assert "opacities" in refused("simplify", bubble, "-o", out) and not out.exists()
+
+
+def test_what_cannot_be_converted(shape, tmp_path):
+    leaf, out = shape("corner"), tmp_path / "out.svg"
+    two = SAMPLES / "two.svg"
+    assert "--id" in refused("convert", two, tmp_path / "out.hemesh")
+    assert converted(two, tmp_path / "cap.hemesh", "--id", "cap") == (280, 0)
+    assert str(FRUIT) in refused("convert", FRUIT, out)
+    assert '"gone"' in refused("convert", FRUIT, tmp_path / "out.hemesh", "--id", "gone")
+    for options in ([out, "--subdivide", 0], [out, "--subdivide", 33], [tmp_path / "out.png"]):
+        assert run("convert", leaf, *options).returncode == 2
+    assert str(tmp_path / "gone" / "out.svg") in refused("convert", leaf, tmp_path / "gone" / "out.svg")
+    assert not out.exists()
+
+
+def test_python(shape, tmp_path):
+    leaf, out = shape("corner"), tmp_path / "out.svg"
+    patches, told = converted(leaf, out)
+    made = gradmesh.convert(gradmesh.load(leaf), "svg")
+    assert made.document.to_bytes() == out.read_bytes()
+    assert made.patches == patches and made.error == pytest.approx(told, abs=1e-5)
+    assert not made.lost_opacity
+    assert [mesh.id for mesh in made.document.meshes] == ["mesh"]
+    assert gradmesh.convert(gradmesh.load(leaf), "svg", subdivide=2).patches == 12
+    bubble = gradmesh.convert(gradmesh.load(SAMPLES / "opacity.svg"), "hemesh", "bubble")
+    assert bubble.lost_opacity
+    (result,) = gradmesh.simplify(bubble.document)
+    assert result.id == "mesh" and result.patches_after < bubble.patches
+
+
+@pytest.mark.parametrize(
+    "kind, options, words",
+    [
+        ("png", {"id": "cap"}, "'png'"),
+        ("hemesh", {}, "2 meshes"),
+        ("hemesh", {"id": "cap", "subdivide": 0}, "1 to 32"),
+        ("hemesh", {"id": "cap", "metric": "taste"}, "'taste'"),
+        ("hemesh", {"id": "cap", "resolution": 3}, "resolution"),
+    ],
+)
+def test_bad_options(kind, options, words):
+    with pytest.raises(ValueError, match=words) as told:
+        gradmesh.convert(gradmesh.load(SAMPLES / "two.svg"), kind, **options)
+    assert not isinstance(told.value, gradmesh.InputError)
+
+
+@pytest.mark.parametrize("model", ["bilinear", "bicubic"])
+def test_svg_may_be_simplified_to_hemesh(tmp_path, model):
+    out = tmp_path / "out.hemesh"
+    options = ["--color-model", model] if model == "bicubic" else []
+    said = printed("simplify", FRUIT, "-o", out, "--method", "motorcycle", *options)
+    left = int(said.split()[1])
+    assert left < 132 and len(elements(out)["faces"]) == left
+    told = float(said.partition("FLIP ")[2].split(",")[0])
+    assert 0 < told <= 0.01
+    # The outline may have moved a little, and by that one mesh is laid on the other.
+    assert error(FRUIT, out) == pytest.approx(told, abs=0.01)
+
+
+def test_svg_cannot_hold_bicubic_colors(tmp_path):
+    out = tmp_path / "out.svg"
+    said = refused("simplify", FRUIT, "-o", out, "--color-model", "bicubic")
+    assert str(FRUIT) in said and "bicubic" in said and "convert" in said
+    assert not out.exists()
+    with pytest.raises(gradmesh.InputError, match="bicubic"):
+        gradmesh.simplify(gradmesh.load(FRUIT), color_model="bicubic")
+    assert "--id" in refused("simplify", SAMPLES / "two.svg", "-o", tmp_path / "out.hemesh")
+
+
+def test_hemesh_may_be_simplified_to_svg(shape, tmp_path):
+    ring, out = shape("ring"), tmp_path / "out.svg"
+    said = printed("simplify", ring, "-o", out, "--epsilon", 0.05, "--method", "motorcycle")
+    left = int(said.split()[1])
+    assert f"mesh: {left} of 128 patches left" in said and left < 100
+    assert f"{left} patches" in printed("info", out)
+    told = float(said.partition("FLIP ")[2].split(",")[0])
+    # What the conversion costs is in it.
+    assert converted(ring, tmp_path / "plain.svg")[1] < told <= 0.05
+    # Finer patches are the way to a smaller error.
+    out.unlink()
+    assert "--subdivide" in refused("simplify", ring, "-o", out, "--epsilon", 0.005)
+    assert not out.exists()
+
+
+@pytest.mark.skipif(bool(inkscape_harness.missing()), reason=inkscape_harness.missing() or "none")
+@pytest.mark.parametrize("name", SHAPES)
+def test_inkscape_shows_the_same(shape, tmp_path, name):
+    image = pytest.importorskip("PIL.Image")
+    numpy = pytest.importorskip("numpy")
+    out, png = tmp_path / "out.svg", tmp_path / "ours.png"
+    converted(shape(name), out)
+    printed("render", out, "-o", png, "--like-inkscape")
+    root = ET.parse(out).getroot()
+    width, height = float(root.get("width")), float(root.get("height"))
+    # The mesh is 600 pixels wide with 20 around it; our picture has 9 around it.
+    with inkscape_harness.Inkscape() as inkscape:
+        area = (11, 11, width - 11, height - 11)
+        theirs = inkscape.export_png(out, tmp_path / "theirs.png", dpi=96 * 700 / 618, area=area)
+    white = image.new("RGBA", (2000, 2000), "white")
+    with image.open(png) as picture:
+        ours, size = numpy.array(picture, int), picture.size
+    with image.open(theirs) as picture:
+        white.alpha_composite(picture.convert("RGBA"))
+        shown = numpy.array(white.convert("RGB").crop((0, 0, *size)), int)
+    # Along the outline Inkscape smooths edges.
+    assert (abs(ours - shown).max(axis=2) > 8).mean() < 0.02
+    assert (ours < 250).any(axis=2).mean() > 0.5
+
+
+@pytest.mark.skipif(not SHARED.is_dir(), reason="the authors' meshes are not in ../shared/meshes")
+@pytest.mark.parametrize(
+    "name, patches, one_piece",
+    [
+        ("teardrop", 25, True),
+        ("global-refinement", 36, True),
+        ("apple", 80, False),
+        ("global-tulips", 102, False),
+        ("L", 3, False),
+        ("U", 4, False),
+        ("sharp-color-transition", 4, False),
+        ("local-refinement", 16, False),
+    ],
+)
+def test_the_authors_meshes(tmp_path, name, patches, one_piece):
+    mesh, out, back = SHARED / f"{name}.hemesh", tmp_path / "out.svg", tmp_path / "back.hemesh"
+    made, told = converted(mesh, out)
+    assert made == 16 * patches and 0 < told < 0.1
+    assert error(mesh, out) == pytest.approx(told, abs=1e-3)
+    assert ("simplified" not in printed("info", out)) == one_piece
+    check_elements(elements(out))
+    # In a .hemesh file two colours along one curve share their slopes, and a bar that ends in a
+    # colour of its own takes them from its parent.
+    inexact = name in ("sharp-color-transition", "local-refinement")
+    assert converted(out, back) == (made, pytest.approx(0, abs=0.02 if inexact else 1e-3))
