@@ -133,6 +133,11 @@ def test_render(leaf, tmp_path):
     assert error(leaf, png) == 0 == error(png, leaf)
 
 
+def test_inkscape_paints_no_such_colors(leaf, tmp_path):
+    said = refused("render", leaf, "-o", tmp_path / "out.png", "--like-inkscape")
+    assert str(leaf) in said and "gradmesh convert" in said
+
+
 @pytest.mark.parametrize("method", ["grid", "gqe"])
 def test_exact_parts_become_one_patch_again(leaf, tmp_path, method):
     out, report = tmp_path / "out.hemesh", tmp_path / "report.json"
