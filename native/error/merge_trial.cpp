@@ -15,10 +15,12 @@ bool MergeTrial::try_merge(Halfedge edge) {
   return keep_if_cheap(depth);
 }
 
-bool MergeTrial::try_merge(const Region& region) {
+bool MergeTrial::try_merge(const std::vector<Region>& regions) {
   const std::size_t depth = journal_.depth();
-  const std::vector<Halfedge> tops = region_tops(journal_.mesh(), region);
-  return !tops.empty() && merge_region(journal_, region, tops) && keep_if_cheap(depth);
+  for (const Region& region : regions)
+    if (const auto tops = region_tops(journal_.mesh(), region); !tops.empty())
+      merge_region(journal_, region, tops);
+  return journal_.depth() > depth && keep_if_cheap(depth);
 }
 
 bool MergeTrial::keep_if_cheap(std::size_t depth) {
@@ -41,14 +43,6 @@ double MergeTrial::price(const Region& region, const std::vector<Halfedge>& tops
   error_.reject();
   while (journal_.depth() > depth) journal_.undo();
   return added;
-}
-
-double MergeTrial::merge_all(const std::vector<Region>& regions) {
-  ++evaluations_;
-  for (const Region& region : regions)
-    if (const auto tops = region_tops(journal_.mesh(), region); !tops.empty())
-      merge_region(journal_, region, tops);
-  return error_.whole_frame(journal_.mesh());
 }
 
 void MergeTrial::undo_all() {

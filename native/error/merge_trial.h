@@ -18,17 +18,16 @@ class MergeTrial {
   /// Merges the edge if that is possible and the whole error stays at most epsilon.
   bool try_merge(Halfedge edge);
 
+  /// The same for all the patches of all these regions, all or none. Regions that cannot be merged
+  /// any more after the others are left out.
+  bool try_merge(const std::vector<Region>& regions);
+
   /// By how much merging the region alone would raise the error of the mesh as it is; infinity
   /// where it cannot be merged. Changes nothing. `tops` as of region_tops.
   double price(const Region& region, const std::vector<Halfedge>& tops);
 
   /// The same for all the patches of a region.
   bool try_merge(const Region& region);
-
-  /// Merges all these regions, whatever the error, which is measured on the whole frame and
-  /// returned; those that cannot be merged after the others are left out. To be followed by
-  /// undo_all() before anything else is tried.
-  double merge_all(const std::vector<Region>& regions);
 
   /// Takes everything back.
   void undo_all();

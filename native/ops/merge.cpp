@@ -4,6 +4,7 @@
 
 #include "ops/merge_end.h"
 #include "ops/refresh.h"
+#include "ops/split_share.h"
 
 namespace gradmesh {
 namespace {
@@ -16,8 +17,8 @@ class Merge {
   void run() {
     const MergeEnd tail = merge_end(mesh_, edge_), head = merge_end(mesh_, twin_);
     const double r = split_factor(mesh_, edge_);
-    const double r_tail = split_share(mesh_, edge_, tail, r);
-    const double r_head = split_share(mesh_, twin_, head, 1 - r);
+    const double r_tail = split_share(mesh_, tail, r);
+    const double r_head = split_share(mesh_, head, 1 - r);
     const Face kept = mesh_.face(edge_), gone = mesh_.face(twin_);
     const Halfedge opposite = mesh_.next(head.out), twin_opposite = mesh_.next(tail.out);
     // u and v keep their directions: the top stays or, where the edge itself was the top, it is
@@ -185,6 +186,9 @@ class Merge {
     p.stem = p.halfedge = stem;
     edit(stem).parent = parent;
     edit(stem).interval = {t, t};
+    // In `bicubic` the patches at the stem keep their colours there, as in the authors' program;
+    // the colour of the parent's curve, whose tangents say little of it, could be anywhere.
+    if (mesh_.color_model() == ColorModel::bicubic) return;
     edit(mesh_.first_leaf(stem)).own_color = false;
     edit(bar_after).own_color = false;
   }

@@ -34,10 +34,4 @@ double bar_share(const Mesh& mesh, const MergeEnd& end);
 /// `in` in the length of in and out.
 double combined_share(const Mesh& mesh, const MergeEnd& end, double r);
 
-/// Where the merge at this end of `edge` takes the patches to be split, as the share of `in`: at a
-/// T-junction where that is, otherwise by r of Eq. 4 or by that one of its parts, or of the curves'
-/// lengths, with which the curves are changed least. Eq. 4 supposes that tangents on both sides
-/// of the edge are those of one smooth curve; where they are not, r can be far off.
-double split_share(const Mesh& mesh, Halfedge edge, const MergeEnd& end, double r);
-
 }  // namespace gradmesh

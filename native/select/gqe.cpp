@@ -1,12 +1,13 @@
 #include "select/gqe.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace gradmesh {
 namespace {
 
-constexpr int halvings = 10;
+constexpr int halvings = 10, sweeps = 20;
 
 struct Candidate {
   Region region;
@@ -28,26 +29,29 @@ class Gqe {
   }
 
   void run(StopWatch& watch) {
-    const int before = trial_.mesh().face_count();
-    best_patches_ = before;
+    best_patches_ = trial_.mesh().face_count();
     double low = 0, high = 2 * trial_.epsilon();
-    for (int i = 0; i < halvings; ++i) {
-      // A run that is out of time still takes the first outcome that keeps to epsilon.
-      if (watch.should_stop({std::size_t(i), halvings, best_patches_, best_error_}) &&
-          best_patches_ < before)
-        break;
+    for (int i = 0; i < halvings && !stop(i, watch); ++i) {
       const double gamma = 0.5 * (low + high);
       (try_gamma(gamma) ? low : high) = gamma;
     }
-    trial_.merge_all(best_);
+    // The number of patches goes up and down with gamma, which the halvings do not see.
+    for (int i = 1; i <= sweeps && !stop(halvings + i - 1, watch); ++i)
+      try_gamma(2 * trial_.epsilon() * i / sweeps);
+    trial_.try_merge(best_);
   }
 
  private:
+  /// A run that is out of time still takes the first outcome.
+  bool stop(int done, StopWatch& watch) const {
+    return watch.should_stop({std::size_t(done), halvings + sweeps, best_patches_, best_error_}) &&
+           !best_.empty();
+  }
+
   /// Whether some independent set within gamma keeps to epsilon.
   bool try_gamma(double gamma) {
-    bool fits = consider(independent_set(ranking(gamma), gamma));
-    if (options_.look_ahead)
-      fits = consider(independent_set(ranking_of_pairs(gamma), gamma)) || fits;
+    bool fits = try_ranking(ranking(gamma), gamma);
+    if (options_.look_ahead) fits = try_ranking(ranking_of_pairs(gamma), gamma) || fits;
     return fits;
   }
 
@@ -94,48 +98,49 @@ class Gqe {
     return sorted(scores);
   }
 
-  /// The candidates of the ranking, each if it overlaps none before it and their prices together
-  /// stay within gamma.
-  std::vector<const Candidate*> independent_set(const Ranking& order, double gamma) const {
-    std::vector<bool> taken(trial_.mesh().face_slots(), false);
-    std::vector<const Candidate*> chosen;
+  /// Merges the independent set of the ranking, mends it, keeps the outcome in mind if it is the
+  /// best so far, and takes everything back. Whether the set kept to epsilon as it was.
+  bool try_ranking(const Ranking& order, double gamma) {
+    taken_.assign(trial_.mesh().face_slots(), false);
+    chosen_.clear();
     double sum = 0;
     for (const int i : order) {
       const Candidate& c = candidates_[i];
-      const bool overlaps = std::ranges::any_of(c.faces, [&](Face f) { return taken[f.value]; });
-      if (overlaps || sum + c.error > gamma) continue;
-      for (const Face f : c.faces) taken[f.value] = true;
-      chosen.push_back(&c);
+      if (!is_free(c) || sum + c.error > gamma) continue;
+      choose(c);
       sum += c.error;
     }
-    return chosen;
+    if (const auto known = tried_.find(chosen_); known != tried_.end()) return known->second;
+    const bool fits = trial_.try_merge(chosen_);
+    tried_.emplace(chosen_, fits);
+    if (!fits) {
+      taken_.assign(taken_.size(), false);
+      chosen_.clear();
+    }
+    for (const int i : order) {
+      const Candidate& c = candidates_[i];
+      if (is_free(c) && trial_.error() + c.error <= trial_.epsilon() &&
+          trial_.try_merge(std::vector{c.region}))
+        choose(c);
+    }
+    remember();
+    trial_.undo_all();
+    return fits;
   }
 
-  /// Whether all of the set keeps to epsilon. Where it does not, since some regions cost more
-  /// beside others than alone, those that do are left out.
-  bool consider(const std::vector<const Candidate*>& chosen) {
-    std::vector<Region> regions;
-    for (const Candidate* c : chosen) regions.push_back(c->region);
-    const double error = trial_.merge_all(regions);
-    const bool fits = error <= trial_.epsilon();
-    if (fits) remember(regions, error);
-    trial_.undo_all();
-    if (fits) return true;
-
-    regions.clear();
-    for (const Candidate* c : chosen)
-      if (trial_.error() + c->error <= trial_.epsilon() && trial_.try_merge(c->region))
-        regions.push_back(c->region);
-    remember(regions, trial_.error());
-    trial_.undo_all();
-    return false;
+  bool is_free(const Candidate& c) const {
+    return std::ranges::none_of(c.faces, [&](Face f) { return taken_[f.value]; });
+  }
+  void choose(const Candidate& c) {
+    for (const Face f : c.faces) taken_[f.value] = true;
+    chosen_.push_back(c.region);
   }
 
-  /// The mesh is merged as these regions say.
-  void remember(const std::vector<Region>& regions, double error) {
+  void remember() {
     const int patches = trial_.mesh().face_count();
+    const double error = trial_.error();
     if (patches > best_patches_ || (patches == best_patches_ && error >= best_error_)) return;
-    best_ = regions;
+    best_ = chosen_;
     best_patches_ = patches;
     best_error_ = error;
   }
@@ -144,6 +149,11 @@ class Gqe {
   const GqeOptions options_;
   const double patches_;
   std::vector<Candidate> candidates_;
+  /// The set at hand: its regions, and the faces they take.
+  std::vector<Region> chosen_;
+  std::vector<bool> taken_;
+  /// Sets that were tried, and whether they kept to epsilon.
+  std::map<std::vector<Region>, bool> tried_;
   std::vector<Region> best_;
   int best_patches_ = 0;
   double best_error_ = 0;

@@ -8,8 +8,10 @@ namespace gradmesh {
 
 /// Greedy quad-error (paper 6.3): merges regions that do not overlap, the best by Eq. 7 first, as
 /// long as their prices together stay below gamma; gamma is searched for in N = 10 halvings of
-/// [0, 2 epsilon], since prices only nearly add up. The best outcome with a true error of at most
-/// epsilon is merged.
+/// [0, 2 epsilon], since prices only nearly add up. Beyond the paper, some more values of gamma are
+/// tried, and each outcome is mended by the true error: where the set costs more than epsilon, the
+/// regions that cost too much beside the others are left out, and whatever still fits is merged as
+/// well. The best outcome is merged.
 struct GqeOptions {
   /// Weight of a region's size against its error, 0..1.
   double omega = 0.75;

@@ -58,8 +58,7 @@ TEST(Hemesh, is_read_back_the_same_bit_for_bit) {
   }
   EXPECT_GT(nested, 100u);
   EXPECT_GT(dead, 1000u);
-  // Operations make no own colours; those of the parts are tested below.
-  EXPECT_EQ(own, 0u);
+  EXPECT_GT(own, 100u);
 }
 
 /// Patch 0 above, patches 1 and 2 below, which meet at a T-junction at 0.25 of patch 0's bottom.
