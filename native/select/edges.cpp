@@ -26,10 +26,23 @@ std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWa
   return prices;
 }
 
-void try_edges(MergeTrial& trial, const std::vector<Halfedge>& edges, StopWatch& watch) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (watch.should_stop({i, edges.size(), trial.mesh().face_count(), trial.error()})) return;
-    trial.try_merge(edges[i]);
+void try_edges(MergeTrial& trial, std::vector<Halfedge> edges, StopWatch& watch) {
+  const std::size_t total = edges.size();
+  std::size_t tried = 0;
+  for (int merges = 1; merges > 0;) {
+    merges = 0;
+    std::vector<Halfedge> waiting;
+    for (const Halfedge edge : edges) {
+      const Mesh& mesh = trial.mesh();
+      if (watch.should_stop({tried, total, mesh.face_count(), trial.error()})) return;
+      if (mesh[edge].alive && can_merge(mesh, edge) != MergeObstacle::none) {
+        waiting.push_back(edge);
+        continue;
+      }
+      ++tried;
+      merges += trial.try_merge(edge);
+    }
+    edges = std::move(waiting);
   }
 }
 

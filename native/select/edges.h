@@ -26,7 +26,9 @@ struct EdgePrice {
 /// The prices of all inner edges (paper 6.2). Fewer where `watch` says to stop.
 std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWatch& watch);
 
-/// Tries to merge the edges in this order, each once.
-void try_edges(MergeTrial& trial, const std::vector<Halfedge>& edges, StopWatch& watch);
+/// Tries to merge the edges in this order. An edge that cannot be merged when its turn comes waits
+/// for the next round, as long as merges still change what can be: so that what is left over cannot
+/// be merged or costs too much (paper 6.1).
+void try_edges(MergeTrial& trial, std::vector<Halfedge> edges, StopWatch& watch);
 
 }  // namespace gradmesh

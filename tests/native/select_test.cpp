@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/progress.h"
+#include "branch_meshes.h"
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "ops/merge_region.h"
@@ -132,7 +133,7 @@ int rectangles(int rows, int columns) {
 }
 
 TEST(Regions, of_a_grid_are_its_rectangles_each_priced_once) {
-  for (const auto [rows, columns] : {std::pair(1, 5), std::pair(3, 4), std::pair(4, 4)}) {
+  for (const auto& [rows, columns] : {std::pair(1, 5), std::pair(3, 4), std::pair(4, 4)}) {
     Bench b(build_mesh(parts(rows, columns, 2)));
     const auto regions = price_regions(b.trial, b.analysis, 1, b.watch);
     EXPECT_EQ(int(regions.size()), rectangles(rows, columns));
@@ -186,21 +187,6 @@ TEST(Regions, grow_only_from_those_within_the_limit) {
   EXPECT_LT(afresh.trial.evaluations(), priced);
 }
 
-/// A ring of n patches, each joined to the next by its right side.
-Mesh ring(int n) {
-  MeshParts ring;
-  for (int i = 0; i < n; ++i) {
-    const auto corner = [&](int k, double radius) {
-      const double a = 2 * 3.14159265358979 * k / n;
-      return Value{{radius * std::cos(a), radius * std::sin(a)}, {0.1, 0.2, 0.3, 1}};
-    };
-    ring.patches.push_back(test::straight_patch(
-        {corner(i, 2), corner((i + 1) % n, 2), corner((i + 1) % n, 1), corner(i, 1)}));
-    ring.curves.push_back({{{4 * i + 1}, {}}, {{4 * ((i + 1) % n) + 3}, {}}});
-  }
-  return build_mesh(ring);
-}
-
 TEST(Regions, hold_no_junctions_and_do_not_go_round_a_ring) {
   Mesh mesh = build_mesh(parts(1, 3, 1));
   Journal journal(mesh);
@@ -210,7 +196,7 @@ TEST(Regions, hold_no_junctions_and_do_not_go_round_a_ring) {
   ASSERT_EQ(regions.size(), 1u);  // the two halves
   EXPECT_EQ(regions[0].region.size(), 2);
 
-  Bench b5(ring(5));
+  Bench b5(build_mesh(test::ring(5)));
   for (const RegionPrice& r : price_regions(b5.trial, b5.analysis, 1, b5.watch))
     EXPECT_LT(r.region.size(), 6);
 }

@@ -1,0 +1,231 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <ostream>
+#include <set>
+
+#include "base/error.h"
+#include "branch_meshes.h"
+#include "io/hemesh_reader.h"
+#include "mesh/subdivide.h"
+#include "mesh/validate.h"
+#include "ops/merge.h"
+#include "random_meshes.h"
+#include "simplify/simplify.h"
+
+/// Every method on every kind of mesh: sound, within epsilon, the same again for the same seed.
+namespace gradmesh {
+namespace {
+
+/// The authors' meshes, and our own that cover the same ground without them.
+const std::vector<std::string> shared_meshes{"L",
+                                             "U",
+                                             "apple",
+                                             "banana",
+                                             "teardrop",
+                                             "global-refinement",
+                                             "modifiedgr",
+                                             "global-tulips",
+                                             "global_duck",
+                                             "junction-recolor-demo",
+                                             "save_1",
+                                             "local-refinement",
+                                             "sharp-color-transition"};
+const std::vector<std::string> own_meshes{"l_branch", "u_branch",       "cross",     "ring",
+                                          "dumbbell", "two_components", "junctions", "bicubic"};
+
+Mesh own_mesh(const std::string& name) {
+  if (name == "l_branch") return build_mesh(test::l_branch());
+  if (name == "u_branch") return build_mesh(test::u_branch());
+  if (name == "cross") return build_mesh(test::cross(3));
+  if (name == "ring") return build_mesh(test::ring(7));
+  if (name == "dumbbell") return build_mesh(test::dumbbell());
+  if (name == "two_components") return build_mesh(test::two_components());
+  std::mt19937 random(3);
+  const bool bicubic = name == "bicubic";
+  const MeshParts parts =
+      test::grid_parts({.rows = 5,
+                        .columns = 5,
+                        .position_noise = 0.04,
+                        .color_noise = 0.02,
+                        .color_model = bicubic ? ColorModel::bicubic : ColorModel::bilinear},
+                       random);
+  return bicubic ? build_mesh(parts) : test::changed_mesh(parts, 6, 8);
+}
+
+std::filesystem::path shared_file(const std::string& name) {
+  return std::filesystem::path(GRADMESH_SHARED_DIR) / "meshes" / (name + ".hemesh");
+}
+
+Mesh shared_mesh(const std::string& name) {
+  std::ifstream file(shared_file(name));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return build_mesh(read_hemesh(text, name));
+}
+
+/// The points that must stay: those of the boundary with more than two faces (4.4, Fig. 6).
+std::set<Point> branch_points(const Mesh& mesh) {
+  std::map<Point, int> faces;
+  std::set<Point> boundary;
+  for (const Halfedge h : mesh.halfedges()) {
+    if (mesh.is_leaf(h)) ++faces[mesh.origin(h)];
+    if (!mesh.other_side(h).valid()) boundary.insert({mesh.origin(h), mesh.end(h)});
+  }
+  std::set<Point> points;
+  for (const Point p : boundary)
+    if (faces[p] > 2) points.insert(p);
+  return points;
+}
+
+std::vector<Patch> patches(const Mesh& mesh) {
+  std::vector<Patch> list;
+  for (const Face f : mesh.faces()) list.push_back(mesh.patch(f));
+  return list;
+}
+
+/// Some edges that can be merged one after another.
+std::vector<int> some_edges(const Mesh& original) {
+  Mesh mesh = original;
+  Journal journal(mesh);
+  std::vector<int> edges;
+  for (const Halfedge h : original.halfedges())
+    if (edges.size() < 3 && mesh[h].alive && can_merge(mesh, h) == MergeObstacle::none) {
+      merge(journal, h);
+      edges.push_back(h.value);
+    }
+  return edges;
+}
+
+/// Runs all methods at two thresholds. `price_again`: the second run knows no prices from the
+/// first.
+void run_all(const Mesh& original, bool price_again) {
+  const std::set<Point> branches = branch_points(original);
+  for (const double epsilon : {0.005, 0.03}) {
+    Analysis analysis;
+    int patches_of_gqe = 0;
+    for (const Method method : all_methods) {
+      SCOPED_TRACE(std::string(name(method)) + ", epsilon " + std::to_string(epsilon));
+      SimplifyOptions options;
+      options.method = method;
+      options.metric = epsilon < 0.01 ? MetricKind::ssim : MetricKind::flip;
+      // The person who names edges decides by the preview.
+      options.epsilon = method == Method::manual ? 1 : epsilon;
+      options.resolution = 100;
+      options.padding = {.share = 0, .length = 0.03};
+      options.seed = 5;
+      options.analysis = &analysis;
+      if (method == Method::manual) options.edges = some_edges(original);
+
+      Mesh mesh = original, again = original;
+      const SimplifyResult result = simplify(mesh, options);
+      EXPECT_EQ(validate(mesh), std::vector<std::string>{});
+      EXPECT_LE(result.error, options.epsilon);
+      EXPECT_EQ(result.patches_after, mesh.face_count());
+      for (const Point p : branches) EXPECT_TRUE(mesh[p].alive);
+      if (price_again) options.analysis = nullptr;
+      options.threads = 1;
+      EXPECT_EQ(simplify(again, options).error, result.error);
+      EXPECT_EQ(patches(again), patches(mesh));
+
+      if (method == Method::manual) {
+        EXPECT_EQ(mesh.face_count(), original.face_count() - int(options.edges.size()));
+      }
+      if (method == Method::gqe) patches_of_gqe = mesh.face_count();
+      if (method == Method::gqe1) {
+        EXPECT_LE(mesh.face_count(), patches_of_gqe);
+      }
+    }
+  }
+}
+
+class SharedMeshes : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(SharedMeshes, are_simplified_by_every_method) {
+  if (!std::filesystem::exists(shared_file(GetParam())))
+    GTEST_SKIP() << GetParam() << " is not among the authors' meshes in ../shared/meshes";
+  run_all(shared_mesh(GetParam()), false);
+}
+
+class OwnMeshes : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(OwnMeshes, are_simplified_by_every_method) { run_all(own_mesh(GetParam()), true); }
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SharedMeshes, ::testing::ValuesIn(shared_meshes), test_name);
+INSTANTIATE_TEST_SUITE_P(Methods, OwnMeshes, ::testing::ValuesIn(own_meshes), test_name);
+
+TEST(Methods, leave_few_patches_where_all_could_go) {
+  // Exact parts of one patch (Perfect6): every method but random finds that one.
+  const Mesh one = test::grid_mesh(
+      {.rows = 1, .columns = 1, .position_noise = 0.2, .color_model = ColorModel::bicubic}, 4);
+  const Mesh parts = build_mesh(subdivided(one, 5));
+  for (const Method method : all_methods) {
+    if (method == Method::manual) continue;
+    Mesh mesh = parts;
+    SimplifyOptions options;
+    options.method = method;
+    options.epsilon = 0.02;
+    options.resolution = 200;
+    simplify(mesh, options);
+    // By chance, T-junctions can end up round a patch, so that nothing can be merged any more.
+    EXPECT_LE(mesh.face_count(), method == Method::random ? 15 : 1) << name(method);
+  }
+}
+
+TEST(Manual, says_which_edge_cannot_be_merged_and_why) {
+  const Mesh original = build_mesh(test::l_branch());
+  const auto message = [&](std::vector<int> edges, double epsilon) -> std::string {
+    Mesh mesh = original;
+    SimplifyOptions options;
+    options.method = Method::manual;
+    options.edges = std::move(edges);
+    options.epsilon = epsilon;
+    options.resolution = 100;
+    try {
+      simplify(mesh, options);
+    } catch (const InputError& error) {
+      EXPECT_EQ(patches(mesh), patches(original));
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({1}, 1).find("half-edge 1: "), std::string::npos);
+  EXPECT_NE(message({0}, 1).find("boundary"), std::string::npos);
+  EXPECT_NE(message({99}, 1).find("there is no such half-edge"), std::string::npos);
+  EXPECT_NE(message({-1}, 1).find("there is no such half-edge"), std::string::npos);
+}
+
+TEST(Manual, keeps_to_epsilon_and_to_the_order) {
+  const Mesh original = own_mesh("bicubic");
+  const std::vector<int> edges = some_edges(original);
+  ASSERT_EQ(edges.size(), 3u);
+  SimplifyOptions options;
+  options.method = Method::manual;
+  options.edges = edges;
+  options.epsilon = 1;
+  options.resolution = 100;
+  Mesh merged = original;
+  const double error = simplify(merged, options).error;
+  EXPECT_GT(error, 0);
+  Mesh by_hand = original;
+  Journal journal(by_hand);
+  for (const int edge : edges) merge(journal, Halfedge{edge});
+  EXPECT_EQ(patches(merged), patches(by_hand));
+
+  options.epsilon = error / 2;
+  Mesh refused = original;
+  EXPECT_THROW(simplify(refused, options), InputError);
+  EXPECT_EQ(patches(refused), patches(original));
+}
+
+}  // namespace
+}  // namespace gradmesh
