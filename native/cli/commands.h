@@ -12,6 +12,7 @@ void add_render(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_analyze(CLI::App& program);
 void add_draw(CLI::App& program);
+void add_report(CLI::App& program);
 void add_convert(CLI::App& program);
 
 }  // namespace gradmesh

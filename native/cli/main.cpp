@@ -17,6 +17,7 @@ int run(int argc, char** argv) {
   add_compare(program);
   add_analyze(program);
   add_draw(program);
+  add_report(program);
   add_convert(program);
   try {
     program.parse(argc, argv);

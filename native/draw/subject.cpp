@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "mesh/boundary.h"
+
 namespace gradmesh {
 namespace {
 
@@ -14,16 +16,10 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-Subject::Subject(const Mesh& mesh, const Affine& view) : mesh_(mesh), view_(view) {
+Subject::Subject(const Mesh& mesh, const Affine& view)
+    : mesh_(mesh), view_(view), box_(bounding_box(mesh, view)) {
   std::vector<double> widths;
-  for (const Face f : mesh.faces()) {
-    widths.push_back(narrowness(f));
-    for (const Halfedge h : mesh.sides(f)) {
-      const Cubic<Value> side = mesh.side_of(h);
-      box_.add_cubic(point(side.p0.position), point(side.bezier1().position),
-                     point(side.bezier2().position), point(side.p1.position));
-    }
-  }
+  for (const Face f : mesh.faces()) widths.push_back(narrowness(f));
   unit_ = 0.01 * std::max(box_.size().x, box_.size().y);
   line_width_ = std::clamp(0.03 * median(std::move(widths)), 0.11 * unit_, 0.2 * unit_);
 }

@@ -20,6 +20,7 @@ RANK = {
     "draw": 6,
     "simplify": 6,
     "document": 7,
+    "report": 7,
     "bindings": 8,
     "cli": 8,
 }

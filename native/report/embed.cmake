@@ -1,0 +1,10 @@
+# Writes the files of the page as text into a header: cmake -DHEADER=... -DFILES=a;b -P embed.cmake
+set(text "#pragma once\n\nnamespace gradmesh::report_page {\n\n")
+foreach(file ${FILES})
+  get_filename_component(name ${file} NAME)
+  string(MAKE_C_IDENTIFIER ${name} name)
+  file(READ ${file} content)
+  string(APPEND text "inline constexpr char ${name}[] = R\"--page--(${content})--page--\";\n\n")
+endforeach()
+string(APPEND text "}  // namespace gradmesh::report_page\n")
+file(WRITE ${HEADER} "${text}")

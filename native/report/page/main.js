@@ -1,0 +1,124 @@
+const data = JSON.parse(document.getElementById("data").textContent);
+const meshes = { before: new Mesh("before", data.before), after: new Mesh("after", data.after) };
+
+/** What is selected in each mesh, and whose details are shown. */
+const state = { side: "before", before: null, after: null, region: 0 };
+
+function markSelection() {
+  const { side } = state, element = state[side];
+  const region = element.kind === "patch" ? meshes[side].regions.get(element.id)[state.region] : null;
+  for (const other of ["before", "after"])
+    for (const pane of stage.of(other)) pane.select(other === side ? element : null, other === side ? region : null);
+}
+
+function refresh() {
+  const { side } = state, element = state[side], mesh = meshes[side];
+  markSelection();
+  for (const button of document.querySelectorAll("#sides button"))
+    button.setAttribute("aria-pressed", button.dataset.side === side);
+  inspector.show(mesh, element, state.region);
+  history.replaceState(null, "", `#${side}/${element.kind}/${element.id}`);
+}
+
+function select(side, element) {
+  if (!element || !meshes[side].get(element.kind, element.id)) return;
+  Object.assign(state, { side, [side]: element, region: 0 });
+  refresh();
+}
+
+function hover(side, element) {
+  for (const pane of stage.of(side)) pane.mark(pane.hover, element);
+}
+
+const stage = new Stage(data, meshes, { onPick: select, onHover: hover });
+const inspector = new Inspector({
+  onSelect: (element) => select(state.side, element),
+  onHover: (element) => hover(state.side, element),
+  onRegion: (region) => {
+    state.region = region;
+    markSelection();
+  },
+});
+
+/** The address names an element: #before/patch/12. */
+function follow(address) {
+  const [, side, kind, id] = address.match(/^#(before|after)\/(\w+)\/(\d+)$/) ?? [];
+  if (side) select(side, { kind, id: Number(id) });
+}
+
+// --- the page around them ---
+
+function describePage() {
+  const { before, after } = data;
+  document.title = `${data.id}: ${before.patches} \u2192 ${after.patches} patches`;
+  document.getElementById("title").textContent = data.id;
+  document.getElementById("files").textContent = `${before.file} \u2192 ${after.file}`;
+  const change = (name, key) => [
+    make("dt", {}, name),
+    make("dd", {}, `${before[key]} `, make("span", { class: "quiet" }, "\u2192"), ` ${after[key]}`),
+  ];
+  const less = Math.round(100 * (1 - after.patches / before.patches));
+  document.getElementById("summary").append(
+    make("div", {}, ...change("Patches", "patches"), make("dd", { class: "quiet" }, less > 0 ? `${less} % fewer` : "none fewer")),
+    make("div", {}, ...change("Points", "points")),
+    make("div", {}, ...change("T-junctions", "t_junctions")),
+    make("div", {}, make("dt", {}, "Error"), make("dd", { id: "error" }, short(data.error, 3)),
+      make("dd", { class: "quiet" }, `${data.metric}, ${data.width} \u00d7 ${data.height} px`)));
+  for (const side of ["before", "after"]) {
+    const caption = stage.panes[side].figure.querySelector("figcaption");
+    caption.append(make("span", { class: "quiet" }, ` ${data[side].patches} patches`));
+  }
+}
+
+const OPTION_NAMES = {
+  method: "Method", color_model: "Colour model", metric: "Metric", epsilon: "Largest error (epsilon)",
+  resolution: "Resolution", seed: "Seed", omega: "Weight of size (omega)", kappa: "Costly edges from (kappa)",
+  patches_before: "Patches before", patches_after: "Patches after", error: "Error",
+  evaluations: "Merges measured", stopped: "Stopped",
+};
+
+/** Options that only some methods look at. */
+const OPTION_METHODS = {
+  seed: ["random", "grid", "dual-grid", "motorcycle"], omega: ["gqe", "gqe1"], kappa: ["motorcycle"],
+};
+
+function describeRun() {
+  const list = document.getElementById("options"), { run } = data;
+  const add = (name, value) => list.append(make("div", {}, make("dt", {}, name), make("dd", {}, value)));
+  if (!run) {
+    list.replaceWith(make("p", { class: "quiet" },
+      "Not known. The option --run of gradmesh report takes the file that --report of gradmesh simplify writes."));
+    return;
+  }
+  for (const [key, name] of Object.entries(OPTION_NAMES)) {
+    const value = run[key], matters = OPTION_METHODS[key]?.includes(run.method) ?? true;
+    if (value !== undefined && matters) add(name, typeof value === "number" ? short(value, 5) : String(value));
+  }
+  if (run.seconds?.total !== undefined) add("Time", `${short(run.seconds.total, 3)} s`);
+}
+
+function describeErrors() {
+  const { largest, scale } = data.errors;
+  const stops = scale.join(", "), ticks = [0, 0.25, 0.5, 0.75, 1];
+  document.getElementById("legend").append(
+    make("div", { class: "scale", style: `background: linear-gradient(to right, ${stops})` }),
+    make("div", { class: "ticks" }, ...ticks.map((t) => make("span", { style: `left:${100 * t}%` }, short(t * largest, 2)))),
+    make("p", { class: "quiet" }, `${data.metric} of each pixel; its mean is ${short(data.error, 3)}`));
+}
+
+function shortcuts(event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input")) return;
+  const zoom = { "+": () => stage.zoom(1.5), "-": () => stage.zoom(1 / 1.5), 0: () => stage.fit() }[event.key];
+  if (zoom) zoom();
+}
+
+describePage();
+describeRun();
+describeErrors();
+for (const button of document.querySelectorAll("#sides button"))
+  button.addEventListener("click", () => select(button.dataset.side, state[button.dataset.side]));
+document.addEventListener("keydown", shortcuts);
+window.addEventListener("hashchange", () => follow(location.hash));
+const address = location.hash;
+for (const side of ["after", "before"]) select(side, { kind: "patch", id: meshes[side].lists.patch[0].id });
+follow(address);

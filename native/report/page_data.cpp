@@ -1,0 +1,137 @@
+#include "report/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "draw/heat_scale.h"
+#include "io/base64.h"
+#include "io/image_file.h"
+#include "io/mesh_json.h"
+#include "raster/rasterizer.h"
+
+namespace gradmesh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string address(const Image& image) {
+  return "data:image/png;base64," + base64(png_bytes(image));
+}
+
+/// The number that is written with so many decimals.
+double rounded(double value, int decimals) {
+  const double scale = std::pow(10, decimals);
+  return std::round(value * scale) / scale + 0.0;
+}
+
+Json pixels(const Cubic<Value>& curve, const Affine& to_pixels) {
+  Json numbers = Json::array();
+  for (const Value& value : {curve.p0, curve.bezier1(), curve.bezier2(), curve.p1}) {
+    const glm::dvec2 at = to_pixels.point(value.position);
+    numbers.insert(numbers.end(), {rounded(at.x, 3), rounded(at.y, 3)});
+  }
+  return numbers;
+}
+
+Json hermite(const Patch& patch, int decimals) {
+  Json matrix = Json::array();
+  for (const auto& row : patch.c)
+    for (const Value& v : row) {
+      Json entry = Json::array();
+      for (int i = 0; i < 2; ++i) entry.push_back(rounded(v.position[i], decimals));
+      for (int i = 0; i < 4; ++i) entry.push_back(rounded(v.color[i], 4));
+      matrix.push_back(std::move(entry));
+    }
+  return matrix;
+}
+
+/// What merging the edges costs, for each half-edge that is alive.
+Json merging(const Mesh& mesh, const std::vector<EdgePrice>& prices) {
+  std::vector<Json> known(mesh.halfedge_slots());
+  for (const EdgePrice& p : prices)
+    known[p.edge.value] = p.obstacle != MergeObstacle::none ? Json(describe(p.obstacle))
+                          : std::isfinite(p.error)          ? Json(p.error)
+                                                            : Json("it cannot be merged");
+  Json list = Json::array();
+  for (const Halfedge h : mesh.halfedges()) list.push_back(known[mesh.curve(h).value]);
+  return list;
+}
+
+Json regions_json(const Mesh& mesh, const std::vector<RegionPrice>& regions) {
+  Json list = Json::array();
+  for (const RegionPrice& r : regions) {
+    Json faces = Json::array();
+    for (const Halfedge top : region_tops(mesh, r.region)) faces.push_back(mesh.face(top).value);
+    list.push_back({{"rows", r.region.rows},
+                    {"columns", r.region.columns},
+                    {"error", r.error},
+                    {"faces", std::move(faces)}});
+  }
+  return list;
+}
+
+Json mesh_json(const ReportedMesh& reported, const Image& picture) {
+  const Mesh& mesh = reported.mesh;
+  const Affine& to_pixels = reported.frame.to_pixels;
+  // To a hundredth of a pixel, in mesh units.
+  const int decimals =
+      std::max(0, int(std::ceil(2 + 0.5 * std::log10(std::abs(to_pixels.determinant())))));
+  const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
+  Json curves = Json::array(), matrices = Json::array();
+  for (const Halfedge h : mesh.halfedges())
+    curves.push_back(pixels(mesh.is_leaf(h) ? mesh.side_of(h) : mesh.curve_of(h), to_pixels));
+  for (const Face f : mesh.faces()) matrices.push_back(hermite(mesh.patch(f), decimals));
+  return {{"file", reported.file},
+          {"picture", address(picture)},
+          {"color_model", mesh.color_model() == ColorModel::bicubic ? "bicubic" : "bilinear"},
+          {"patches", mesh.face_count()},
+          {"points", std::ranges::distance(mesh.points())},
+          {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)},
+          {"elements", elements_json(mesh)},
+          {"curves", std::move(curves)},
+          {"hermite", std::move(matrices)},
+          {"merging", Json::array()},
+          {"regions", Json::array()}};
+}
+
+/// The map as a picture in colours from nothing to the largest error in it.
+Json errors_json(const Plane& map) {
+  constexpr int steps = 16;
+  const float largest = *std::ranges::max_element(map.samples);
+  Image picture(map.width, map.height);
+  for (std::size_t i = 0; i < map.samples.size(); ++i) {
+    const glm::dvec3 color = heat_color(largest > 0 ? map.samples[i] / largest : 0);
+    for (int k = 0; k < 3; ++k)
+      picture.samples[3 * i + std::size_t(k)] = std::uint8_t(std::lround(255 * color[k]));
+  }
+  Json scale = Json::array();
+  for (int i = 0; i <= steps; ++i) scale.push_back(hex_color(heat_color(double(i) / steps)));
+  return {{"picture", address(picture)}, {"largest", largest}, {"scale", scale}};
+}
+
+}  // namespace
+
+Json page_data(const Report& report) {
+  const auto rasterizer = make_software_rasterizer();
+  const ReportedMesh &before = report.before, &after = report.after;
+  const Image first =
+      rasterizer->paint(report.original ? *report.original : before.mesh, before.frame);
+  const Image second = rasterizer->paint(after.mesh, after.frame);
+  const Plane map = make_metric(report.metric, first)->map(second);
+  Json before_json = mesh_json(before, first);
+  before_json["merging"] = merging(before.mesh, report.edges);
+  before_json["regions"] = regions_json(before.mesh, report.regions);
+  return {{"id", report.id},
+          {"width", first.width},
+          {"height", first.height},
+          {"metric", report.metric == MetricKind::flip ? "FLIP" : "1 \u2212 SSIM"},
+          {"error", mean(map)},
+          {"epsilon", report.epsilon},
+          {"errors", errors_json(map)},
+          {"run", report.run},
+          {"before", std::move(before_json)},
+          {"after", mesh_json(after, second)}};
+}
+
+}  // namespace gradmesh

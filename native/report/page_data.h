@@ -1,0 +1,25 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "report/report.h"
+
+namespace gradmesh {
+
+/// What the page's scripts work with:
+///   {"id", "width", "height",                    pixels of the pictures
+///    "metric": "FLIP", "error", "epsilon",
+///    "errors": {"picture", "largest", "scale": ["#rrggbb", ...]}, scale from 0 to largest
+///    "run": {...} or null,
+///    "before": mesh, "after": mesh}
+/// with pictures as `data:` addresses, and a mesh as
+///   {"file", "picture", "color_model", "patches", "points", "t_junctions",
+///    "elements": {...},                          io/mesh_json.h
+///    "curves": [[x0, y0, ..., x3, y3], ...],     Bezier points in pixels, one for each half-edge
+///    "hermite": [[[x, y, r, g, b, a], x 16], ...],  row by row (Eq. 3), one for each face
+///    "merging": [...],   for each half-edge the price of merging it, why it cannot be, or null
+///    "regions": [{"rows", "columns", "error", "faces": [...]}, ...]}  by rising size
+/// The last two are empty in the mesh after.
+nlohmann::ordered_json page_data(const Report& report);
+
+}  // namespace gradmesh

@@ -1,0 +1,41 @@
+#include "report/report.h"
+
+#include <string_view>
+
+#include "report/page_data.h"
+#include "report_page.h"
+
+namespace gradmesh {
+namespace {
+
+/// Replaces the one place that is marked so in the page.
+void fill(std::string& page, std::string_view mark, std::string_view content) {
+  page.replace(page.find(mark), mark.size(), content);
+}
+
+/// JSON that no text in it can end early: "<" occurs inside strings only.
+std::string as_script(const nlohmann::ordered_json& data) {
+  std::string text;
+  for (const char c : data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report_html(const Report& report) {
+  std::string page(report_page::index_html);
+  fill(page, "/* style */", report_page::style_css);
+  fill(page, "/* script */",
+       std::string(report_page::mesh_js) + report_page::stage_js + report_page::inspector_js +
+           report_page::main_js);
+  fill(page, "/* data */", as_script(page_data(report)));
+  return page;
+}
+
+}  // namespace gradmesh

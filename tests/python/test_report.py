@@ -1,0 +1,450 @@
+"""The report page, in a real browser: everything B.1 and B.3 of the paper show, from one file."""
+
+import json
+import re
+
+import pytest
+
+import browser as browsers
+from built import SAMPLES, gradmesh as run
+from hemesh_files import grid
+
+FRUIT = SAMPLES / "fruit.svg"
+COARSE = ("--resolution", 150)
+
+needs_browser = pytest.mark.skipif(bool(browsers.MISSING), reason=browsers.MISSING)
+
+
+def made(*arguments):
+    done = run(*arguments)
+    assert (done.returncode, done.stderr) == (0, "")
+    return done.stdout
+
+
+def page_data(path):
+    """What the page's scripts work with."""
+    return json.loads(re.search(r'<script id="data".*?>(.*?)</script>', path.read_text(), re.S)[1])
+
+
+def elements(path):
+    (mesh,) = json.loads(made("info", "--json", path))["meshes"]
+    return mesh["elements"]
+
+
+class Fruit:
+    """The fruit, simplified, and the page about it."""
+
+    def __init__(self, folder):
+        names = ("after.svg", "run.json", "prices.json", "report.html")
+        self.after, self.run, self.prices, self.page = (folder / name for name in names)
+        made("simplify", FRUIT, "-o", self.after, *COARSE, "--method", "gqe",
+             "--report", self.run, "--save-analysis", self.prices)  # fmt: skip
+        self.options = ("--run", self.run, "--load-analysis", self.prices)
+        made("report", FRUIT, self.after, "-o", self.page, *self.options)
+        (self.told,) = json.loads(self.run.read_text())["meshes"]
+        self.data = page_data(self.page)
+
+
+@pytest.fixture(scope="module")
+def fruit(tmp_path_factory):
+    return Fruit(tmp_path_factory.mktemp("report"))
+
+
+# --- what the page holds ---
+
+
+def test_the_page_tells_what_the_run_did(fruit):
+    data = fruit.data
+    assert data["run"] == fruit.told
+    assert data["before"]["patches"] == fruit.told["patches_before"] == 132
+    assert data["after"]["patches"] == fruit.told["patches_after"] < 132
+    # Resolution and metric are those of the run; the document is measured as a reader finds it.
+    assert data["error"] == pytest.approx(fruit.told["error"], abs=1e-6)
+    assert max(data["width"], data["height"]) == 150 and data["metric"] == "FLIP"
+    assert data["before"]["elements"] == elements(FRUIT)
+    assert data["after"]["elements"] == elements(fruit.after)
+
+
+def test_regions_are_those_of_the_analysis(fruit):
+    (analysis,) = json.loads(fruit.prices.read_text())["analyses"]
+    affordable = [p for p in analysis["prices"] if p[4] is not None and p[4] <= 0.01]
+    regions = fruit.data["before"]["regions"]
+    assert sorted(r["error"] for r in regions) == sorted(p[4] for p in affordable)
+    for r in regions:
+        assert len(set(r["faces"])) == r["rows"] * r["columns"] == len(r["faces"])
+    assert fruit.data["after"]["regions"] == []
+
+
+def test_the_same_page_again(fruit, tmp_path):
+    again = tmp_path / "again.html"
+    made("report", FRUIT, fruit.after, "-o", again, *fruit.options)
+    assert again.read_bytes() == fruit.page.read_bytes()
+    # Without the files, the prices are worked out, and nothing is known of the run.
+    alone = tmp_path / "alone.html"
+    made("report", FRUIT, fruit.after, "-o", alone, *COARSE)
+    assert page_data(alone) == {**fruit.data, "run": None}
+
+
+def test_meshes_of_both_kinds(tmp_path):
+    leaf, page, drawing = (tmp_path / name for name in ("leaf.hemesh", "page.html", "leaf.svg"))
+    leaf.write_text(grid(3, 3))
+    made("convert", leaf, drawing)
+    made("report", leaf, drawing, "-o", page, "--metric", "ssim", *COARSE)
+    data = page_data(page)
+    assert (data["id"], data["metric"]) == ("leaf", "1 \u2212 SSIM")
+    assert (data["before"]["color_model"], data["after"]["color_model"]) == ("bicubic", "bilinear")
+    assert 0 < data["error"] < 0.01
+    # Both lie in the same place.
+    boxes = []
+    for side in ("before", "after"):
+        numbers = [x for curve in data[side]["curves"] for x in curve]
+        boxes.append([min(numbers[0::2]), min(numbers[1::2]), max(numbers[0::2]), max(numbers[1::2])])
+    assert boxes[0] == pytest.approx(boxes[1], abs=1)
+
+
+@pytest.mark.parametrize(
+    "content, sentence",
+    [
+        ("", "this is no report of gradmesh simplify."),
+        ("[]", "this is no report of gradmesh simplify."),
+        ('{"meshes": []}', "this report says nothing of the mesh pear."),
+        ('{"meshes": [{"id": "pear", "epsilon": "small"}]}', "this is no report of gradmesh simplify."),
+        ('{"meshes": [{"id": "pear", "metric": "taste"}]}',
+         "the metric 'taste' is not known; there are: flip, ssim."),
+    ],
+)  # fmt: skip
+def test_other_files_are_no_reports(tmp_path, content, sentence):
+    path, page = tmp_path / "run.json", tmp_path / "page.html"
+    path.write_text(content)
+    done = run("report", FRUIT, FRUIT, "-o", page, "--run", path)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == f"gradmesh: {path}: {sentence}\n"
+    assert not page.exists()
+
+
+# --- what a person sees and does ---
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    if browsers.MISSING:
+        pytest.skip(browsers.MISSING)
+    with browsers.chromium(1200, 900) as browser:
+        yield browser
+
+
+class Page:
+    """The page about the fruit, freshly opened; what fails in it fails the test."""
+
+    def __init__(self, browser, path, data):
+        self.browser, self.data = browser, data
+        browsers.resize(browser, 1200, 900)
+        browsers.prefer_color_scheme(browser, "light")
+        browsers.requests(browser), browsers.complaints(browser)
+        self.address = path.as_uri()
+        self.open()
+
+    def open(self, fragment=""):
+        self.browser.get("about:blank")
+        self.browser.get(self.address + fragment)
+
+    def js(self, script, *arguments):
+        return self.browser.execute_script("return " + script.strip(), *arguments)
+
+    def text(self, selector):
+        return self.js("document.querySelector(arguments[0]).innerText", selector)
+
+    def texts(self, selector):
+        return self.js("[...document.querySelectorAll(arguments[0])].map(e => e.innerText)", selector)
+
+    def press(self, selector):
+        self.browser.find_element("css selector", selector).click()
+
+    def keys(self, selector, *keys):
+        self.browser.find_element("css selector", selector).send_keys(*keys)
+
+    @property
+    def selected(self):
+        return self.text("#details h2")
+
+    def mark(self, side, group="marks"):
+        """The element that is marked in a picture."""
+        return self.js(f"document.querySelector('[data-side={side}] .{group}').dataset.element")
+
+    def on_screen(self, side, place):
+        """Where a place of the picture is in the window."""
+        return self.js(
+            "(([x, y]) => { const svg = document.querySelector(`[data-side=${arguments[0]}] svg`);"
+            " const p = new DOMPoint(x, y).matrixTransform(svg.getScreenCTM()); return [p.x, p.y]; })"
+            "(arguments[1])", side, place)  # fmt: skip
+
+    def mouse(self, kind, x, y, **more):
+        event = {"type": kind, "x": x, "y": y, **more}
+        self.browser.execute_cdp_cmd("Input.dispatchMouseEvent", event)
+
+    def hover(self, side, place):
+        self.mouse("mouseMoved", *self.on_screen(side, place))
+
+    def click(self, side, place):
+        self.hover(side, place)
+        for kind in ("mousePressed", "mouseReleased"):
+            self.mouse(kind, *self.on_screen(side, place), button="left", clickCount=1)
+
+    # places in the picture
+
+    def curve(self, side, halfedge, t=0.5):
+        ids = [h["id"] for h in self.data[side]["elements"]["halfedges"]]
+        c, s = self.data[side]["curves"][ids.index(halfedge)], 1 - t
+        weights = (s**3, 3 * s * s * t, 3 * s * t * t, t**3)
+        return [sum(w * c[2 * i + k] for i, w in enumerate(weights)) for k in (0, 1)]
+
+    def inside(self, side, patch):
+        sides = self.data[side]["elements"]["faces"][patch]["halfedges"]
+        middles = [self.curve(side, h) for h in sides]
+        return [sum(m[k] for m in middles) / 4 for k in (0, 1)]
+
+
+@pytest.fixture
+def page(chromium, fruit):
+    page = Page(chromium, fruit.page, fruit.data)
+    yield page
+    assert browsers.complaints(chromium) == []
+    strangers = [url for url in browsers.requests(chromium)
+                 if not url.startswith(("data:", "about:", page.address))]  # fmt: skip
+    assert strangers == []
+
+
+def by_id(mesh, kind):
+    return {e["id"]: e for e in mesh["elements"][kind]}
+
+
+def test_the_head_of_the_page(page, fruit):
+    after = fruit.data["after"]
+    assert page.browser.title == f"pear: 132 \u2192 {after['patches']} patches"
+    assert page.text("#files") == "fruit.svg \u2192 after.svg"
+    summary = page.text("#summary")
+    for key in ("patches", "points", "t_junctions"):
+        assert f"{fruit.data['before'][key]} \u2192 {after[key]}" in summary
+    assert float(page.text("#error")) == pytest.approx(fruit.told["error"], rel=0.01)
+    options = page.texts("#options > div")
+    assert "Method\ngqe" in options and "Largest error (epsilon)\n0.01" in options
+
+
+def test_pointing_at_a_patch_walks_through_its_regions(page, fruit):
+    page.hover("before", page.inside("before", 65))
+    assert page.mark("before", "hover") == "patch/65"
+    page.click("before", page.inside("before", 65))
+    assert page.selected == "Patch 65" and page.mark("before") == "patch/65"
+    assert page.text("#list [aria-selected=true] b") == "65"
+    regions = [r for r in fruit.data["before"]["regions"] if 65 in r["faces"]]
+    assert len(regions) > 3
+    borders = set()
+    for i, region in enumerate([*regions, regions[0]]):
+        told = page.text("#region")
+        assert f"{region['rows']} \u00d7 {region['columns']} patches" in told
+        error = re.search(r"error (\S+)", told)[1].replace("\u2212", "-")
+        assert float(error) == pytest.approx(region["error"], rel=0.01)
+        assert f"{i % len(regions) + 1} of {len(regions)}" in told
+        borders.add(page.js("document.querySelector('[data-side=before] .region-border').getAttribute('d')"))
+        page.press("[data-action=Next]")
+    assert len(borders) == len(regions)
+    page.press("[data-action=Previous]")
+    assert f"1 of {len(regions)}" in page.text("#region")
+
+
+def test_pointing_at_an_edge_and_a_point(page, fruit):
+    halfedge = fruit.data["before"]["elements"]["faces"][65]["halfedges"][0]
+    page.click("before", page.curve("before", halfedge))
+    sides = by_id(fruit.data["before"], "halfedges")
+    assert page.selected in {f"Half-edge {h}" for h in (halfedge, sides[halfedge]["twin"])}
+    page.click("before", page.curve("before", halfedge, 0))
+    assert page.selected == f"Point {sides[halfedge]['origin']}"
+
+
+@pytest.mark.parametrize("side", ["before", "after"])
+def test_buttons_lead_to_next_prev_twin_and_parent(page, fruit, side):
+    halfedges = by_id(fruit.data[side], "halfedges")
+    seen = {"next": 0, "prev": 0, "twin": 0, "parent": 0}
+    for start in list(halfedges)[:: max(1, len(halfedges) // 12)] + list(halfedges)[-3:]:
+        for link in seen:
+            page.open(f"#{side}/halfedge/{start}")
+            assert page.selected == f"Half-edge {start}" and page.mark(side) == f"halfedge/{start}"
+            to = halfedges[start][link]
+            button = page.browser.find_element("css selector", f"[data-action={link}]")
+            assert button.is_enabled() == (to is not None)
+            if to is None:
+                assert button.text == f"{link}\nnone"
+                continue
+            button.click()
+            seen[link] += 1
+            assert page.selected == f"Half-edge {to}" and page.mark(side) == f"halfedge/{to}"
+            assert page.js("location.hash") == f"#{side}/halfedge/{to}"
+    if side == "before":
+        assert seen.pop("parent") == 0  # a plain grid
+    assert all(seen.values())
+
+
+def test_junctions_know_their_stems(page, fruit):
+    junction = next(p for p in fruit.data["after"]["elements"]["points"] if p["stem"] is not None)
+    page.open(f"#after/point/{junction['id']}")
+    assert "T-junction" in page.text("#details")
+    page.press("[data-action=stem]")
+    assert page.selected == f"Half-edge {junction['stem']}"
+    parent = by_id(fruit.data["after"], "halfedges")[junction["stem"]]["parent"]
+    page.press("[data-action=parent]")
+    children = by_id(fruit.data["after"], "halfedges")[parent]["children"]
+    assert [t for t in page.texts("#details .link") if re.match("(bar|stem)\n", t)] == [
+        f"{kind}\nHalf-edge {child}" for kind, child in zip(["bar", "stem"] * len(children), children)
+    ]
+
+
+def test_the_lists_work_by_keyboard(page, fruit):
+    page.press("#tabs [data-kind=halfedge]")
+    count = len(fruit.data["before"]["elements"]["halfedges"])
+    assert page.js("document.querySelectorAll('#list li').length") == count
+    for keys, expected in ((page_keys("END"), count - 1), (page_keys("ARROW_UP"), count - 2), (page_keys("HOME"), 0)):
+        page.keys("#list", keys)
+        assert page.selected == f"Half-edge {expected}"
+        assert page.mark("before") == f"halfedge/{expected}"
+    page.keys("#tabs [data-kind=halfedge]", page_keys("ARROW_RIGHT"))
+    assert page.text("#list li").startswith("0")
+    page.keys("#list", page_keys("ARROW_DOWN"))
+    assert page.selected == "Point 0"
+    page.press("#sides [data-side=after]")
+    assert page.selected.startswith("Patch") and page.mark("after") and not page.mark("before")
+    # A button that leads on keeps the focus, to walk around the patch.
+    page.open("#before/halfedge/240")
+    order = []
+    for _ in range(4):
+        page.keys("[data-action=next]", page_keys("ENTER"))
+        assert page.js("document.activeElement.dataset.action") == "next"
+        order.append(page.selected)
+    assert order == [f"Half-edge {h}" for h in (241, 242, 243, 240)]
+
+
+def page_keys(name):
+    from selenium.webdriver.common.keys import Keys
+
+    return getattr(Keys, name)
+
+
+def test_the_hermite_matrix(page, fruit):
+    page.open("#before/patch/17")
+    values = fruit.data["before"]["hermite"][17]
+    cells = [cell.replace("\u2212", "-").split("\n") for cell in page.texts(".hermite td")]
+    assert len(cells) == 16
+    assert [c[0] for c in cells[:5]] == ["m0", "m0v", "m2v", "m2", "m0u"]
+    for cell, value in zip(cells, values):
+        assert [float(x) for x in cell[1:]] == pytest.approx(value[:2], rel=1e-3, abs=1e-3)
+    page.press(".details .choice button:last-child")
+    cells = [cell.replace("\u2212", "-").split("\n") for cell in page.texts(".hermite td")]
+    for cell, value in zip(cells, values):
+        assert [float(x) for x in cell[1:]] == pytest.approx(value[2:5], rel=1e-3, abs=1e-3)
+
+
+def clip(page):
+    return page.js("getComputedStyle(document.querySelector('[data-side=after]')).clipPath")
+
+
+def shown(page):
+    return [side for side in ("before", "after", "errors")
+            if page.js(f"document.querySelector('.pane[data-side={side}]').offsetWidth > 0")]  # fmt: skip
+
+
+def test_the_slider_moves(page):
+    assert shown(page) == ["before", "after"] and clip(page) == "none"
+    page.press("[data-view=slider]")
+    assert shown(page) == ["before", "after"] and clip(page).endswith(" 50%)")
+    box = page.js("document.getElementById('panes').getBoundingClientRect().toJSON()")
+    middle = box["y"] + box["height"] / 2
+    page.mouse("mousePressed", box["x"] + box["width"] / 2, middle, button="left", clickCount=1)
+    for share in (0.4, 0.3, 0.2):
+        page.mouse("mouseMoved", box["x"] + share * box["width"], middle, button="left", buttons=1)
+    page.mouse("mouseReleased", box["x"] + 0.2 * box["width"], middle, button="left", clickCount=1)
+    assert float(re.search(r"([\d.]+)%\)$", clip(page))[1]) == pytest.approx(20, abs=0.5)
+    page.keys("#divider", page_keys("ARROW_RIGHT"))
+    assert clip(page).endswith(" 22%)")
+    page.keys("#divider", page_keys("END"))
+    assert clip(page).endswith(" 100%)")
+    # On the left of the divider is the mesh before, to be pointed at.
+    page.click("before", page.inside("before", 65))
+    assert page.selected == "Patch 65" and page.js("location.hash") == "#before/patch/65"
+    page.keys("#divider", page_keys("HOME"))
+    page.click("after", page.inside("after", 5))
+    assert page.js("location.hash") == "#after/patch/5"
+
+
+def test_the_error_map_has_a_legend(page, fruit):
+    assert page.js("document.getElementById('legend').hidden")
+    page.press("[data-view=errors]")
+    assert shown(page) == ["errors"]
+    ticks = [float(t) for t in page.texts("#legend .ticks span")]
+    assert ticks[0] == 0 and ticks[-1] == pytest.approx(fruit.data["errors"]["largest"], rel=0.1)
+    assert ticks == sorted(ticks)
+    page.click("errors", page.inside("after", 7))
+    assert page.js("location.hash") == "#after/patch/7" and page.mark("errors") == "patch/7"
+
+
+def test_outlines_and_zoom(page):
+    view_box = "document.querySelector('[data-side=before] svg').getAttribute('viewBox')"
+    whole = [float(x) for x in page.js(view_box).split()]
+    assert whole == [0, 0, page.data["width"], page.data["height"]]
+    page.press("#zoom-in")
+    part = [float(x) for x in page.js(view_box).split()]
+    assert part[2] == pytest.approx(whole[2] / 1.5) and part[0] > 0
+    x, y = page.on_screen("before", page.inside("before", 65))
+    page.mouse("mousePressed", x, y, button="left", clickCount=1)
+    for step in (20, 40):
+        page.mouse("mouseMoved", x + step, y, button="left", buttons=1)
+    page.mouse("mouseReleased", x + 40, y, button="left", clickCount=1)
+    assert float(page.js(view_box).split()[0]) < part[0]
+    assert page.selected == "Patch 0"  # which was no click
+    page.press("#zoom-fit")
+    assert page.js(view_box) == " ".join(f"{x:g}" for x in whole)
+    outlines = "getComputedStyle(document.querySelector('.outlines')).display"
+    assert page.js(outlines) != "none"
+    page.press("#outlines")
+    assert page.js(outlines) == "none"
+
+
+#: Elements that are cut off or reach out of the page.
+CLIPPED = """
+(() => [...document.querySelectorAll("h1,h2,h3,p,button,dt,dd,td,label,figcaption,.ticks span,li")]
+  .filter((e) => e.offsetWidth && !e.closest(".list"))
+  .filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== "inline"
+               || e.getBoundingClientRect().right > document.documentElement.clientWidth)
+  .map((e) => e.outerHTML))()
+"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [1200, 800, 420])
+def test_nothing_is_cut_off(page, fruit, width, scheme):
+    browsers.resize(page.browser, width, 900)
+    browsers.prefer_color_scheme(page.browser, scheme)
+    last = fruit.data["after"]["elements"]["halfedges"][-1]["id"]
+    for fragment in ("#before/patch/65", f"#after/halfedge/{last}", "#after/point/3", "#before/handle/9"):
+        page.open(fragment)
+        for view in ("side", "slider", "errors"):
+            page.press(f"[data-view={view}]")
+            assert page.js(CLIPPED) == []
+            assert page.js("document.documentElement.scrollWidth") <= width
+    red, green, blue = (
+        int(x) for x in re.findall(r"\d+", page.js("getComputedStyle(document.body).backgroundColor"))
+    )
+    assert (red + green + blue < 200) == (scheme == "dark")
+
+
+@needs_browser
+def test_names_cannot_break_the_page(chromium, tmp_path):
+    name = "</script><img src=http://example.org/x onerror=alert(1)>&amp;"
+    path, out = tmp_path / "odd.svg", tmp_path / "page.html"
+    text = FRUIT.read_text().replace('id="pear"', 'id="' + name.replace("&", "&amp;").replace("<", "&lt;") + '"')
+    path.write_text(text)
+    made("report", path, path, "-o", out, "--epsilon", 0, *COARSE)
+    page = Page(chromium, out, page_data(out))
+    assert page.text("#title") == name
+    assert page.browser.title.startswith(name)
+    assert page.js("document.images.length") == 0
+    assert browsers.complaints(chromium) == []
+    assert all(url.startswith(("file:", "data:", "about:")) for url in browsers.requests(chromium))
