@@ -20,7 +20,7 @@ std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh) {
   return loops;
 }
 
-std::vector<int> face_components(const Mesh& mesh) {
+std::vector<int> face_components(const Mesh& mesh, const std::function<bool(Halfedge)>& divides) {
   std::vector<int> component(mesh.face_slots(), -1);
   int count = 0;
   for (const Face start : mesh.faces()) {
@@ -31,6 +31,7 @@ std::vector<int> face_components(const Mesh& mesh) {
       const Face face = waiting.back();
       waiting.pop_back();
       for (const Halfedge h : mesh.sides(face)) {
+        if (divides(h)) continue;
         const Halfedge side = mesh.curve_side(h), twin = mesh[side].twin;
         for (const Halfedge s : {side, twin})
           for (const Halfedge leaf : s.valid() ? mesh.leaves(s) : std::vector<Halfedge>{}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/affine.h"
@@ -13,8 +14,10 @@ namespace gradmesh {
 std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh);
 
 /// For each face (by index) a number that all faces of its connected part of the mesh share; faces
-/// that meet in points only are not connected.
-std::vector<int> face_components(const Mesh& mesh);
+/// that meet in points only are not connected, nor are those across curves that `divides`.
+std::vector<int> face_components(
+    const Mesh& mesh,
+    const std::function<bool(Halfedge)>& divides = [](Halfedge) { return false; });
 
 /// The box around the mesh as `view` shows it, from the sides of its patches with their exact
 /// extrema: it does not depend on how finely the mesh is divided.

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "mesh/boundary.h"
 #include "mesh/region.h"
 #include "ops/merge.h"
 #include "select/grid.h"
@@ -96,30 +97,6 @@ class Tracer {
   std::vector<Halfedge> added_;
 };
 
-/// Numbers the parts of the mesh that marked edges separate; -1 for faces that are gone.
-std::vector<int> parts_of_faces(const Mesh& mesh, const Tracer& marks) {
-  std::vector<int> part(mesh.face_slots(), -1);
-  int count = 0;
-  for (const Face start : mesh.faces()) {
-    if (part[start.value] >= 0) continue;
-    std::vector<Face> open{start};
-    part[start.value] = count;
-    while (!open.empty()) {
-      const Face f = open.back();
-      open.pop_back();
-      for (const Halfedge h : mesh.sides(f)) {
-        const Halfedge across = leaf_across(mesh, h);
-        if (!across.valid() || marks.is_marked(h)) continue;
-        int& other = part[mesh.face(across).value];
-        if (other < 0) open.push_back(mesh.face(across));
-        other = count;
-      }
-    }
-    ++count;
-  }
-  return part;
-}
-
 }  // namespace
 
 MotorcycleGraph motorcycle_graph(const Mesh& mesh, const std::vector<EdgePrice>& prices,
@@ -134,7 +111,8 @@ MotorcycleGraph motorcycle_graph(const Mesh& mesh, const std::vector<EdgePrice>&
   }
   graph.traced = marks.run();
 
-  const std::vector<int> part = parts_of_faces(mesh, marks);
+  const std::vector<int> part =
+      face_components(mesh, [&](Halfedge h) { return marks.is_marked(h); });
   std::vector<std::vector<Halfedge>> edges(mesh.face_slots());
   std::vector<double> sum(mesh.face_slots(), 0);
   for (const EdgePrice& p : prices)
