@@ -32,8 +32,8 @@ std::string report_html(const Report& report) {
   std::string page(report_page::index_html);
   fill(page, "/* style */", report_page::style_css);
   fill(page, "/* script */",
-       std::string(report_page::mesh_js) + report_page::stage_js + report_page::inspector_js +
-           report_page::main_js);
+       std::string(report_page::dom_js) + report_page::mesh_js + report_page::stage_js +
+           report_page::inspector_js + report_page::main_js);
   fill(page, "/* data */", as_script(page_data(report)));
   return page;
 }

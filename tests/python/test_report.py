@@ -446,5 +446,7 @@ def test_names_cannot_break_the_page(chromium, tmp_path):
     assert page.text("#title") == name
     assert page.browser.title.startswith(name)
     assert page.js("document.images.length") == 0
+    page.press("[data-view=errors]")
+    assert page.text("#legend") == "The pictures do not differ."
     assert browsers.complaints(chromium) == []
     assert all(url.startswith(("file:", "data:", "about:")) for url in browsers.requests(chromium))

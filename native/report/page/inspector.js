@@ -1,40 +1,7 @@
-function make(tag, attributes = {}, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
-    else if (name.startsWith("aria-")) element.setAttribute(name, value);
-    else if (value !== false) element.setAttribute(name, value === true ? "" : value);
-  }
-  element.append(...children.filter((child) => child !== null));
-  return element;
-}
-
 const NAMES = { patch: "Patch", halfedge: "Half-edge", point: "Point", handle: "Handle" };
 
-/** Rows of Eq. 3, as the paper names its entries: base and what is derived. */
-const HERMITE = [
-  ["m0", ""], ["m0", "v"], ["m2", "v"], ["m2", ""],
-  ["m0", "u"], ["m0", "uv"], ["m2", "uv"], ["m2", "u"],
-  ["m1", "u"], ["m1", "uv"], ["m3", "uv"], ["m3", "u"],
-  ["m1", ""], ["m1", "v"], ["m3", "v"], ["m3", ""],
-];
-
-/** A number for people: few digits, no trailing zeros, a true minus. */
-function short(number, digits = 4) {
-  const small = number !== 0 && Math.abs(number) < 1e-3;
-  const text = small ? number.toExponential(Math.min(digits, 3) - 1) : String(Number(number.toPrecision(digits)));
-  return text.replaceAll("-", "\u2212");
-}
-
-/** CSS colour of values in 0..1. */
-function css(color) {
-  const bytes = color.slice(0, 3).map((c) => Math.round(255 * Math.min(1, Math.max(0, c))));
-  return `rgb(${bytes.join(" ")})`;
-}
-
-function swatch(color) {
-  return make("span", { class: "swatch", style: `background:${css(color)}`, "aria-hidden": true });
-}
+/** The entries of Eq. 3, row by row, as the paper names them. */
+const HERMITE = "m0 m0v m2v m2 m0u m0uv m2uv m2u m1u m1uv m3uv m3u m1 m1v m3v m3".split(" ");
 
 /** Lists the elements of a mesh and tells what there is to know about the selected one (B.1). */
 class Inspector {
@@ -72,7 +39,8 @@ class Inspector {
     this.mesh = mesh;
     this.element = element;
     if (other || element.kind !== this.kind) this.open(element.kind);
-    for (const row of this.list.querySelectorAll("[aria-selected=true]")) row.removeAttribute("aria-selected");
+    for (const row of this.list.querySelectorAll("[aria-selected=true]"))
+      row.removeAttribute("aria-selected");
     const row = this.list.querySelector(`[data-id="${element.id}"]`);
     row?.setAttribute("aria-selected", true);
     if (row) this.list.setAttribute("aria-activedescendant", row.id);
@@ -88,15 +56,28 @@ class Inspector {
       const { kind: its } = tab.dataset;
       tab.setAttribute("aria-selected", its === kind);
       tab.tabIndex = its === kind ? 0 : -1;
-      tab.replaceChildren(`${{ patch: "Patches" }[its] ?? `${NAMES[its]}s`} `,
-        make("span", { class: "count" }, this.mesh.lists[its].length));
+      tab.replaceChildren(
+        `${{ patch: "Patches" }[its] ?? `${NAMES[its]}s`} `,
+        make("span", { class: "count" }, this.mesh.lists[its].length),
+      );
     }
     this.list.setAttribute("aria-label", `${NAMES[kind]} list`);
     const { kind: selected, id } = this.element;
-    this.list.replaceChildren(...this.mesh.lists[kind].map((e) =>
-      make("li", {
-        role: "option", id: `row-${e.id}`, "data-id": e.id, "aria-selected": selected === kind && e.id === id,
-      }, make("b", {}, e.id), make("span", {}, ...this.summary(kind, e)))));
+    this.list.replaceChildren(
+      ...this.mesh.lists[kind].map((e) =>
+        make(
+          "li",
+          {
+            role: "option",
+            id: `row-${e.id}`,
+            "data-id": e.id,
+            "aria-selected": selected === kind && e.id === id,
+          },
+          make("b", {}, e.id),
+          make("span", {}, ...this.summary(kind, e)),
+        ),
+      ),
+    );
   }
 
   summary(kind, e) {
@@ -104,20 +85,30 @@ class Inspector {
     if (kind === "patch") {
       const corners = e.halfedges.map((h) => swatch(mesh.get("halfedge", h).color));
       const { length } = mesh.regions.get(e.id);
-      return mesh.side === "before" ? [...corners, length === 1 ? " 1 region" : ` ${length} regions`] : corners;
+      return mesh.side === "before"
+        ? [...corners, length === 1 ? " 1 region" : ` ${length} regions`]
+        : corners;
     }
-    if (kind === "point") return [e.position.map((x) => short(x)).join(", ") + (e.stem === null ? "" : " \u00b7 T-junction")];
-    if (kind === "handle") return [e.tangent.slice(0, 2).map((x) => short(x)).join(", ")];
+    if (kind === "point") return [list(e.position) + (e.stem === null ? "" : " \u00b7 T-junction")];
+    if (kind === "handle") return [list(e.tangent.slice(0, 2))];
     if (e.face === null) return [`parent of ${e.children.length} half-edges`];
     return [`patch ${e.face}` + (e.parent === null ? "" : `, child of ${e.parent}`)];
   }
 
   walk(event) {
-    const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -Infinity, End: Infinity }[event.key];
+    const step = {
+      ArrowDown: 1,
+      ArrowUp: -1,
+      PageDown: 10,
+      PageUp: -10,
+      Home: -Infinity,
+      End: Infinity,
+    }[event.key];
     if (step === undefined) return;
     event.preventDefault();
     const rows = this.mesh.lists[this.kind];
-    const now = this.element.kind === this.kind ? rows.findIndex((e) => e.id === this.element.id) : -1;
+    const now =
+      this.element.kind === this.kind ? rows.findIndex((e) => e.id === this.element.id) : -1;
     const next = Math.min(rows.length - 1, Math.max(0, now + step));
     this.onSelect({ kind: this.kind, id: rows[next].id });
   }
@@ -125,8 +116,14 @@ class Inspector {
   // --- one element ---
 
   tell(region) {
-    const { kind, id } = this.element, e = this.mesh.get(kind, id);
-    const parts = { patch: this.patch, halfedge: this.halfedge, point: this.point, handle: this.handle }[kind];
+    const { kind, id } = this.element;
+    const e = this.mesh.get(kind, id);
+    const parts = {
+      patch: this.patch,
+      halfedge: this.halfedge,
+      point: this.point,
+      handle: this.handle,
+    }[kind];
     const { activeElement } = document;
     const used = this.details.contains(activeElement) ? activeElement.dataset.action : undefined;
     const children = parts.call(this, e, region).filter((child) => child !== null);
@@ -138,10 +135,18 @@ class Inspector {
   /** A button that leads to another element, or says that there is none. */
   link(label, kind, id) {
     const none = id === null || id === undefined;
-    return make("button", {
-      type: "button", class: "link", disabled: none, "data-action": label,
-      onclick: () => this.onSelect({ kind, id }),
-    }, make("small", {}, label), none ? "none" : `${NAMES[kind]} ${id}`);
+    return make(
+      "button",
+      {
+        type: "button",
+        class: "link",
+        disabled: none,
+        "data-action": label,
+        onclick: () => this.onSelect({ kind, id }),
+      },
+      make("small", {}, label),
+      none ? "none" : `${NAMES[kind]} ${id}`,
+    );
   }
 
   links(...buttons) {
@@ -159,58 +164,96 @@ class Inspector {
 
   regionWalk(e, region) {
     const title = make("h3", {}, "Regions around it");
-    if (this.mesh.side === "after") return [title, make("p", { class: "quiet" }, "They were worked out for the mesh before.")];
+    if (this.mesh.side === "after")
+      return [title, quiet("They were worked out for the mesh before.")];
     const regions = this.mesh.regions.get(e.id);
     if (!regions.length)
-      return [title, make("p", { class: "quiet" }, "No region that can be merged within the error holds this patch.")];
+      return [title, quiet("No region that can be merged within the error holds this patch.")];
     const text = make("div", { id: "region" });
     const range = make("input", {
-      type: "range", min: 1, max: regions.length, "aria-label": "Region, by size",
+      type: "range",
+      min: 1,
+      max: regions.length,
+      "aria-label": "Region, by size",
       oninput: () => show(Number(range.value) - 1),
     });
     const tell = (i) => {
       const { rows, columns, error } = regions[i];
-      text.replaceChildren(make("b", {}, `${rows} \u00d7 ${columns} patches`), make("span", {}, `error ${short(error, 3)}`),
-        make("small", { class: "quiet" }, `${i + 1} of ${regions.length}`));
+      text.replaceChildren(
+        make("b", {}, `${rows} \u00d7 ${columns} patches`),
+        make("span", {}, `error ${short(error, 3)}`),
+        make("small", { class: "quiet" }, `${i + 1} of ${regions.length}`),
+      );
       range.value = i + 1;
     };
     const show = (i) => {
       tell(i);
       this.onRegion(i);
     };
-    const step = (by, label, name) => make("button", {
-      type: "button", "data-action": name, "aria-label": `${name} region`, title: `${name} region`,
-      onclick: () => show((Number(range.value) - 1 + by + regions.length) % regions.length),
-    }, label);
+    const step = (by, label, name) =>
+      make(
+        "button",
+        {
+          type: "button",
+          "data-action": name,
+          "aria-label": `${name} region`,
+          title: `${name} region`,
+          onclick: () => show((Number(range.value) - 1 + by + regions.length) % regions.length),
+        },
+        label,
+      );
     tell(region);
     return [
       title,
-      make("div", { class: "walk" }, step(-1, "\u2039", "Previous"), text, step(1, "\u203a", "Next"),
-        regions.length > 2 ? range : null),
+      make(
+        "div",
+        { class: "walk" },
+        step(-1, "\u2039", "Previous"),
+        text,
+        step(1, "\u203a", "Next"),
+        regions.length > 2 ? range : null,
+      ),
     ];
   }
 
   hermite(e) {
     const values = this.mesh.hermite.get(e.id);
-    const choice = ["position", "colour"].map((what) => make("button", {
-      type: "button", "aria-pressed": this.matrix === what,
-      onclick: () => {
-        this.matrix = what;
-        table.replaceWith((table = this.hermiteTable(values)));
-        for (const button of choice) button.setAttribute("aria-pressed", button.textContent === what);
-      },
-    }, what));
+    const choice = ["position", "colour"].map((what) =>
+      make(
+        "button",
+        {
+          type: "button",
+          "aria-pressed": this.matrix === what,
+          onclick: () => {
+            this.matrix = what;
+            table.replaceWith((table = this.hermiteTable(values)));
+            for (const button of choice)
+              button.setAttribute("aria-pressed", button.textContent === what);
+          },
+        },
+        what,
+      ),
+    );
     let table = this.hermiteTable(values);
     return [
-      make("div", { class: "bar" }, make("h3", {}, "Hermite control matrix"),
-        make("div", { class: "choice", role: "group", "aria-label": "Part of the matrix" }, ...choice)),
+      make(
+        "div",
+        { class: "bar" },
+        make("h3", {}, "Hermite control matrix"),
+        make(
+          "div",
+          { class: "choice", role: "group", "aria-label": "Part of the matrix" },
+          ...choice,
+        ),
+      ),
       table,
     ];
   }
 
   hermiteTable(values) {
     const cell = (i) => {
-      const [base, derived] = HERMITE[i];
+      const base = HERMITE[i].slice(0, 2),
+        derived = HERMITE[i].slice(2);
       const numbers = this.matrix === "position" ? values[i].slice(0, 2) : values[i].slice(2, 5);
       const name = make("span", { class: "entry" }, base, make("sub", {}, derived));
       if (!derived) name.append(swatch(values[i].slice(2)));
@@ -224,27 +267,45 @@ class Inspector {
     const price = this.mesh.merging.get(e.id);
     return [
       this.links(
-        this.link("next", "halfedge", e.next), this.link("prev", "halfedge", e.prev),
-        this.link("twin", "halfedge", e.twin), this.link("parent", "halfedge", e.parent),
-        this.link("origin", "point", e.origin), this.link("patch", "patch", e.face)),
+        this.link("next", "halfedge", e.next),
+        this.link("prev", "halfedge", e.prev),
+        this.link("twin", "halfedge", e.twin),
+        this.link("parent", "halfedge", e.parent),
+        this.link("origin", "point", e.origin),
+        this.link("patch", "patch", e.face),
+      ),
       e.children.length ? make("h3", {}, "Children") : null,
-      e.children.length ? this.links(...e.children.map((id) =>
-        this.link(this.mesh.get("halfedge", id).handles ? "stem" : "bar", "halfedge", id))) : null,
+      e.children.length
+        ? this.links(
+            ...e.children.map((id) =>
+              this.link(this.mesh.get("halfedge", id).handles ? "stem" : "bar", "halfedge", id),
+            ),
+          )
+        : null,
       this.facts({
-        "Colour at its origin": e.color && make("span", {}, swatch(e.color), e.color.slice(0, 3).map((c) => short(c, 3)).join(" ")),
-        "Spans of its parent": e.interval && e.interval.map((t) => short(t)).join(" to "),
+        "Colour at its origin":
+          e.color && make("span", {}, swatch(e.color), list(e.color.slice(0, 3), 3, " ")),
+        "Spans of its parent": e.interval && list(e.interval, 4, " to "),
         "Merging it costs": typeof price === "number" ? short(price, 3) : null,
         "Cannot be merged": typeof price === "string" ? price : null,
       }),
-      e.handles ? this.links(this.link("handle at start", "handle", e.handles[0]), this.link("handle at end", "handle", e.handles[1])) : null,
+      e.handles
+        ? this.links(
+            this.link("handle at start", "handle", e.handles[0]),
+            this.link("handle at end", "handle", e.handles[1]),
+          )
+        : null,
     ];
   }
 
   point(e) {
     return [
-      this.links(this.link("half-edge", "halfedge", e.halfedge), this.link("stem", "halfedge", e.stem)),
+      this.links(
+        this.link("starts there", "halfedge", e.halfedge),
+        this.link("stem", "halfedge", e.stem),
+      ),
       this.facts({
-        Position: e.position.map((x) => short(x, 6)).join(", "),
+        Position: list(e.position, 6),
         Kind: e.stem === null ? "control point" : "T-junction",
       }),
     ];
@@ -252,16 +313,25 @@ class Inspector {
 
   handle(e) {
     return [
-      this.links(this.link("half-edge", "halfedge", e.halfedge)),
+      this.links(
+        this.link("starts there", "halfedge", e.halfedge),
+        this.link("curve", "halfedge", this.mesh.handles.get(e.id).curve),
+      ),
       this.facts({
-        Tangent: e.tangent.slice(0, 2).map((x) => short(x, 6)).join(", "),
-        "Of the colour": e.tangent.length > 2 ? e.tangent.slice(2, 5).map((x) => short(x, 3)).join(", ") : null,
+        Tangent: list(e.tangent.slice(0, 2), 6),
+        "Of the colour": e.tangent.length > 2 ? list(e.tangent.slice(2, 5), 3) : null,
       }),
     ];
   }
 
   facts(entries) {
-    const known = Object.entries(entries).filter(([, value]) => value !== null && value !== undefined);
-    return make("dl", { class: "facts" }, ...known.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
+    const known = Object.entries(entries).filter(
+      ([, value]) => value !== null && value !== undefined,
+    );
+    return make(
+      "dl",
+      { class: "facts" },
+      ...known.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]),
+    );
   }
 }

@@ -5,18 +5,22 @@ const meshes = { before: new Mesh("before", data.before), after: new Mesh("after
 const state = { side: "before", before: null, after: null, region: 0 };
 
 function markSelection() {
-  const { side } = state, element = state[side];
-  const region = element.kind === "patch" ? meshes[side].regions.get(element.id)[state.region] : null;
+  const { side } = state;
+  const element = state[side];
+  const region =
+    element.kind === "patch" ? meshes[side].regions.get(element.id)[state.region] : null;
   for (const other of ["before", "after"])
-    for (const pane of stage.of(other)) pane.select(other === side ? element : null, other === side ? region : null);
+    for (const pane of stage.of(other))
+      pane.select(other === side ? element : null, other === side ? region : null);
 }
 
 function refresh() {
-  const { side } = state, element = state[side], mesh = meshes[side];
+  const { side } = state;
+  const element = state[side];
   markSelection();
   for (const button of document.querySelectorAll("#sides button"))
     button.setAttribute("aria-pressed", button.dataset.side === side);
-  inspector.show(mesh, element, state.region);
+  inspector.show(meshes[side], element, state.region);
   history.replaceState(null, "", `#${side}/${element.kind}/${element.id}`);
 }
 
@@ -58,12 +62,25 @@ function describePage() {
     make("dd", {}, `${before[key]} `, make("span", { class: "quiet" }, "\u2192"), ` ${after[key]}`),
   ];
   const less = Math.round(100 * (1 - after.patches / before.patches));
-  document.getElementById("summary").append(
-    make("div", {}, ...change("Patches", "patches"), make("dd", { class: "quiet" }, less > 0 ? `${less} % fewer` : "none fewer")),
-    make("div", {}, ...change("Points", "points")),
-    make("div", {}, ...change("T-junctions", "t_junctions")),
-    make("div", {}, make("dt", {}, "Error"), make("dd", { id: "error" }, short(data.error, 3)),
-      make("dd", { class: "quiet" }, `${data.metric}, ${data.width} \u00d7 ${data.height} px`)));
+  document
+    .getElementById("summary")
+    .append(
+      make(
+        "div",
+        {},
+        ...change("Patches", "patches"),
+        make("dd", { class: "quiet" }, less > 0 ? `${less} % fewer` : "none fewer"),
+      ),
+      make("div", {}, ...change("Points", "points")),
+      make("div", {}, ...change("T-junctions", "t_junctions")),
+      make(
+        "div",
+        {},
+        make("dt", {}, "Error"),
+        make("dd", { id: "error" }, short(data.error, 3)),
+        make("dd", { class: "quiet" }, `${data.metric}, ${data.width} \u00d7 ${data.height} px`),
+      ),
+    );
   for (const side of ["before", "after"]) {
     const caption = stage.panes[side].figure.querySelector("figcaption");
     caption.append(make("span", { class: "quiet" }, ` ${data[side].patches} patches`));
@@ -71,45 +88,73 @@ function describePage() {
 }
 
 const OPTION_NAMES = {
-  method: "Method", color_model: "Colour model", metric: "Metric", epsilon: "Largest error (epsilon)",
-  resolution: "Resolution", seed: "Seed", omega: "Weight of size (omega)", kappa: "Costly edges from (kappa)",
-  patches_before: "Patches before", patches_after: "Patches after", error: "Error",
-  evaluations: "Merges measured", stopped: "Stopped",
+  method: "Method",
+  color_model: "Colour model",
+  metric: "Metric",
+  epsilon: "Largest error (epsilon)",
+  resolution: "Resolution",
+  seed: "Seed",
+  omega: "Weight of size (omega)",
+  kappa: "Costly edges from (kappa)",
+  patches_before: "Patches before",
+  patches_after: "Patches after",
+  error: "Error",
+  evaluations: "Merges measured",
+  stopped: "Stopped",
 };
 
 /** Options that only some methods look at. */
 const OPTION_METHODS = {
-  seed: ["random", "grid", "dual-grid", "motorcycle"], omega: ["gqe", "gqe1"], kappa: ["motorcycle"],
+  seed: ["random", "grid", "dual-grid", "motorcycle"],
+  omega: ["gqe", "gqe1"],
+  kappa: ["motorcycle"],
 };
 
 function describeRun() {
-  const list = document.getElementById("options"), { run } = data;
-  const add = (name, value) => list.append(make("div", {}, make("dt", {}, name), make("dd", {}, value)));
+  const { run } = data;
+  const list = document.getElementById("options");
+  const add = (name, value) =>
+    list.append(make("div", {}, make("dt", {}, name), make("dd", {}, value)));
   if (!run) {
-    list.replaceWith(make("p", { class: "quiet" },
-      "Not known. The option --run of gradmesh report takes the file that --report of gradmesh simplify writes."));
+    list.replaceWith(
+      quiet(
+        "Not known. The option --run of gradmesh report takes the file that --report of " +
+          "gradmesh simplify writes.",
+      ),
+    );
     return;
   }
   for (const [key, name] of Object.entries(OPTION_NAMES)) {
-    const value = run[key], matters = OPTION_METHODS[key]?.includes(run.method) ?? true;
-    if (value !== undefined && matters) add(name, typeof value === "number" ? short(value, 5) : String(value));
+    const value = run[key];
+    const matters = OPTION_METHODS[key]?.includes(run.method) ?? true;
+    if (value !== undefined && matters)
+      add(name, typeof value === "number" ? short(value, 5) : String(value));
   }
   if (run.seconds?.total !== undefined) add("Time", `${short(run.seconds.total, 3)} s`);
 }
 
 function describeErrors() {
   const { largest, scale } = data.errors;
-  const stops = scale.join(", "), ticks = [0, 0.25, 0.5, 0.75, 1];
-  document.getElementById("legend").append(
-    make("div", { class: "scale", style: `background: linear-gradient(to right, ${stops})` }),
-    make("div", { class: "ticks" }, ...ticks.map((t) => make("span", { style: `left:${100 * t}%` }, short(t * largest, 2)))),
-    make("p", { class: "quiet" }, `${data.metric} of each pixel; its mean is ${short(data.error, 3)}`));
+  const legend = document.getElementById("legend");
+  const say = (text) => legend.append(quiet(text));
+  if (largest === 0) {
+    say("The pictures do not differ.");
+    return;
+  }
+  const gradient = `background: linear-gradient(to right, ${scale.join(", ")})`;
+  const tick = (t) => make("span", { style: `left:${100 * t}%` }, short(t * largest, 2));
+  legend.append(
+    make("div", { class: "scale", style: gradient }),
+    make("div", { class: "ticks" }, ...[0, 0.25, 0.5, 0.75, 1].map(tick)),
+  );
+  say(`${data.metric} of each pixel; its mean is ${short(data.error, 3)}`);
 }
 
 function shortcuts(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input")) return;
-  const zoom = { "+": () => stage.zoom(1.5), "-": () => stage.zoom(1 / 1.5), 0: () => stage.fit() }[event.key];
-  if (zoom) zoom();
+  if (event.key === "+") stage.zoom(1.5);
+  if (event.key === "-") stage.zoom(1 / 1.5);
+  if (event.key === "0") stage.fit();
 }
 
 describePage();
@@ -120,5 +165,6 @@ for (const button of document.querySelectorAll("#sides button"))
 document.addEventListener("keydown", shortcuts);
 window.addEventListener("hashchange", () => follow(location.hash));
 const address = location.hash;
-for (const side of ["after", "before"]) select(side, { kind: "patch", id: meshes[side].lists.patch[0].id });
+for (const side of ["after", "before"])
+  select(side, { kind: "patch", id: meshes[side].lists.patch[0].id });
 follow(address);

@@ -1,6 +1,4 @@
-"use strict";
-
-/** One mesh of the page's data: its elements by kind and number, and where they lie in the picture. */
+/** A mesh of the page's data: its elements by kind and number, and their places in the picture. */
 class Mesh {
   constructor(side, data) {
     this.side = side;
@@ -8,17 +6,20 @@ class Mesh {
     const { faces, halfedges, points, handles } = data.elements;
     this.lists = { patch: faces, halfedge: halfedges, point: points, handle: handles };
     this.tables = Object.fromEntries(
-      Object.entries(this.lists).map(([kind, list]) => [kind, new Map(list.map((e) => [e.id, e]))]));
+      Object.entries(this.lists).map(([kind, list]) => [kind, new Map(list.map((e) => [e.id, e]))]),
+    );
     this.curves = new Map(halfedges.map((h, i) => [h.id, data.curves[i]]));
     this.hermite = new Map(faces.map((f, i) => [f.id, data.hermite[i]]));
     this.merging = new Map(data.merging.map((price, i) => [halfedges[i].id, price]));
-    this.handleEnds = new Map();
+    this.handles = new Map();
     for (const h of halfedges) {
       const c = this.curves.get(h.id);
-      h.handles?.forEach((id, end) => this.handleEnds.set(id, end ? [...c.slice(6), c[4], c[5]] : c.slice(0, 4)));
+      const lines = [c.slice(0, 4), [...c.slice(6), c[4], c[5]]];
+      h.handles?.forEach((id, end) => this.handles.set(id, { curve: h.id, line: lines[end] }));
     }
     this.regions = new Map(faces.map((f) => [f.id, []]));
-    for (const region of data.regions) for (const f of region.faces) this.regions.get(f).push(region);
+    for (const region of data.regions)
+      for (const f of region.faces) this.regions.get(f).push(region);
   }
 
   get(kind, id) {
@@ -36,12 +37,16 @@ class Mesh {
 
   outline(patch) {
     const sides = this.get("patch", patch).halfedges;
-    return "M" + this.curves.get(sides[0]).slice(0, 2) + sides.map((h) => this.onwards(h)).join("") + "Z";
+    return (
+      "M" + this.curves.get(sides[0]).slice(0, 2) + sides.map((h) => this.onwards(h)).join("") + "Z"
+    );
   }
 
   /** Every curve once. */
   allOutlines() {
-    const whole = this.lists.halfedge.filter((h) => h.handles && !(h.twin !== null && h.twin < h.id));
+    const whole = this.lists.halfedge.filter(
+      (h) => h.handles && !(h.twin !== null && h.twin < h.id),
+    );
     return whole.map((h) => this.path(h.id)).join("");
   }
 
@@ -62,7 +67,8 @@ class Mesh {
 
   /** Where a half-edge is at t in [0, 1]. */
   at(halfedge, t) {
-    const c = this.curves.get(halfedge), s = 1 - t;
+    const c = this.curves.get(halfedge),
+      s = 1 - t;
     const b = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
     return [0, 1].map((k) => b.reduce((sum, weight, i) => sum + weight * c[2 * i + k], 0));
   }
@@ -74,7 +80,8 @@ class Mesh {
     let a = this.at(halfedge, 0);
     for (let i = 1; i <= steps; ++i) {
       const b = this.at(halfedge, i / steps);
-      const d = [b[0] - a[0], b[1] - a[1]], length = d[0] * d[0] + d[1] * d[1];
+      const d = [b[0] - a[0], b[1] - a[1]],
+        length = d[0] * d[0] + d[1] * d[1];
       const along = length ? ((x - a[0]) * d[0] + (y - a[1]) * d[1]) / length : 0;
       const t = Math.min(1, Math.max(0, along));
       least = Math.min(least, Math.hypot(x - a[0] - t * d[0], y - a[1] - t * d[1]));

@@ -1,13 +1,6 @@
 /** What a click within so many pixels of an edge or a point means it. */
 const REACH = { point: 6, halfedge: 5 };
 
-function svg(tag, attributes = {}, parent = null) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  parent?.append(element);
-  return element;
-}
-
 /** One picture with the outlines of a mesh over it, in which elements are pointed at. */
 class Pane {
   constructor(figure, mesh, picture, width, height) {
@@ -20,11 +13,16 @@ class Pane {
     svg("path", { d: curves, class: "casing" }, outlines);
     svg("path", { d: curves, class: "line" }, outlines);
     const junctions = mesh.lists.point.filter((p) => p.stem !== null);
-    svg("path", { d: junctions.map((p) => this.dot(mesh.place(p.id))).join(""), class: "junctions" }, outlines);
+    svg(
+      "path",
+      { d: junctions.map((p) => this.dot(mesh.place(p.id))).join(""), class: "junctions" },
+      outlines,
+    );
     this.marks = svg("g", { class: "marks" }, this.root);
     this.hover = svg("g", { class: "hover" }, this.root);
     this.patches = svg("g", { class: "patches" }, this.root);
-    for (const f of mesh.lists.patch) svg("path", { d: mesh.outline(f.id), "data-id": f.id }, this.patches);
+    for (const f of mesh.lists.patch)
+      svg("path", { d: mesh.outline(f.id), "data-id": f.id }, this.patches);
   }
 
   /** A path of no length, which a round cap makes a dot of the stroke's width. */
@@ -44,13 +42,17 @@ class Pane {
     const patch = event.target.dataset?.id;
     if (patch === undefined) return null;
     const { at, pixel } = this.locate(event);
-    const closest = this.mesh.get("patch", Number(patch)).halfedges
-      .map((h) => ({ h, away: this.mesh.distance(h, at) }))
+    const closest = this.mesh
+      .get("patch", Number(patch))
+      .halfedges.map((h) => ({ h, away: this.mesh.distance(h, at) }))
       .reduce((a, b) => (a.away <= b.away ? a : b));
-    const origins = this.mesh.get("patch", Number(patch)).halfedges.map((h) => this.mesh.get("halfedge", h).origin);
+    const origins = this.mesh
+      .get("patch", Number(patch))
+      .halfedges.map((h) => this.mesh.get("halfedge", h).origin);
     for (const point of origins) {
       const [x, y] = this.mesh.place(point);
-      if (Math.hypot(x - at[0], y - at[1]) < REACH.point * pixel) return { kind: "point", id: point };
+      if (Math.hypot(x - at[0], y - at[1]) < REACH.point * pixel)
+        return { kind: "point", id: point };
     }
     if (closest.away < REACH.halfedge * pixel) return { kind: "halfedge", id: closest.h };
     return { kind: "patch", id: Number(patch) };
@@ -61,7 +63,8 @@ class Pane {
     group.replaceChildren();
     delete group.dataset.element;
     if (!element) return;
-    const { kind, id } = element, mesh = this.mesh;
+    const { kind, id } = element;
+    const { mesh } = this;
     if (kind === "patch") svg("path", { d: mesh.outline(id), class: "area" }, group);
     if (kind === "point") svg("path", { d: this.dot(mesh.place(id)), class: "spot" }, group);
     if (kind === "halfedge") {
@@ -70,7 +73,7 @@ class Pane {
       svg("path", { d: this.dot(mesh.at(id, 0)), class: "spot" }, group);
     }
     if (kind === "handle") {
-      const [x0, y0, x1, y1] = mesh.handleEnds.get(id);
+      const [x0, y0, x1, y1] = mesh.handles.get(id).line;
       svg("path", { d: `M${x0},${y0}L${x1},${y1}`, class: "edge-casing" }, group);
       svg("path", { d: `M${x0},${y0}L${x1},${y1}`, class: "edge" }, group);
       svg("path", { d: this.dot([x1, y1]), class: "spot" }, group);
@@ -82,7 +85,10 @@ class Pane {
   select(element, region) {
     this.mark(this.marks, element);
     if (!region) return;
-    const areas = svg("path", { d: region.faces.map((f) => this.mesh.outline(f)).join(""), class: "region" });
+    const areas = svg("path", {
+      d: region.faces.map((f) => this.mesh.outline(f)).join(""),
+      class: "region",
+    });
     this.marks.prepend(areas, svg("path", { d: this.mesh.border(region), class: "region-border" }));
   }
 }
@@ -95,11 +101,17 @@ class Stage {
     this.box.style.setProperty("--aspect", data.width / data.height);
     this.onPick = onPick;
     this.onHover = onHover;
-    const pictures = { before: data.before.picture, after: data.after.picture, errors: data.errors.picture };
-    this.panes = Object.fromEntries([...this.box.querySelectorAll(".pane")].map((figure) => {
-      const { side } = figure.dataset;
-      return [side, new Pane(figure, meshes[side] ?? meshes.after, pictures[side], ...this.size)];
-    }));
+    const pictures = {
+      before: data.before.picture,
+      after: data.after.picture,
+      errors: data.errors.picture,
+    };
+    this.panes = Object.fromEntries(
+      [...this.box.querySelectorAll(".pane")].map((figure) => {
+        const { side } = figure.dataset;
+        return [side, new Pane(figure, meshes[side] ?? meshes.after, pictures[side], ...this.size)];
+      }),
+    );
     for (const pane of Object.values(this.panes)) this.listen(pane);
     this.setUpControls();
     this.setUpDivider();
@@ -127,8 +139,10 @@ class Stage {
   }
 
   update() {
-    const [width, height] = this.size, { part } = this;
-    const w = width / part.zoom, h = height / part.zoom;
+    const [width, height] = this.size,
+      { part } = this;
+    const w = width / part.zoom,
+      h = height / part.zoom;
     part.x = Math.min(width - w, Math.max(0, part.x));
     part.y = Math.min(height - h, Math.max(0, part.y));
     for (const pane of Object.values(this.panes))
@@ -139,7 +153,8 @@ class Stage {
 
   /** Enlarges around a place of the picture, which stays where it is; the middle by default. */
   zoom(factor, at = null) {
-    const [width, height] = this.size, { part } = this;
+    const [width, height] = this.size,
+      { part } = this;
     const zoom = Math.min(32, Math.max(1, part.zoom * factor));
     const [x, y] = at ?? [part.x + width / part.zoom / 2, part.y + height / part.zoom / 2];
     part.x = x - ((x - part.x) * part.zoom) / zoom;
@@ -155,8 +170,11 @@ class Stage {
     on("zoom-fit", () => this.fit());
     for (const button of document.querySelectorAll("#views button"))
       button.addEventListener("click", () => this.show(button.dataset.view));
-    document.getElementById("outlines").addEventListener("change", (event) =>
-      this.box.classList.toggle("bare", !event.target.checked));
+    document
+      .getElementById("outlines")
+      .addEventListener("change", (event) =>
+        this.box.classList.toggle("bare", !event.target.checked),
+      );
   }
 
   // --- pointing ---
@@ -169,7 +187,8 @@ class Stage {
     });
     root.addEventListener("pointermove", (event) => {
       if (drag && event.buttons) {
-        const dx = event.clientX - drag.x, dy = event.clientY - drag.y;
+        const dx = event.clientX - drag.x,
+          dy = event.clientY - drag.y;
         if (!drag.moved && Math.hypot(dx, dy) < 4) return;
         if (!drag.moved) root.setPointerCapture(event.pointerId);
         const { pixel } = pane.locate(event);
@@ -187,12 +206,18 @@ class Stage {
       drag = null;
       if (!dragged) this.onPick(pane.mesh.side, pane.pick(event));
     });
-    root.addEventListener("dblclick", (event) => this.zoom(event.shiftKey ? 0.5 : 2, pane.locate(event).at));
-    root.addEventListener("wheel", (event) => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      this.zoom(Math.exp(-0.004 * event.deltaY), pane.locate(event).at);
-    }, { passive: false });
+    root.addEventListener("dblclick", (event) =>
+      this.zoom(event.shiftKey ? 0.5 : 2, pane.locate(event).at),
+    );
+    root.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey && !event.metaKey) return;
+        event.preventDefault();
+        this.zoom(Math.exp(-0.004 * event.deltaY), pane.locate(event).at);
+      },
+      { passive: false },
+    );
   }
 
   setUpDivider() {
@@ -216,7 +241,14 @@ class Stage {
     });
     divider.addEventListener("keydown", (event) => {
       const now = Number(divider.getAttribute("aria-valuenow"));
-      const step = { ArrowLeft: -2, ArrowRight: 2, PageDown: -10, PageUp: 10, Home: -100, End: 100 }[event.key];
+      const step = {
+        ArrowLeft: -2,
+        ArrowRight: 2,
+        PageDown: -10,
+        PageUp: 10,
+        Home: -100,
+        End: 100,
+      }[event.key];
       if (step === undefined) return;
       event.preventDefault();
       move(now + step);
