@@ -9,7 +9,10 @@ void PathText::command(char letter) {
   text_ += letter;
 }
 
-void PathText::add(glm::dvec2 point) { text_ += " " + format_point(point); }
+void PathText::add(glm::dvec2 point) {
+  text_ += ' ';
+  text_ += format_point(point);
+}
 
 void PathText::move(glm::dvec2 to) {
   command('M');
@@ -30,11 +33,12 @@ void PathText::curve(const Cubic<Value>& curve) {
 
 void PathText::circle(glm::dvec2 center, double radius) {
   const glm::dvec2 middle = view_.point(center);
-  const std::string arc = " " + format_number(radius) + "," + format_number(radius) + " 0 1 1";
+  const std::string arc = format_point(glm::dvec2(radius)) + " 0 1 1";
   command('M');
   add(middle - glm::dvec2(radius, 0));
   for (const double side : {1.0, -1.0}) {
     command('A');
+    text_ += ' ';
     text_ += arc;
     add(middle + glm::dvec2(side * radius, 0));
   }
