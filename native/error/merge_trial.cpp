@@ -11,16 +11,27 @@ bool MergeTrial::try_merge(Halfedge edge) {
   if (!journal_.mesh()[edge].alive || can_merge(journal_.mesh(), edge) != MergeObstacle::none)
     return false;
   const std::size_t depth = journal_.depth();
-  merge(journal_, edge);
+  gradmesh::merge(journal_, edge);
   return keep_if_cheap(depth);
 }
 
 bool MergeTrial::try_merge(const std::vector<Region>& regions) {
   const std::size_t depth = journal_.depth();
+  merge_possible(regions);
+  return journal_.depth() > depth && keep_if_cheap(depth);
+}
+
+void MergeTrial::merge(const std::vector<Region>& regions) {
+  const std::size_t depth = journal_.depth();
+  merge_possible(regions);
+  error_.after_edits(journal_, depth);
+  error_.accept(journal_);
+}
+
+void MergeTrial::merge_possible(const std::vector<Region>& regions) {
   for (const Region& region : regions)
     if (const auto tops = region_tops(journal_.mesh(), region); !tops.empty())
       merge_region(journal_, region, tops);
-  return journal_.depth() > depth && keep_if_cheap(depth);
 }
 
 bool MergeTrial::keep_if_cheap(std::size_t depth) {

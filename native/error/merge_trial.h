@@ -22,6 +22,9 @@ class MergeTrial {
   /// any more after the others are left out.
   bool try_merge(const std::vector<Region>& regions);
 
+  /// Merges the regions whatever the error is.
+  void merge(const std::vector<Region>& regions);
+
   /// By how much merging the region alone would raise the error of the mesh as it is; infinity
   /// where it cannot be merged. Changes nothing. `tops` as of region_tops.
   double price(const Region& region, const std::vector<Halfedge>& tops);
@@ -39,6 +42,7 @@ class MergeTrial {
   int evaluations() const { return evaluations_; }
 
  private:
+  void merge_possible(const std::vector<Region>& regions);
   /// Keeps the operations after the first `depth`, or takes them back if they cost too much.
   bool keep_if_cheap(std::size_t depth);
 

@@ -17,6 +17,9 @@ struct Candidate {
 
 using Ranking = std::vector<int>;
 
+/// Sets that were tried, and whether they kept to epsilon.
+using Tried = std::map<std::vector<Region>, bool>;
+
 class Gqe {
  public:
   Gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions, const GqeOptions& options)
@@ -38,7 +41,7 @@ class Gqe {
     // The number of patches goes up and down with gamma, which the halvings do not see.
     for (int i = 1; i <= sweeps && !stop(halvings + i - 1, watch); ++i)
       try_gamma(2 * trial_.epsilon() * i / sweeps);
-    trial_.try_merge(best_);
+    trial_.merge(best_);
   }
 
  private:
@@ -48,10 +51,10 @@ class Gqe {
            !best_.empty();
   }
 
-  /// Whether some independent set within gamma keeps to epsilon.
+  /// Whether the independent set by Eq. 7 within gamma keeps to epsilon.
   bool try_gamma(double gamma) {
-    bool fits = try_ranking(ranking(gamma), gamma);
-    if (options_.look_ahead) fits = try_ranking(ranking_of_pairs(gamma), gamma) || fits;
+    const bool fits = try_ranking(ranking(gamma), gamma, tried_);
+    if (options_.look_ahead) try_ranking(ranking_of_pairs(gamma), gamma, tried_by_pairs_);
     return fits;
   }
 
@@ -100,7 +103,7 @@ class Gqe {
 
   /// Merges the independent set of the ranking, mends it, keeps the outcome in mind if it is the
   /// best so far, and takes everything back. Whether the set kept to epsilon as it was.
-  bool try_ranking(const Ranking& order, double gamma) {
+  bool try_ranking(const Ranking& order, double gamma, Tried& tried) {
     taken_.assign(trial_.mesh().face_slots(), false);
     chosen_.clear();
     double sum = 0;
@@ -110,9 +113,9 @@ class Gqe {
       choose(c);
       sum += c.error;
     }
-    if (const auto known = tried_.find(chosen_); known != tried_.end()) return known->second;
-    const bool fits = trial_.try_merge(chosen_);
-    tried_.emplace(chosen_, fits);
+    if (const auto known = tried.find(chosen_); known != tried.end()) return known->second;
+    const bool fits = chosen_.empty() || trial_.try_merge(chosen_);
+    tried.emplace(chosen_, fits);
     if (!fits) {
       taken_.assign(taken_.size(), false);
       chosen_.clear();
@@ -152,8 +155,7 @@ class Gqe {
   /// The set at hand: its regions, and the faces they take.
   std::vector<Region> chosen_;
   std::vector<bool> taken_;
-  /// Sets that were tried, and whether they kept to epsilon.
-  std::map<std::vector<Region>, bool> tried_;
+  Tried tried_, tried_by_pairs_;
   std::vector<Region> best_;
   int best_patches_ = 0;
   double best_error_ = 0;
