@@ -34,6 +34,9 @@ const Layer& layer(const Drawing& drawing, const std::string& name) {
   return *found;
 }
 
+/// It would not outlive the drawing.
+const Layer& layer(const Drawing&& drawing, const std::string& name) = delete;
+
 bool says(const Drawing& drawing, const std::string& text) {
   return std::ranges::any_of(layer(drawing, "Legend").labels,
                              [&](const Label& l) { return l.text == text; });
@@ -139,9 +142,10 @@ TEST(Draw, errors_of_nothing_and_of_no_edges) {
   const Mesh mesh = grid_mesh();
   std::vector<EdgePrice> free = prices_of(mesh);
   for (EdgePrice& p : free) p.error = 0;
-  for (const Shape& s :
-       layer(draw_errors(Subject(mesh, Affine{}), free, ""), "Single-edge errors").shapes)
-    EXPECT_EQ(s.style.stroke, HeatScale::color_at(0));
+  const Drawing nothing = draw_errors(Subject(mesh, Affine{}), free, "");
+  const auto& edges = layer(nothing, "Single-edge errors").shapes;
+  EXPECT_EQ(edges.size(), 12u);
+  for (const Shape& s : edges) EXPECT_EQ(s.style.stroke, HeatScale::color_at(0));
   const Mesh single = grid_mesh({.rows = 1, .columns = 1});
   const Drawing drawing = draw_errors(Subject(single, Affine{}), {}, "");
   EXPECT_TRUE(layer(drawing, "Single-edge errors").shapes.empty());
