@@ -3,11 +3,13 @@
 """Inkscape's Extensions > Gradient Mesh > Simplify: hands the document to gradmesh, and back.
 
 Inkscape shows every byte on stderr in a dialog that waits for a person. So a run that succeeds is
-silent, and one that does not writes one sentence and leaves the document as it is.
+silent; one that does not, or that was only to tell what it would do, writes plain sentences and
+leaves the document as it is.
 """
 
 import io
 import os
+import re
 import sys
 import traceback
 from pathlib import Path
@@ -34,13 +36,18 @@ class Simplify(inkex.EffectExtension):
             raise inkex.AbortExtension(sentence(f"These settings do not work: {message}"))
 
         pars.error = refuse  # argparse would print its usage too
+        pars.add_argument("--tab")  # the one that was open, which Inkscape passes too
         # The core checks the values: Inkscape passes on any choice that its preferences hold.
-        pars.add_argument("--method", default="grid")
-        pars.add_argument("--metric", default="flip")
         pars.add_argument("--epsilon", type=float, default=0.01)
-        pars.add_argument("--resolution", type=int, default=700)
-        pars.add_argument("--seed", type=int, default=0)
         pars.add_argument("--time_budget", type=int, default=60)
+        pars.add_argument("--preview", type=inkex.Boolean, default=False)
+        pars.add_argument("--method", default="motorcycle")
+        pars.add_argument("--kappa", type=float, default=0.05)
+        pars.add_argument("--omega", type=float, default=0.75)
+        pars.add_argument("--seed", type=int, default=0)
+        pars.add_argument("--edges", default="")
+        pars.add_argument("--metric", default="flip")
+        pars.add_argument("--resolution", type=int, default=700)
 
     def load(self, stream):
         data = getattr(stream, "buffer", stream).read()
@@ -53,25 +60,36 @@ class Simplify(inkex.EffectExtension):
         return super().load(io.BytesIO(data))
 
     def effect(self):
-        ids = self.selected_meshes()
+        results = self.simplify(self.selected_meshes())
+        if all(result.patches_after == result.patches_before for result in results):
+            raise inkex.AbortExtension(self.why_nothing_changed(results))
+        if self.options.preview:
+            inkex.errormsg("\n".join(map(self.what_would_change, results)))
+        else:
+            self.document = load_svg(self.meshes.to_bytes())
+
+    def simplify(self, ids):
+        options = self.options
         try:
-            results = gradmesh.simplify(
+            return gradmesh.simplify(
                 self.meshes,
                 ids,
-                method=self.options.method,
-                metric=self.options.metric,
-                epsilon=self.options.epsilon,
-                resolution=self.options.resolution,
-                seed=self.options.seed,
-                time_budget=self.options.time_budget,
+                method=options.method,
+                metric=options.metric,
+                epsilon=options.epsilon,
+                resolution=options.resolution,
+                seed=options.seed,
+                omega=options.omega,
+                kappa=options.kappa,
+                # The dialog keeps what was typed there for another run.
+                edges=halfedges(options.edges) if options.method == "manual" else (),
+                time_budget=options.time_budget,
+                preview=options.preview,
             )
         except gradmesh.InputError as error:
             raise inkex.AbortExtension(sentence(error)) from error
         except ValueError as error:
             raise inkex.AbortExtension(sentence(f"These settings do not work: {error}")) from error
-        if all(result.patches_after == result.patches_before for result in results):
-            raise inkex.AbortExtension(self.why_nothing_changed(results))
-        self.document = load_svg(self.meshes.to_bytes())
 
     def selected_meshes(self):
         """Ids of the selected objects that a mesh paints, in groups too."""
@@ -100,6 +118,14 @@ class Simplify(inkex.EffectExtension):
             why = f"no patches can be merged within an error of {self.options.epsilon:g}"
         return f"{names}: {why}, so the document stays as it was."
 
+    def what_would_change(self, result):
+        error = f"{self.options.metric.upper()} {result.error:.4f}"
+        patches = f"{result.patches_after} of {result.patches_before} patches"
+        text = f"{result.id}: {patches} would be left, with an error of {error}."
+        if result.error > self.options.epsilon:
+            text += f" That is above the largest error, {self.options.epsilon:g}."
+        return text
+
     def run(self, args=None, output=inkex.base.stdout):
         try:
             super().run(args, output)
@@ -110,6 +136,15 @@ class Simplify(inkex.EffectExtension):
                 f"({type(error).__name__}){where}; the document stays as it was."
             )
             sys.exit(1)
+
+
+def halfedges(text):
+    """The numbers in a list such as "12, 40"; ValueError where something else is in it."""
+    numbers = text.replace(",", " ").split()
+    for number in numbers:
+        if not re.fullmatch("[0-9]+", number):
+            raise ValueError(f"half-edges are whole numbers with commas between them, not '{number}'")
+    return list(map(int, numbers))
 
 
 def sentence(message):

@@ -1,6 +1,7 @@
 """The extension keeps inkex's conventions, and does what it says when run as Inkscape runs it."""
 
 import os
+import re
 import subprocess
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -12,6 +13,7 @@ from built import PYTHON, ROOT, SAMPLES, install_extension
 
 INKEX = Path("/usr/share/inkscape/extensions")
 SVG = "{http://www.w3.org/2000/svg}"
+INX = "{http://www.inkscape.org/namespace/inkscape/extension}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
 pytestmark = pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
@@ -145,6 +147,43 @@ def test_settings_are_used(run):
     assert label("--resolution=100") != label("--resolution=700")
 
 
+def test_the_dialog_offers_every_method(run):
+    dialog = ET.parse(ROOT / "inx" / "gradmesh_simplify.inx")
+    (choice,) = [item for item in dialog.iter(INX + "param") if item.get("name") == "method"]
+    offered = [option.get("value") for option in choice]
+    there_are = refused(run(TWO_PATCHES, "--id=box", "--method=?")).partition("there are: ")[2]
+    assert sorted(offered) == sorted(there_are.rstrip(".\n").split(", "))
+    assert offered[0] == "motorcycle"  # Inkscape is blocked while an extension runs
+
+
+def test_only_manual_reads_the_edges(run):
+    pear = [SAMPLES / "fruit.svg", "--id=pear", "--resolution=100"]
+    assert run(*pear, "--method=grid", "--edges=old notes").returncode == 0
+    done = run(*pear, "--method=manual", "--edges= 5, 60 ", "--epsilon=1")
+    assert "130 of 132 patches" in by_id(done.stdout)["pear"].get(LABEL)
+
+
+def test_edges_are_named_of_one_mesh(run):
+    chosen = ["--id=cap", "--id=stalk", "--method=manual", "--edges=5"]
+    assert "2 meshes" in refused(run(SAMPLES / "two.svg", *chosen))
+
+
+def test_a_preview_only_tells(run):
+    def told(*options):
+        done = run(SAMPLES / "two.svg", "--preview=true", "--resolution=100", *options)
+        assert (done.returncode, done.stdout) == (0, "")
+        return done.stderr
+
+    stalk = ["--id=stalk", "--method=manual", "--edges=100,120"]
+    error = r"an error of FLIP 0\.\d{4}\."
+    would = f"stalk: 34 of 36 patches would be left, with {error}"
+    assert re.fullmatch(would + "\n", told(*stalk))
+    above = r" That is above the largest error, 0\.0001\."
+    assert re.fullmatch(would + above + "\n", told(*stalk, "--epsilon=0.0001"))
+    both = rf"(\w+: \d+ of \d+ patches would be left, with {error}\n){{2}}"
+    assert re.fullmatch(both, told("--id=stalk", "--id=cap"))
+
+
 @pytest.mark.parametrize(
     "options, words",
     [
@@ -153,6 +192,17 @@ def test_settings_are_used(run):
         (["--id=stem"], "None of the selected objects"),
         (["--id=pear", "--metric=taste"], "'taste'"),
         (["--id=pear", "--method=magic"], "'magic'"),
+        (["--id=pear", "--method=manual"], "edges"),
+        (["--id=pear", "--method=manual", "--edges=5,b7"], "'b7'"),
+        (["--id=pear", "--method=manual", "--edges=-5"], "'-5'"),
+        (["--id=pear", "--method=manual", "--edges=" + 30 * "9"], "2^31"),
+        (["--id=pear", "--method=manual", "--edges=100000"], "half-edge 100000"),
+        (["--id=pear", "--method=manual", "--edges=3"], "boundary"),
+        (["--id=pear", "--method=manual", "--edges=5", "--epsilon=0"], "half-edge 5"),
+        (["--id=pear", "--method=manual", "--edges=3", "--preview=true"], "boundary"),
+        (["--id=pear", "--omega=1.5"], "omega"),
+        (["--id=pear", "--omega=nan"], "omega"),
+        (["--id=pear", "--kappa=-0.1"], "kappa"),
         (["--id=pear", "--epsilon=nan"], "epsilon"),
         (["--id=pear", "--epsilon=much"], "'much'"),
         (["--id=pear", "--resolution=3"], "resolution"),

@@ -12,11 +12,11 @@ reason = inkscape_harness.missing(*inkscape_harness.WINDOW_PROGRAMS)
 pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
 
 # Where things are on the harness's screen once the page fits the window.
-PEAR, MENU_ITEM, APPLY, CLOSE = (750, 480), (460, 238), (459, 396), (370, 396)
-DIALOG, CANVAS, STATUS = (0, 0, 504, 416), (520, 140, 1370, 900), (450, 960, 1060, 1000)
+PEAR, MENU_ITEM, APPLY, CLOSE, ONLY_SAY = (750, 480), (460, 238), (492, 415), (404, 415), (35, 169)
+DIALOG, CANVAS, STATUS = (0, 0, 538, 434), (560, 140, 1370, 900), (450, 960, 1060, 1000)
 
 
-def test_apply_and_undo(tmp_path):
+def test_say_apply_and_undo(tmp_path):
     image = pytest.importorskip("PIL.Image")
     svg = tmp_path / "fruit.svg"
     svg.write_bytes((SAMPLES / "fruit.svg").read_bytes())
@@ -35,7 +35,18 @@ def test_apply_and_undo(tmp_path):
             window.key("alt+n")
             window.click(*MENU_ITEM)
             window.key("Right", "Return")
-            assert seen(window, DIALOG) != at_first[0], "no dialog opened"
+            dialog = seen(window, DIALOG)
+            assert dialog != at_first[0], "no dialog opened"
+
+            window.click(*ONLY_SAY)
+            ticked = seen(window, DIALOG)
+            assert ticked != dialog
+            window.click(*APPLY)
+            assert seen(window, DIALOG) != ticked, "nothing is said"
+            window.key("Escape")
+            assert (seen(window, CANVAS), seen(window, STATUS)) == at_first[1:]
+
+            window.click(*ONLY_SAY)
             window.click(*APPLY)
             window.click(*CLOSE)
             assert seen(window, STATUS) != at_first[2], "the selected object is still a path"

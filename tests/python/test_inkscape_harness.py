@@ -54,6 +54,15 @@ def test_an_extension_gets_the_preset_value(tmp_path):
     assert (found["pear"], found["stem"], found["leaf"]) == ("0.25", "0.25", None)
 
 
+@needs()
+def test_what_an_extension_says_holds_nobody_up(tmp_path):
+    out = tmp_path / "out.svg"
+    with Inkscape() as inkscape:
+        inkscape.install(*extension(tmp_path, "import sys\nsys.exit('Alas.')\n"))
+        assert inkscape.said_by_extension(RAW_ID, SAMPLES / "tensor.svg", out, ["silk"]) == "Alas.\n"
+    assert out.exists()
+
+
 @needs("ps")
 def test_a_hanging_run_is_ended_with_all_it_started(tmp_path):
     with Inkscape() as inkscape:
