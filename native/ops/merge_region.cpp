@@ -31,11 +31,17 @@ bool merge_rows(Journal& journal, const Region& region, const std::vector<Halfed
   return true;
 }
 
+bool merge_all(Journal& journal, const Region& region, const std::vector<Halfedge>& tops) {
+  if (region.columns >= region.rows) return merge_rows(journal, region, tops);
+  const Region turned = region_views(journal.mesh(), region, tops)[1];
+  return merge_rows(journal, turned, region_tops(journal.mesh(), turned));
+}
+
 }  // namespace
 
 bool merge_region(Journal& journal, const Region& region, const std::vector<Halfedge>& tops) {
   const std::size_t depth = journal.depth();
-  if (merge_rows(journal, region, tops)) return true;
+  if (merge_all(journal, region, tops)) return true;
   while (journal.depth() > depth) journal.undo();
   return false;
 }
