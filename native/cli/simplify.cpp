@@ -12,7 +12,7 @@ namespace gradmesh {
 namespace {
 
 struct SimplifyArguments {
-  std::string in, out, report, method = "grid", metric = "flip";
+  std::string in, out, report, method = name(SimplifyOptions().method), metric = "flip";
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;

@@ -93,7 +93,7 @@ def simplify(
     document: Document,
     ids: Union[str, Iterable[str]] = (),
     *,
-    method: str = "grid",
+    method: str = "gqe",
     metric: str = "flip",
     epsilon: float = 0.01,
     resolution: int = 700,
@@ -131,12 +131,15 @@ def simplify(
     """
     if not 0 <= seed < 2**64:
         raise ValueError("the seed must be between 0 and 2^64 - 1.")
+    edges = list(edges)
+    if any(abs(edge) >= 2**31 for edge in edges):
+        raise ValueError("the numbers of half-edges are below 2^31.")
     options = _options(metric, epsilon, resolution, color_model, threads)
     options.method = method
     options.seed = seed
     options.omega = omega
     options.kappa = kappa
-    options.edges = list(edges)
+    options.edges = edges
     options.time_budget = time_budget
     results = document._core.simplify(
         ids=[ids] if isinstance(ids, str) else list(ids),

@@ -102,7 +102,7 @@ def test_info_lists_all_elements(leaf, tmp_path):
 
 def test_info_lists_t_junctions(tmp_path):
     out = tmp_path / "out.svg"
-    printed("simplify", SAMPLES / "fruit.svg", "-o", out)
+    printed("simplify", SAMPLES / "fruit.svg", "-o", out, "--method", "grid")
     found = elements(out)
     check_elements(found)
     parents = [edge for edge in found["halfedges"] if edge["children"]]

@@ -32,6 +32,15 @@ def test_every_method_from_both_sides(tmp_path, method):
     assert (result.patches_after, result.error) == (told["patches_after"], told["error"])
 
 
+def test_gqe_is_the_default(tmp_path):
+    out, report = tmp_path / "out.svg", tmp_path / "report.json"
+    options = ["--resolution", 200, "--report", report]
+    assert run("simplify", FRUIT, "-o", out, *options).returncode == 0
+    (told,) = json.loads(report.read_text())["meshes"]
+    assert told["method"] == "gqe"
+    assert simplified()[1] == simplified(method="gqe")[1] == out.read_bytes()
+
+
 def test_random_choices_follow_the_seed():
     assert simplified(method="random", seed=1) != simplified(method="random", seed=2)
 
@@ -85,9 +94,9 @@ def test_named_edges_are_merged_after_a_look_at_their_error(tmp_path):
 
 def test_a_preview_says_what_a_run_does(tmp_path):
     document = gradmesh.load(FRUIT)
-    (told,) = gradmesh.simplify(document, preview=True)
+    (told,) = gradmesh.simplify(document, resolution=200, preview=True)
     assert document.to_bytes() == FRUIT.read_bytes() and not document.meshes[0].simplified
-    (done,) = gradmesh.simplify(document)
+    (done,) = gradmesh.simplify(document, resolution=200)
     assert (told.patches_after, told.error) == (done.patches_after, done.error)
     both = run("simplify", FRUIT, "--preview", "-o", tmp_path / "out.svg")
     neither = run("simplify", FRUIT)

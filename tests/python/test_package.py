@@ -43,7 +43,8 @@ def test_a_document_without_meshes_has_no_ids():
 
 
 def test_simplify_changes_the_document(fruit, tmp_path):
-    (result,) = gradmesh.simplify(fruit, "pear", epsilon=0.02, metric="ssim", resolution=300, seed=3)
+    options = {"method": "grid", "epsilon": 0.02, "metric": "ssim", "resolution": 300, "seed": 3}
+    (result,) = gradmesh.simplify(fruit, "pear", **options)
     assert result.id == "pear" and result.stopped == "done"
     assert result.patches_after < result.patches_before == 132
     assert 0 < result.error <= 0.02
@@ -58,7 +59,7 @@ def test_simplify_changes_the_document(fruit, tmp_path):
 def test_ids_choose_the_meshes():
     def simplified(ids):
         document = gradmesh.load(SAMPLES / "two.svg")
-        gradmesh.simplify(document, ids)
+        gradmesh.simplify(document, ids, method="grid")
         return [mesh.id for mesh in document.meshes if mesh.simplified]
 
     assert simplified("cap") == simplified(["cap"]) == simplified(iter(["cap"])) == ["cap"]
@@ -66,14 +67,16 @@ def test_ids_choose_the_meshes():
 
 
 def test_nothing_to_merge_keeps_every_byte(fruit):
-    (result,) = gradmesh.simplify(fruit, epsilon=0)
+    (result,) = gradmesh.simplify(fruit, method="grid", epsilon=0)
     assert result.stopped == "nothing to merge" and result.error == 0
     assert fruit.to_bytes() == FRUIT.read_bytes()
 
 
 def test_progress_is_told(fruit):
     calls = []
-    (result,) = gradmesh.simplify(fruit, progress=lambda *call: calls.append(call))
+    (result,) = gradmesh.simplify(
+        fruit, method="grid", progress=lambda *call: calls.append(call)
+    )
     done, total, patches, errors = zip(*calls)
     assert list(done) == sorted(done) and set(total) == {total[0]} and done[-1] <= total[0]
     assert list(patches) == sorted(patches, reverse=True)
@@ -82,7 +85,7 @@ def test_progress_is_told(fruit):
 
 
 def test_cancelling_keeps_the_best_so_far(fruit):
-    (result,) = gradmesh.simplify(fruit, progress=lambda *call: call[2] > 125)
+    (result,) = gradmesh.simplify(fruit, method="grid", progress=lambda *call: call[2] > 125)
     assert result.stopped == "cancelled"
     assert result.patches_after == 125 < result.patches_before
     assert fruit.meshes[0].patches == result.patches_after
@@ -113,7 +116,7 @@ def test_an_exception_in_the_callback_comes_out(fruit, error):
     with pytest.raises(error):
         gradmesh.simplify(fruit, progress=progress)
     assert fruit.to_bytes() == FRUIT.read_bytes()
-    assert gradmesh.simplify(fruit)[0].stopped == "done"
+    assert gradmesh.simplify(fruit, method="grid")[0].stopped == "done"
 
 
 @pytest.mark.parametrize(
@@ -175,7 +178,7 @@ def test_one_broken_mesh_leaves_all_as_they_were():
     with pytest.raises(gradmesh.InputError, match="none"):
         gradmesh.simplify(document)
     assert document.to_bytes().decode() == text
-    assert gradmesh.simplify(document, "cap")[0].stopped == "done"
+    assert gradmesh.simplify(document, "cap", method="grid")[0].stopped == "done"
 
 
 def test_render(fruit):

@@ -39,7 +39,7 @@ def simplified(folder, epsilon):
     for sample in PAINTED:
         files[sample] = folder / f"{sample}.svg"
         source = SAMPLES / f"{sample}.svg"
-        gradmesh("simplify", source, "-o", files[sample], "--epsilon", epsilon)
+        gradmesh("simplify", source, "-o", files[sample], "--epsilon", epsilon, "--method", "grid")
     return files
 
 

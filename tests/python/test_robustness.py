@@ -29,7 +29,7 @@ def try_all(data, name="drawing.svg"):
         document = gradmesh.loads(data, name)
         for mesh in document.meshes:
             gradmesh.render(document, mesh.id, 32)
-        gradmesh.simplify(document, resolution=32, epsilon=0.05, time_budget=2)
+        gradmesh.simplify(document, method="grid", resolution=32, epsilon=0.05, time_budget=2)
         assert gradmesh.loads(document.to_bytes(), name).meshes
     except gradmesh.InputError as error:
         expect_one_sentence(error, name)
@@ -116,13 +116,15 @@ def grid_document(chance, rows, columns, noise, opacity):
     opacity=st.sampled_from([1, 0.5, 0]),
     epsilon=st.sampled_from([0.0, 0.01, 0.1, 1.0]),
     metric=st.sampled_from(["flip", "ssim"]),
+    method=st.sampled_from(["random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1"]),
 )
-def test_random_meshes(seed, rows, columns, noise, opacity, epsilon, metric):
+def test_random_meshes(seed, rows, columns, noise, opacity, epsilon, metric, method):
     data = grid_document(random.Random(seed), rows, columns, noise, opacity)
     document = gradmesh.loads(data)
     (before,) = document.meshes
     assert before.patches == rows * columns
-    (result,) = gradmesh.simplify(document, epsilon=epsilon, metric=metric, resolution=80, seed=seed)
+    options = {"method": method, "epsilon": epsilon, "metric": metric, "resolution": 80}
+    (result,) = gradmesh.simplify(document, seed=seed, **options)
     assert result.patches_before == before.patches
     assert result.patches_after <= before.patches
     assert 0 <= result.error <= epsilon
@@ -134,7 +136,7 @@ def test_random_meshes(seed, rows, columns, noise, opacity, epsilon, metric):
         assert result.stopped == "nothing to merge"
     else:
         # Again, on what was written: never more patches, and still a good document.
-        (again,) = gradmesh.simplify(document, epsilon=epsilon, metric=metric, resolution=80)
+        (again,) = gradmesh.simplify(document, **options)
         assert again.patches_after <= result.patches_after
         assert gradmesh.loads(document.to_bytes()).meshes[0].patches == again.patches_after
 

@@ -31,8 +31,9 @@ class Editing:
 
     def __init__(self, folder):
         self.svg = folder / "fruit.svg"
-        gradmesh("simplify", SAMPLES / "fruit.svg", "-o", self.svg, "--epsilon", 0.03)
-        self.counts_before = info(self.svg)["pear"]
+        options = ("--epsilon", 0.03, "--method", "grid")
+        gradmesh("simplify", SAMPLES / "fruit.svg", "-o", self.svg, *options)
+        self.counts_before = counts(self.svg)
         self.before = svg_meshes.Document(self.svg).blocks()
         with Inkscape() as inkscape, inkscape.window(self.svg) as window:
             window.key("5")  # fits the page into the window
@@ -68,6 +69,11 @@ class Editing:
         points = np.unique(np.concatenate([net.ravel() for net in self.before.values()]))
         shared = [p for p, count in shared_corners(self.before).items() if count > 1]
         return max(shared, key=lambda p: np.partition(abs(points - p), 1)[1])
+
+
+def counts(svg):
+    """What `gradmesh info` knows of the pear, but for its elements, of which some have moved."""
+    return {name: value for name, value in info(svg)["pear"].items() if name != "elements"}
 
 
 def longest_run(flags):
@@ -132,4 +138,4 @@ def test_all_other_corners_stay_where_they_are(editing):
 
 
 def test_the_edited_file_still_holds_the_same_mesh(editing):
-    assert info(editing.svg)["pear"] == editing.counts_before
+    assert counts(editing.svg) == editing.counts_before
