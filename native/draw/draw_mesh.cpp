@@ -8,7 +8,7 @@ namespace gradmesh {
 namespace {
 
 constexpr const char *curve_color = "#33415c", *handle_color = "#0072b2", *point_color = "#1d1d24",
-                     *junction_color = "#d55e00";
+                     *junction_color = "#d55e00", *number_color = "#7a0177";
 
 /// Radii and widths of marks, from the line width.
 struct Marks {
@@ -31,6 +31,24 @@ Layer curves_layer(const Subject& subject, const Style& style) {
   Layer layer{"Curves", {}, {}};
   for (const Halfedge h : subject.curves())
     layer.shapes.push_back({subject.curve(h), style, "Half-edge " + std::to_string(h.value)});
+  return layer;
+}
+
+/// The numbers of the inner edges, by which the method `manual` is told what to merge.
+Layer edge_numbers_layer(const Subject& subject) {
+  const Mesh& mesh = subject.mesh();
+  Layer layer{"Numbers of half-edges", {}, {}};
+  for (const Halfedge h : subject.curves()) {
+    if (!mesh[h].twin.valid()) continue;
+    const Cubic<Value> curve = mesh.curve_of(h);
+    const std::string number = std::to_string(h.value);
+    const double room =
+        glm::length(subject.point(curve.p1.position) - subject.point(curve.p0.position));
+    const double size = std::min(1.2 * subject.unit(), 0.5 * room / double(number.size()));
+    layer.labels.push_back({number,
+                            subject.point(curve.at(0.5).position) + glm::dvec2(0, 0.36 * size),
+                            size, number_color, Anchor::middle, true});
+  }
   return layer;
 }
 
@@ -93,6 +111,7 @@ Drawing draw_edges(const Subject& subject) {
   drawing.layers.push_back(curves_layer(subject, marks.curve));
   add_handles(drawing, subject, marks);
   drawing.layers.push_back(points_layer(subject, marks));
+  drawing.layers.push_back(edge_numbers_layer(subject));
 
   const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
   const auto points = mesh.points();
@@ -105,6 +124,7 @@ Drawing draw_edges(const Subject& subject) {
   legend.circle(marks.point, count(all - junctions, "control point", "control points"));
   if (junctions > 0) legend.diamond(marks.junction, count(junctions, "T-junction", "T-junctions"));
   legend.circle(marks.knob, "ends of handles");
+  legend.text("numbers: half-edges");
   std::move(legend).add_to(drawing);
   return drawing;
 }
