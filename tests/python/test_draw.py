@@ -20,7 +20,7 @@ HREF = "{http://www.w3.org/1999/xlink}href"
 FRUIT = SAMPLES / "fruit.svg"
 COARSE = ("--resolution", 150)
 LAYERS = {
-    "edges": ["Picture", "Curves", "Handles", "Points", "Legend"],
+    "edges": ["Picture", "Curves", "Handles", "Points", "Numbers of half-edges", "Legend"],
     "faces": ["Patches"],
     "errors": ["Picture", "Boundary", "Single-edge errors", "Unmergeable edges", "Legend"],
     "motorcycle": ["Picture", "Parts", "Boundary", "Motorcycle graph", "Legend"],
@@ -61,6 +61,14 @@ def test_layers_are_ordinary_paths(tmp_path, show):
     for text in drawn.root.iter(SVG + "text"):
         assert low_x <= float(text.get("x")) <= low_x + width
         assert low_y <= float(text.get("y")) <= low_y + height
+
+
+def test_edges_carry_the_numbers_that_manual_takes(tmp_path):
+    drawn = Drawn(tmp_path, "edges")
+    numbers = drawn.texts("Numbers of half-edges")
+    assert len(set(numbers)) == len(numbers) == 11 * 11 + 12 * 10
+    done = run("simplify", FRUIT, "--preview", "--method", "manual", "--edges", numbers[-1], *COARSE)
+    assert done.returncode == 0 and "131 of 132 patches" in done.stdout
 
 
 def test_it_lies_where_the_mesh_is_seen(tmp_path):
