@@ -29,9 +29,6 @@ class MergeTrial {
   /// where it cannot be merged. Changes nothing. `tops` as of region_tops.
   double price(const Region& region, const std::vector<Halfedge>& tops);
 
-  /// The same for all the patches of a region.
-  bool try_merge(const Region& region);
-
   /// Takes everything back.
   void undo_all();
 
@@ -42,6 +39,7 @@ class MergeTrial {
   int evaluations() const { return evaluations_; }
 
  private:
+  /// Merges those of the regions that can be merged after the ones before them.
   void merge_possible(const std::vector<Region>& regions);
   /// Keeps the operations after the first `depth`, or takes them back if they cost too much.
   bool keep_if_cheap(std::size_t depth);

@@ -45,11 +45,13 @@ const char* name(Stopped stopped) {
 }
 
 Method method_named(const std::string& wanted) {
-  for (const Method method : all_methods)
+  std::string known;
+  for (const Method method : all_methods) {
     if (wanted == name(method)) return method;
-  throw std::invalid_argument("the method '" + wanted +
-                              "' is not known; there are: random, grid, " +
-                              "dual-grid, motorcycle, gqe, gqe1, manual.");
+    known.append(known.empty() ? "" : ", ").append(name(method));
+  }
+  throw std::invalid_argument("the method '" + wanted + "' is not known; there are: " + known +
+                              ".");
 }
 
 MetricKind metric_named(const std::string& wanted) {
