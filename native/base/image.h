@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,26 +29,69 @@ struct Window {
   }
 };
 
-/// Rows of pixels from top to bottom, `Channels` interleaved samples each.
+/// Samples of the pixels of a window, plane after plane, one for each channel, in rows from top to
+/// bottom. Pixels keep the coordinates of the frame, of which the window may be a part.
 template <class Sample, int Channels>
 struct Raster {
-  int width = 0, height = 0;
+  int x0 = 0, y0 = 0, width = 0, height = 0;
   std::vector<Sample> samples;
 
   Raster() = default;
-  Raster(int w, int h, Sample fill = Sample{})
-      : width(w), height(h), samples(std::size_t(w) * std::size_t(h) * Channels, fill) {}
-
-  Sample* at(int x, int y) { return samples.data() + (std::size_t(y) * width + x) * Channels; }
-  const Sample* at(int x, int y) const {
-    return samples.data() + (std::size_t(y) * width + x) * Channels;
+  Raster(int w, int h, Sample fill = Sample{}) : Raster(Window{0, 0, w, h}, fill) {}
+  explicit Raster(Window window, Sample fill = Sample{}) {
+    reset(window);
+    std::ranges::fill(samples, fill);
   }
-  Window window() const { return {0, 0, width, height}; }
+
+  /// Moves it to another window; the samples may be anything then. Takes new memory only where the
+  /// window is larger than all before.
+  void reset(Window to) {
+    x0 = to.x0, y0 = to.y0, width = to.width(), height = to.height();
+    samples.resize(pixels() * Channels);
+  }
+
+  /// The sample at (x, y) in frame coordinates; those to its right follow.
+  Sample* at(int x, int y, int channel = 0) { return samples.data() + offset(x, y, channel); }
+  const Sample* at(int x, int y, int channel = 0) const {
+    return samples.data() + offset(x, y, channel);
+  }
+  std::array<Sample, Channels> pixel(int x, int y) const {
+    std::array<Sample, Channels> result;
+    for (int c = 0; c < Channels; ++c) result[c] = *at(x, y, c);
+    return result;
+  }
+  void set_pixel(int x, int y, const std::array<Sample, Channels>& to) {
+    for (int c = 0; c < Channels; ++c) *at(x, y, c) = to[c];
+  }
+
+  Window window() const { return {x0, y0, x0 + width, y0 + height}; }
+  std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
   bool operator==(const Raster&) const = default;
+
+ private:
+  std::size_t offset(int x, int y, int channel) const {
+    return channel * pixels() + std::size_t(y - y0) * width + std::size_t(x - x0);
+  }
 };
+
+/// Gives all samples of the window, which lies inside the raster's, one value.
+template <class Sample, int Channels>
+void fill(Raster<Sample, Channels>& raster, Window window, Sample value) {
+  for (int c = 0; c < Channels; ++c)
+    for (int y = window.y0; y < window.y1; ++y)
+      std::fill_n(raster.at(window.x0, y, c), window.width(), value);
+}
 
 /// 8-bit sRGB, opaque.
 using Image = Raster<std::uint8_t, 3>;
+/// r, g, b, r, g, b, ... as files and NumPy hold an image.
+inline std::vector<std::uint8_t> interleaved(const Image& image) {
+  std::vector<std::uint8_t> bytes(image.samples.size());
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) bytes[3 * i + c] = image.samples[c * image.pixels() + i];
+  return bytes;
+}
+
 /// One float per pixel, such as a metric's error map.
 using Plane = Raster<float, 1>;
 

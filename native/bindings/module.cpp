@@ -145,7 +145,7 @@ py::array_t<std::uint8_t> render(const Document& document, const std::string& id
   const MeshEntry entry = document.selected({id}).front();
   const Image image = document.render(entry, resolution, *make_software_rasterizer());
   py::array_t<std::uint8_t> array({image.height, image.width, 3});
-  std::memcpy(array.mutable_data(), image.samples.data(), image.samples.size());
+  std::ranges::copy(interleaved(image), array.mutable_data());
   return array;
 }
 

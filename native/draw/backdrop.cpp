@@ -4,11 +4,13 @@ namespace gradmesh {
 
 Picture backdrop(Image painted, const Frame& frame, const Affine& view, bool gray) {
   if (gray)
-    for (std::size_t i = 0; i < painted.samples.size(); i += 3) {
-      std::uint8_t* rgb = painted.samples.data() + i;
-      // Rec. 601 luma.
-      rgb[0] = rgb[1] = rgb[2] = std::uint8_t((299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2]) / 1000);
-    }
+    for (int y = 0; y < painted.height; ++y)
+      for (int x = 0; x < painted.width; ++x) {
+        const auto [r, g, b] = painted.pixel(x, y);
+        // Rec. 601 luma.
+        const auto luma = std::uint8_t((299 * r + 587 * g + 114 * b) / 1000);
+        painted.set_pixel(x, y, {luma, luma, luma});
+      }
   // The frame lies straight in the drawing.
   const Affine from_pixels = view * frame.to_pixels.inverse();
   return {std::move(painted), from_pixels.point({0, 0}),

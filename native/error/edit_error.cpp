@@ -7,17 +7,19 @@ namespace {
 template <class Sample, int Channels>
 void take(const Raster<Sample, Channels>& raster, Window window, std::vector<Sample>& to) {
   to.clear();
-  for (int y = window.y0; y < window.y1; ++y) {
-    const Sample* row = raster.at(window.x0, y);
-    to.insert(to.end(), row, row + Channels * window.width());
-  }
+  for (int c = 0; c < Channels; ++c)
+    for (int y = window.y0; y < window.y1; ++y) {
+      const Sample* row = raster.at(window.x0, y, c);
+      to.insert(to.end(), row, row + window.width());
+    }
 }
 
 template <class Sample, int Channels>
 void put(const std::vector<Sample>& from, Window window, Raster<Sample, Channels>& raster) {
-  const std::size_t row = std::size_t(Channels) * window.width();
-  for (int y = window.y0; y < window.y1; ++y)
-    std::copy_n(from.begin() + row * (y - window.y0), row, raster.at(window.x0, y));
+  auto row = from.begin();
+  for (int c = 0; c < Channels; ++c)
+    for (int y = window.y0; y < window.y1; ++y, row += window.width())
+      std::copy_n(row, window.width(), raster.at(window.x0, y, c));
 }
 
 double sum(const Plane& map, Window window) {

@@ -44,7 +44,7 @@ Image read_image(const std::filesystem::path& path) {
     const std::uint8_t* from = samples.data() + i * std::size_t(channels);
     const int alpha = alpha_channel < 0 ? 255 : from[alpha_channel];
     for (std::size_t k = 0; k < 3; ++k)
-      image.samples[3 * i + k] = over_white(from[is_grey ? 0 : k], alpha);
+      image.samples[k * pixels + i] = over_white(from[is_grey ? 0 : k], alpha);
   }
   return image;
 }
@@ -57,7 +57,7 @@ std::string png_bytes(const Image& image) {
   if (!output) throw InputError(one_line(OIIO::geterror()) + ".");
   const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
   if (!output->open("image.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, image.samples.data()) || !output->close())
+      !output->write_image(OIIO::TypeDesc::UINT8, interleaved(image).data()) || !output->close())
     throw InputError(one_line(output->geterror()) + ".");
   return {bytes.begin(), bytes.end()};
 }

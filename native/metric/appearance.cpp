@@ -168,7 +168,7 @@ AppearanceFilter::AppearanceFilter(const Image& image, Window box)
       blue_yellow_(box.grown(appearance_reach)) {
   const auto& light = linear_light();
   const auto convert = [&](int x, int y, int source_x, int source_y) {
-    const std::uint8_t* pixel = image.at(source_x, source_y);
+    const auto pixel = image.pixel(source_x, source_y);
     const float r = light[pixel[0]], g = light[pixel[1]], b = light[pixel[2]];
     *luminance_.at(x, y) = rgb_to_opponent(0, r, g, b);
     *red_green_.at(x, y) = rgb_to_opponent(1, r, g, b);

@@ -19,14 +19,18 @@ Span united(Span a, Span b) {
 
 /// From the first to the last of the columns [x0, x1) of row y in which the images differ.
 Span differing_columns(const Image& a, const Image& b, int y, int x0, int x1) {
-  const std::uint8_t *row = a.at(x0, y), *end = a.at(x1, y), *other = b.at(x0, y);
-  if (std::equal(row, end, other)) return {};
-  const auto first = std::mismatch(row, end, other).first - row;
-  const auto last = std::mismatch(std::reverse_iterator(end), std::reverse_iterator(row),
-                                  std::reverse_iterator(other + (end - row)))
-                        .first.base() -
-                    row - 1;
-  return {x0 + int(first / 3), x0 + int(last / 3) + 1};
+  Span all;
+  for (int c = 0; c < 3; ++c) {
+    const std::uint8_t *row = a.at(x0, y, c), *end = row + (x1 - x0), *other = b.at(x0, y, c);
+    const auto first = std::mismatch(row, end, other).first - row;
+    if (row + first == end) continue;
+    const auto last = std::mismatch(std::reverse_iterator(end), std::reverse_iterator(row),
+                                    std::reverse_iterator(other + (end - row)))
+                          .first.base() -
+                      row;
+    all = united(all, {x0 + int(first), x0 + int(last)});
+  }
+  return all;
 }
 
 }  // namespace

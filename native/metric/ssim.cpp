@@ -58,8 +58,8 @@ class Blur {
 
 Ssim::Ssim(Image image)
     : LocalMetric(std::move(image), radius),
-      mean_(reference().width, reference().height),
-      variance_(reference().width, reference().height) {
+      mean_(channels * reference().width, reference().height),
+      variance_(channels * reference().width, reference().height) {
   const Window frame = reference().window();
   const std::vector<Span> rows(frame.height(), {0, frame.width()});
   for_each_strip(0, rows, [&](const Strip& strip) {
@@ -67,7 +67,7 @@ Ssim::Ssim(Image image)
     WindowPlane<double> value(around, channels), square(around, channels);
     for_each_extended(around, frame, [&](int x, int y, int source_x, int source_y) {
       for (int c = 0; c < channels; ++c) {
-        const double centred = reference().at(source_x, source_y)[c] - byte_centre;
+        const double centred = *reference().at(source_x, source_y, c) - byte_centre;
         value.at(x, y)[c] = centred;
         square.at(x, y)[c] = centred * centred;
       }
@@ -90,8 +90,7 @@ void Ssim::score(const Image& test, const Strip& strip, Plane& map) const {
   WindowPlane<float> difference(around, channels), square(around, channels),
       product(around, channels);
   for_each_extended(around, test.window(), [&](int x, int y, int source_x, int source_y) {
-    const std::uint8_t* b = test.at(source_x, source_y);
-    const std::uint8_t* a = reference().at(source_x, source_y);
+    const auto b = test.pixel(source_x, source_y), a = reference().pixel(source_x, source_y);
     for (int c = 0; c < channels; ++c) {
       const int d = b[c] - a[c];
       difference.at(x, y)[c] = float(d);
@@ -109,8 +108,8 @@ void Ssim::score(const Image& test, const Strip& strip, Plane& map) const {
     blur(difference, y, span, mean_d.data());
     blur(square, y, span, mean_dd.data());
     blur(product, y, span, mean_yd.data());
-    const float* mean_y = mean_.at(span.begin, y);
-    const float* variance_y = variance_.at(span.begin, y);
+    const float* mean_y = mean_.at(channels * span.begin, y);
+    const float* variance_y = variance_.at(channels * span.begin, y);
     for (int i = 0; i < span.width() * channels; ++i) {
       const float m = mean_y[i] + byte_centre, md = mean_d[i], mx = m + md;
       const float luminance = md * md / (m * m + mx * mx + c1);

@@ -15,7 +15,8 @@ class Ssim final : public LocalMetric {
   void score(const Image& test, const Strip& strip, Plane& map) const override;
 
   /// Gaussian mean less `byte_centre`, and variance.
-  Raster<float, 3> mean_, variance_;
+  /// Three channels side by side in each pixel.
+  Plane mean_, variance_;
 };
 
 }  // namespace gradmesh

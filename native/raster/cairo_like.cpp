@@ -75,15 +75,17 @@ Color16 color16(const glm::dvec4& color) {
 }
 
 /// Cairo's image is premultiplied, 8 bits per channel; it is then painted over white.
-void write(const Color16& color, std::uint8_t* rgb) {
+std::array<std::uint8_t, 3> over_white(const Color16& color) {
   const std::uint32_t alpha = std::uint32_t(color[3]);
   const std::uint32_t white = 255 - (alpha >> 8);
+  std::array<std::uint8_t, 3> rgb;
   for (int k = 0; k < 3; ++k) {
     // Divided by 65535, rounded; the upper 8 of the 16 bits are then taken.
     std::uint32_t product = std::uint32_t(color[k]) * alpha + 0x8000;
     product += product >> 16;
     rgb[k] = std::uint8_t((product >> 24) + white);
   }
+  return rgb;
 }
 
 class ForwardPainter {
@@ -168,7 +170,7 @@ class ForwardPainter {
 
   void draw(std::int64_t x, std::int64_t y, const Color16& color) {
     if (x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1)
-      write(color, image_.at(int(x), int(y)));
+      image_.set_pixel(int(x), int(y), over_white(color));
   }
 
   Window window_;
@@ -204,8 +206,7 @@ class CairoLikeRasterizer final : public Rasterizer {
       Window band = window;
       band.y0 = window.y0 + int(i) * band_height;
       band.y1 = std::min(window.y1, band.y0 + band_height);
-      for (int y = band.y0; y < band.y1; ++y)
-        std::fill_n(image.at(band.x0, y), 3 * band.width(), std::uint8_t(255));
+      fill(image, band, std::uint8_t(255));
       for (const Face f : mesh.faces()) {
         const Patch patch = as_written(mesh.patch(f), frame.coons_tolerance, frame.masked_opacity);
         if (!pixel_bounds(patch, frame).clipped(band).empty())

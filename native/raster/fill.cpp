@@ -44,7 +44,7 @@ PatchColor::PatchColor(const Patch& patch, ColorModel model, bool masked_opacity
     }
 }
 
-void PatchColor::write(float u, float v, std::uint8_t* rgb) const {
+std::array<std::uint8_t, 3> PatchColor::at(float u, float v) const {
   float channel[4];
   for (int n = 0; n < 4; ++n) {
     if (bilinear_) {
@@ -64,8 +64,10 @@ void PatchColor::write(float u, float v, std::uint8_t* rgb) const {
     alpha = float(to_byte(255 * alpha)) / 255;
     for (int n = 0; n < 3; ++n) channel[n] = float(to_byte(channel[n]));
   }
+  std::array<std::uint8_t, 3> rgb;
   for (int n = 0; n < 3; ++n)
     rgb[n] = to_byte(alpha * std::clamp(channel[n], 0.f, 255.f) + (1 - alpha) * 255.f);
+  return rgb;
 }
 
 void fill_triangle(const Triangle& triangle, const PatchColor& color, Window window, Image& image) {
@@ -95,13 +97,12 @@ void fill_triangle(const Triangle& triangle, const PatchColor& color, Window win
     const int x0 = std::max(window.x0, bend_right ? on_long : on_short);
     const int x1 = std::min(window.x1, bend_right ? on_short : on_long);
     const double dy = double(y * unit + half - p[0].y);
-    std::uint8_t* out = image.at(x0, y);
-    for (int x = x0; x < x1; ++x, out += 3) {
+    for (int x = x0; x < x1; ++x) {
       const double dx = double(x * unit + half - p[0].x);
       // Clamped, since in a sliver rounding could leave the patch.
       const float u = std::clamp(float(p[0].u + du.x * dx + du.y * dy), 0.f, 1.f);
       const float v = std::clamp(float(p[0].v + dv.x * dx + dv.y * dy), 0.f, 1.f);
-      color.write(u, v, out);
+      image.set_pixel(x, y, color.at(u, v));
     }
   }
 }

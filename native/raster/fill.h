@@ -10,7 +10,7 @@ namespace gradmesh {
 class PatchColor {
  public:
   PatchColor(const Patch& patch, ColorModel model, bool masked_opacity = false);
-  void write(float u, float v, std::uint8_t* rgb) const;
+  std::array<std::uint8_t, 3> at(float u, float v) const;
 
  private:
   using Quad = std::array<float, 4>;

@@ -57,8 +57,7 @@ class SoftwareRasterizer final : public Rasterizer {
 
   static void paint_band(const std::vector<PaintedFace>& faces, ColorModel model,
                          const Frame& frame, Window band, Image& image) {
-    for (int y = band.y0; y < band.y1; ++y)
-      std::fill_n(image.at(band.x0, y), 3 * band.width(), std::uint8_t(255));
+    fill(image, band, std::uint8_t(255));
     for (const PaintedFace& f : faces) {
       if (f.bounds.clipped(band).empty()) continue;
       const PatchColor color(f.patch, model, frame.masked_opacity);

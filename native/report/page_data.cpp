@@ -103,7 +103,8 @@ Json errors_json(const Plane& map) {
   for (std::size_t i = 0; i < map.samples.size(); ++i) {
     const glm::dvec3 color = heat_color(largest > 0 ? map.samples[i] / largest : 0);
     for (int k = 0; k < 3; ++k)
-      picture.samples[3 * i + std::size_t(k)] = std::uint8_t(std::lround(255 * color[k]));
+      picture.samples[std::size_t(k) * picture.pixels() + i] =
+          std::uint8_t(std::lround(255 * color[k]));
   }
   Json scale = Json::array();
   for (int i = 0; i <= steps; ++i) scale.push_back(hex_color(heat_color(double(i) / steps)));

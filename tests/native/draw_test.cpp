@@ -223,10 +223,12 @@ TEST(Backdrop, lies_where_the_mesh_is) {
   EXPECT_NEAR(picture.high.x, 27.3, 1e-9);
   EXPECT_NEAR(picture.high.y, 2.7 + 20.6 / 103 * frame.height, 1e-9);
   const Picture gray = backdrop(painted, frame, view, true);
-  for (std::size_t i = 0; i < gray.image.samples.size(); i += 3) {
-    ASSERT_EQ(gray.image.samples[i], gray.image.samples[i + 1]);
-    ASSERT_EQ(gray.image.samples[i], gray.image.samples[i + 2]);
-  }
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      const auto [r, g, b] = gray.image.pixel(x, y);
+      ASSERT_EQ(r, g);
+      ASSERT_EQ(r, b);
+    }
 }
 
 }  // namespace

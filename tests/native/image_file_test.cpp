@@ -58,11 +58,12 @@ TEST_F(ImageFile, RoundTrip) {
 }
 
 TEST_F(ImageFile, OtherChannelsBecomeRgb) {
-  EXPECT_EQ(read_image(write_row(3, {1, 2, 3})).samples, (Samples{1, 2, 3}));
-  EXPECT_EQ(read_image(write_row(1, {7, 200})).samples, (Samples{7, 7, 7, 200, 200, 200}));
-  EXPECT_EQ(read_image(write_row(4, {10, 20, 30, 255, 10, 20, 30, 0, 0, 100, 255, 51})).samples,
-            (Samples{10, 20, 30, 255, 255, 255, 204, 224, 255}));
-  EXPECT_EQ(read_image(write_row(2, {0, 51, 90, 255})).samples,
+  EXPECT_EQ(interleaved(read_image(write_row(3, {1, 2, 3}))), (Samples{1, 2, 3}));
+  EXPECT_EQ(interleaved(read_image(write_row(1, {7, 200}))), (Samples{7, 7, 7, 200, 200, 200}));
+  EXPECT_EQ(
+      interleaved(read_image(write_row(4, {10, 20, 30, 255, 10, 20, 30, 0, 0, 100, 255, 51}))),
+      (Samples{10, 20, 30, 255, 255, 255, 204, 224, 255}));
+  EXPECT_EQ(interleaved(read_image(write_row(2, {0, 51, 90, 255}))),
             (Samples{204, 204, 204, 90, 90, 90}));
 }
 

@@ -24,9 +24,8 @@ const char* name(MetricKind kind) { return kind == MetricKind::flip ? "FLIP" : "
 
 Image filled(int width, int height, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
   Image image(width, height);
-  for (std::size_t i = 0; i < image.samples.size(); i += 3) {
-    image.samples[i] = r, image.samples[i + 1] = g, image.samples[i + 2] = b;
-  }
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) image.set_pixel(x, y, {r, g, b});
   return image;
 }
 
@@ -51,7 +50,7 @@ class Random {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         for (int c = 0; c < 3; ++c)
-          image.at(x, y)[c] = std::uint8_t(std::clamp(128 + u[c] * x + v[c] * y, 0.0, 255.0));
+          *image.at(x, y, c) = std::uint8_t(std::clamp(128 + u[c] * x + v[c] * y, 0.0, 255.0));
     return image;
   }
 
@@ -60,7 +59,7 @@ class Random {
     const Window window = part_of(image.window()).clipped(image.window());
     for (int y = window.y0; y < window.y1; ++y)
       for (int x = window.x0; x < window.x1; ++x)
-        for (int c = 0; c < 3; ++c) image.at(x, y)[c] ^= std::uint8_t(from(1, 63));
+        for (int c = 0; c < 3; ++c) *image.at(x, y, c) ^= std::uint8_t(from(1, 63));
     return image;
   }
 
@@ -167,8 +166,8 @@ TEST(Metric, PixelsAmongEqualOnesHaveNoDistanceAtAll) {
   for (const MetricKind kind : all_kinds) {
     const Image reference = random.noise(90, 30);
     Image test = reference;
-    test.at(0, 15)[0] ^= 255;
-    test.at(89, 15)[0] ^= 255;
+    *test.at(0, 15, 0) ^= 255;
+    *test.at(89, 15, 0) ^= 255;
     const auto metric = make_metric(kind, reference);
     const int reach = metric->reach();
     const Plane map = metric->map(test);
@@ -223,7 +222,7 @@ TEST(Metric, APixelChangesTheMapAsFarAsItsReachAndNoFarther) {
     const Plane map = metric->map(before);
     for (const auto& [px, py] : {std::pair(30, 25), {0, 0}, {59, 20}, {3, 48}}) {
       Image after = before;
-      for (int c = 0; c < 3; ++c) after.at(px, py)[c] = after.at(px, py)[c] < 128 ? 255 : 0;
+      for (int c = 0; c < 3; ++c) *after.at(px, py, c) = *after.at(px, py, c) < 128 ? 255 : 0;
       const Plane changed = metric->map(after);
       int farthest = 0;
       for (int y = 0; y < height; ++y)
@@ -302,9 +301,12 @@ Image read_image(const std::string& path) {
   const auto file = OIIO::ImageInput::open(path);
   if (!file) throw std::runtime_error("Cannot read " + path + ": " + OIIO::geterror());
   Image image(file->spec().width, file->spec().height);
-  if (!file->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, image.samples.data())) {
+  std::vector<std::uint8_t> bytes(image.samples.size());
+  if (!file->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data())) {
     throw std::runtime_error("Cannot read " + path + ": " + file->geterror());
   }
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    image.samples[i % 3 * image.pixels() + i / 3] = bytes[i];
   return image;
 }
 

@@ -62,8 +62,8 @@ inline double one_minus_ssim(const Image& a, const Image& b, int x, int y) {
     const auto blur = [&](const Field& f) {
       return filtered(extended(f, a.window()), gaussian, radius, x, y);
     };
-    const Field fa = [&](int i, int j) { return double(a.at(i, j)[c]); };
-    const Field fb = [&](int i, int j) { return double(b.at(i, j)[c]); };
+    const Field fa = [&](int i, int j) { return double(*a.at(i, j, c)); };
+    const Field fb = [&](int i, int j) { return double(*b.at(i, j, c)); };
     const double ma = blur(fa), mb = blur(fb);
     const double va = blur([&](int i, int j) { return std::pow(fa(i, j) - ma, 2); });
     const double vb = blur([&](int i, int j) { return std::pow(fb(i, j) - mb, 2); });
@@ -83,7 +83,7 @@ inline Color linear_xyz(const Color& rgb) {
 inline constexpr Color white = {0.950428545, 1, 1.088900371};
 
 /// Y, Cx and Cz.
-inline Color opponent(const std::uint8_t* pixel) {
+inline Color opponent(const std::array<std::uint8_t, 3>& pixel) {
   Color rgb;
   for (int c = 0; c < 3; ++c) {
     const double s = pixel[c] / 255.0;
@@ -139,7 +139,7 @@ inline double flip_colour(const Image& a, const Image& b, int x, int y) {
   const auto seen = [&](const Image& image) {
     Color color;
     for (int c = 0; c < 3; ++c) {
-      const Field field = [&](int i, int j) { return opponent(image.at(i, j))[c]; };
+      const Field field = [&](int i, int j) { return opponent(image.pixel(i, j))[c]; };
       color[c] =
           filtered(extended(field, image.window()), contrast_sensitivity(c, radius), radius, x, y);
     }
@@ -160,7 +160,7 @@ inline double flip_feature(const Image& a, const Image& b, int x, int y) {
       [=](int dx, int dy) { return (dx * dx / (sigma * sigma) - 1) * gaussian(dx, dy); }, radius);
   const auto magnitude = [&](const Image& image, const Kernel& kernel) {
     const Field luminance = extended(
-        [&](int i, int j) { return (opponent(image.at(i, j))[0] + 16) / 116; }, image.window());
+        [&](int i, int j) { return (opponent(image.pixel(i, j))[0] + 16) / 116; }, image.window());
     const Kernel turned = [&](int dx, int dy) { return kernel(dy, dx); };
     return std::hypot(filtered(luminance, kernel, radius, x, y),
                       filtered(luminance, turned, radius, x, y));
