@@ -70,7 +70,8 @@ std::array<std::uint8_t, 3> PatchColor::at(float u, float v) const {
   return rgb;
 }
 
-void fill_triangle(const Triangle& triangle, const PatchColor& color, Window window, Image& image) {
+void fill_triangle(const Triangle& triangle, Face face, const PatchColor& color, Window window,
+                   Painting& painting) {
   std::array<Vertex, 3> p = triangle;
   std::ranges::sort(p, {}, [](const Vertex& v) { return std::pair(v.y, v.x); });
   const int y0 = std::max(window.y0, first_pixel(p[0].y));
@@ -98,11 +99,15 @@ void fill_triangle(const Triangle& triangle, const PatchColor& color, Window win
     const int x1 = std::min(window.x1, bend_right ? on_short : on_long);
     const double dy = double(y * unit + half - p[0].y);
     for (int x = x0; x < x1; ++x) {
+      std::uint32_t& top = *painting.top.at(x, y);
+      const TopFace with = TopFace(top).with(face);
+      top = with.sample();
+      if (with.face() != face) continue;
       const double dx = double(x * unit + half - p[0].x);
       // Clamped, since in a sliver rounding could leave the patch.
       const float u = std::clamp(float(p[0].u + du.x * dx + du.y * dy), 0.f, 1.f);
       const float v = std::clamp(float(p[0].v + dv.x * dx + dv.y * dy), 0.f, 1.f);
-      image.set_pixel(x, y, color.at(u, v));
+      painting.image.set_pixel(x, y, color.at(u, v));
     }
   }
 }

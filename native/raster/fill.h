@@ -2,6 +2,7 @@
 
 #include "base/image.h"
 #include "geom/patch.h"
+#include "raster/painting.h"
 #include "raster/tessellate.h"
 
 namespace gradmesh {
@@ -23,6 +24,7 @@ class PatchColor {
 
 /// Paints the pixels of `window` whose centres the triangle covers. A centre on an edge belongs
 /// to exactly one of the two triangles beside it.
-void fill_triangle(const Triangle& triangle, const PatchColor& color, Window window, Image& image);
+void fill_triangle(const Triangle& triangle, Face face, const PatchColor& color, Window window,
+                   Painting& painting);
 
 }  // namespace gradmesh

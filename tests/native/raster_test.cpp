@@ -7,6 +7,7 @@
 #include "geom/written.h"
 #include "random_meshes.h"
 #include "raster/fill.h"
+#include "raster/painter.h"
 #include "raster/rasterizer.h"
 #include "raster/tessellate.h"
 
@@ -78,15 +79,15 @@ TEST(Raster, every_pixel_is_covered_exactly_once) {
     Raster<int, 1> count(frame.width, frame.height);
     const PatchColor black(Patch{}, ColorModel::bilinear);
     for (const Triangle& triangle : t.triangles) {
-      Image one(frame.width, frame.height, 7);
+      Painting one(frame.window());
       Window box{frame.width, frame.height, 0, 0};
       for (const Vertex& v : triangle)
         box = {std::min<int>(box.x0, v.x / 256 - 1), std::min<int>(box.y0, v.y / 256 - 1),
                std::max<int>(box.x1, v.x / 256 + 2), std::max<int>(box.y1, v.y / 256 + 2)};
       box = box.clipped(frame.window());
-      fill_triangle(triangle, black, box, one);
+      fill_triangle(triangle, Face{0}, black, box, one);
       for (int y = box.y0; y < box.y1; ++y)
-        for (int x = box.x0; x < box.x1; ++x) *count.at(x, y) += *one.at(x, y) != 7;
+        for (int x = box.x0; x < box.x1; ++x) *count.at(x, y) += *one.top.at(x, y) != 0;
     }
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x) {
@@ -246,6 +247,95 @@ TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
         for (int k = 0; k < 3; ++k)
           ASSERT_EQ(*part.at(x, y, k), in_window ? *whole.at(x, y, k) : 9);
       }
+  }
+}
+
+Painting part_of(const Painting& whole, Window window) {
+  Painting part(window);
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x) {
+      part.image.set_pixel(x, y, whole.image.pixel(x, y));
+      part.top.set_pixel(x, y, whole.top.pixel(x, y));
+    }
+  return part;
+}
+
+/// How many pixels are known to hide other faces.
+int expect_up_to_date(const Painting& painting, const Painting& afresh) {
+  EXPECT_EQ(painting.image, afresh.image);
+  int hiding = 0;
+  for (std::size_t i = 0; i < afresh.top.samples.size(); ++i) {
+    const TopFace top(painting.top.samples[i]), expected(afresh.top.samples[i]);
+    EXPECT_EQ(top.face(), expected.face());
+    // Whether there still is a face below need not be known.
+    EXPECT_GE(top.covers_others(), expected.covers_others());
+    hiding += expected.covers_others();
+  }
+  return hiding;
+}
+
+struct RepaintCase {
+  double position_noise;
+  ColorModel model;
+};
+class Repaint : public ::testing::TestWithParam<RepaintCase> {};
+INSTANTIATE_TEST_SUITE_P(Raster, Repaint,
+                         ::testing::Values(RepaintCase{0.1, ColorModel::bilinear},
+                                           RepaintCase{0.8, ColorModel::bilinear},
+                                           RepaintCase{0.8, ColorModel::bicubic}),
+                         [](const auto& test) {
+                           return std::string(test.param.position_noise < 0.5 ? "flat" : "folded") +
+                                  (test.param.model == ColorModel::bilinear ? "_bilinear"
+                                                                            : "_bicubic");
+                         });
+
+TEST_P(Repaint, is_as_painting_afresh) {
+  int hiding = 0;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    std::mt19937 random(seed);
+    Mesh mesh = build_mesh(grid_parts({.rows = 5,
+                                       .columns = 4,
+                                       .position_noise = GetParam().position_noise,
+                                       .color_noise = 0.3,
+                                       .color_model = GetParam().model},
+                                      random));
+    Journal journal(mesh);
+    const Frame frame = fit_frame(mesh, {}, 150);
+    const auto bounds = [&] {
+      std::vector<Window> of_faces(mesh.face_slots());
+      for (const Face f : mesh.faces()) of_faces[f.value] = pixel_bounds(mesh.patch(f), frame);
+      return of_faces;
+    };
+    Painter painter;
+    Painting whole = paint_whole(mesh, frame);
+    for (int step = 0; step < 20; ++step) {
+      // An operation, or the last one taken back.
+      const bool undo = step % 3 == 2;
+      const Painting before = whole;
+      const std::vector<Window> bounds_before = bounds();
+      if (!undo) test::change_at_random(journal, random, 3);
+      const std::vector<Face> touched = journal.touched_since(journal.depth() - 1);
+      if (undo) journal.undo();
+      Window within;
+      for (const std::vector<Window>& of_faces : {bounds_before, bounds()})
+        for (const Face f : touched)
+          if (std::size_t(f.value) < of_faces.size()) within = within.united(of_faces[f.value]);
+
+      painter.repaint(mesh, frame, touched, within, whole);
+      const Painting afresh = paint_whole(mesh, frame);
+      hiding += expect_up_to_date(whole, afresh);
+
+      const auto in = [&](int n) { return int(random() % unsigned(n)); };
+      const int x = in(frame.width), y = in(frame.height);
+      const Window window{x, y, x + 1 + in(frame.width - x), y + 1 + in(frame.height - y)};
+      Painting part = part_of(before, window);
+      painter.repaint(mesh, frame, touched, within, part);
+      expect_up_to_date(part, part_of(afresh, window));
+      ASSERT_FALSE(HasFailure()) << "seed " << seed << " step " << step;
+    }
+  }
+  if (GetParam().position_noise > 0.5) {
+    EXPECT_GT(hiding, 10000);
   }
 }
 

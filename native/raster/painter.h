@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "geom/patch.h"
+#include "raster/painting.h"
+
+namespace gradmesh {
+
+/// Paints meshes, and paints again what an edit changed; as Rasterizer, pixel for pixel. Not
+/// thread-safe: it keeps its memory from call to call.
+class Painter {
+ public:
+  /// Paints the whole of the painting's window, which lies inside the frame.
+  void paint(const Mesh& mesh, const Frame& frame, Painting& painting);
+
+  /// Brings the painting of a mesh up to date for the mesh as it is now. `touched`, in rising
+  /// order, are the faces whose patch or outline changed; some may be gone and some new. `within`
+  /// holds their pixels before and after, as far as they lie in the painting's window.
+  void repaint(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched,
+               Window within, Painting& painting);
+
+ private:
+  void paint_face(const Mesh& mesh, const Frame& frame, Face face, const Patch& patch,
+                  Window window, Painting& painting);
+  /// Takes the touched faces' pixels away. Returns a window that holds those of them below which
+  /// there may be others.
+  Window clear(const std::vector<Face>& touched, Window within, Painting& painting);
+
+  std::vector<bool> is_touched_;
+};
+
+}  // namespace gradmesh

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/image.h"
+#include "mesh/elements.h"
+#include "mesh/mesh.h"
+#include "raster/frame.h"
+
+namespace gradmesh {
+
+/// What lies on top at a pixel: none, or a face, and whether other faces may lie below it. Faces
+/// are painted in the order of their indices, so of those that cover a pixel the greatest is on
+/// top, in whatever order they are in fact painted.
+class TopFace {
+ public:
+  TopFace() = default;
+  /// From the sample of a Painting.
+  explicit TopFace(std::uint32_t sample) : sample_(sample) {}
+
+  /// Invalid where nothing is painted.
+  Face face() const { return {int(sample_ >> 1) - 1}; }
+  bool covers_others() const { return sample_ & 1; }
+  std::uint32_t sample() const { return sample_; }
+
+  /// With one more face in the pixel, which may be the one that is there.
+  TopFace with(Face f) const {
+    const std::uint32_t alone = std::uint32_t(f.value + 1) << 1;
+    if (sample_ == 0 || sample_ >> 1 == alone >> 1) return TopFace(sample_ | alone);
+    return TopFace(std::max(sample_, alone) | 1);
+  }
+
+ private:
+  std::uint32_t sample_ = 0;
+};
+
+/// A painted picture and the face that lies on top at each of its pixels.
+struct Painting {
+  Image image;
+  /// Samples of TopFace over the window of `image`; zero where nothing is painted.
+  Raster<std::uint32_t, 1> top;
+
+  Painting() = default;
+  explicit Painting(Window window) : image(window), top(window) {}
+
+  Window window() const { return image.window(); }
+};
+
+/// Paints the whole frame, on all cores.
+Painting paint_whole(const Mesh& mesh, const Frame& frame);
+
+/// Paints the whole of the painting's window, which lies inside the frame, on all cores.
+void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting);
+
+}  // namespace gradmesh
