@@ -162,10 +162,11 @@ void perceive(const float* y, const float* cx, const float* cz_wide, const float
 
 }  // namespace
 
-AppearanceFilter::AppearanceFilter(const Image& image, Window box)
+AppearanceFilter::AppearanceFilter(const Image& image, Window frame, Window box)
     : luminance_(box.grown(appearance_reach)),
       red_green_(box.grown(appearance_reach)),
-      blue_yellow_(box.grown(appearance_reach)) {
+      blue_yellow_(box.grown(appearance_reach)),
+      box_(box) {
   const auto& light = linear_light();
   const auto convert = [&](int x, int y, int source_x, int source_y) {
     const auto pixel = image.pixel(source_x, source_y);
@@ -174,7 +175,7 @@ AppearanceFilter::AppearanceFilter(const Image& image, Window box)
     *red_green_.at(x, y) = rgb_to_opponent(1, r, g, b);
     *blue_yellow_.at(x, y) = rgb_to_opponent(2, r, g, b);
   };
-  for_each_extended(box.grown(appearance_reach), image.window(), convert);
+  for_each_extended(box.grown(appearance_reach), frame, convert);
   for (Buffer* buffer : {&column_, &smooth_column_, &sloped_column_, &curved_column_}) {
     buffer->resize(box.width() + 2 * appearance_reach);
   }
@@ -183,33 +184,33 @@ AppearanceFilter::AppearanceFilter(const Image& image, Window box)
   }
 }
 
-void AppearanceFilter::row(int y, Span span, const AppearanceRow& out) {
-  colour(y, span, out);
-  features(y, span, out);
+void AppearanceFilter::row(int y, const AppearanceRow& out) {
+  colour(y, out);
+  features(y, out);
 }
 
-void AppearanceFilter::colour(int y, Span span, const AppearanceRow& out) {
+void AppearanceFilter::colour(int y, const AppearanceRow& out) {
   const auto blur = [&]<int Radius>(const Taps<float, Radius>& taps, const WindowPlane<float>& in,
                                     Buffer& result) {
-    filter_even(taps, in.at(span.begin - Radius, y), in.stride(), span.width() + 2 * Radius,
+    filter_even(taps, in.at(box_.x0 - Radius, y), in.stride(), box_.width() + 2 * Radius,
                 column_.data());
-    filter_even(taps, column_.data() + Radius, 1, span.width(), result.data());
+    filter_even(taps, column_.data() + Radius, 1, box_.width(), result.data());
   };
   const ColourTaps& taps = ColourTaps::get();
   blur(taps.luminance, luminance_, y_);
   blur(taps.red_green, red_green_, cx_);
   blur(taps.blue_yellow_wide, blue_yellow_, cz_wide_);
   blur(taps.blue_yellow_narrow, blue_yellow_, cz_narrow_);
-  perceive(y_.data(), cx_.data(), cz_wide_.data(), cz_narrow_.data(), span.width(), out.lightness,
+  perceive(y_.data(), cx_.data(), cz_wide_.data(), cz_narrow_.data(), box_.width(), out.lightness,
            out.a, out.b);
 }
 
-void AppearanceFilter::features(int y, Span span, const AppearanceRow& out) {
+void AppearanceFilter::features(int y, const AppearanceRow& out) {
   constexpr int reach = FeatureTaps::reach;
   const FeatureTaps& taps = FeatureTaps::get();
-  const int count = span.width();
+  const int count = box_.width();
   const auto down = [&](auto filter, const Taps<float, reach>& axis, Buffer& result) {
-    filter(axis, luminance_.at(span.begin - reach, y), luminance_.stride(), count + 2 * reach,
+    filter(axis, luminance_.at(box_.x0 - reach, y), luminance_.stride(), count + 2 * reach,
            result.data());
   };
   const auto along = [&](auto filter, const Taps<float, reach>& axis, const Buffer& column,

@@ -3,7 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "metric/local_metric.h"
 #include "metric/window_plane.h"
 
 namespace gradmesh {
@@ -26,17 +25,18 @@ inline constexpr int appearance_reach = 10;
 class AppearanceFilter {
  public:
   /// Reads the image within `appearance_reach` of `box`, which lies inside the frame.
-  AppearanceFilter(const Image& image, Window box);
+  AppearanceFilter(const Image& image, Window frame, Window box);
 
-  /// Writes columns `span` of row y, both within the box.
-  void row(int y, Span span, const AppearanceRow& out);
+  /// Writes row y of the box.
+  void row(int y, const AppearanceRow& out);
 
  private:
-  void colour(int y, Span span, const AppearanceRow& out);
-  void features(int y, Span span, const AppearanceRow& out);
+  void colour(int y, const AppearanceRow& out);
+  void features(int y, const AppearanceRow& out);
 
   /// CIE XYZ over white: y, x - y and y - z, which are FLIP's YCxCz but for constant factors.
   WindowPlane<float> luminance_, red_green_, blue_yellow_;
+  Window box_;
   using Buffer = std::vector<float>;
   Buffer column_, smooth_column_, sloped_column_, curved_column_;
   Buffer y_, cx_, cz_wide_, cz_narrow_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
 #include "metric/elementary.h"
 
 namespace gradmesh {
@@ -48,24 +49,22 @@ Flip::Flip(Image image) : LocalMetric(std::move(image), appearance_reach) {
   const Window frame = reference().window();
   const Plane plane(frame.width(), frame.height());
   appearance_ = {plane, plane, plane, plane, plane};
-  const std::vector<Span> rows(frame.height(), {0, frame.width()});
-  for_each_strip(0, rows, [&](const Strip& strip) {
-    AppearanceFilter filter(reference(), strip.box);
-    for (int y = strip.box.y0; y < strip.box.y1; ++y)
-      filter.row(y, rows[y], row_at(appearance_, 0, y));
+  constexpr int strip_height = 32;
+  parallel_for((frame.height() + strip_height - 1) / strip_height, [&](std::size_t i) {
+    const int y0 = int(i) * strip_height, y1 = std::min(y0 + strip_height, frame.y1);
+    AppearanceFilter filter(reference(), frame, {0, y0, frame.x1, y1});
+    for (int y = y0; y < y1; ++y) filter.row(y, row_at(appearance_, 0, y));
   });
 }
 
-void Flip::score(const Image& test, const Strip& strip, Plane& map) const {
-  AppearanceFilter filter(test, strip.box);
-  const Plane one_row(strip.box.width(), 1);
+void Flip::score(const Image& test, Window tile, Plane& map) const {
+  AppearanceFilter filter(test, reference().window(), tile);
+  const Plane one_row(tile.width(), 1);
   Appearance<Plane> seen = {one_row, one_row, one_row, one_row, one_row};
   const AppearanceRow seen_row = row_at(seen, 0, 0);
-  for (int y = strip.box.y0; y < strip.box.y1; ++y) {
-    const Span span = strip.rows[y - strip.box.y0];
-    if (span.empty()) continue;
-    filter.row(y, span, seen_row);
-    compare(row_at(appearance_, span.begin, y), seen_row, span.width(), map.at(span.begin, y));
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    filter.row(y, seen_row);
+    compare(row_at(appearance_, tile.x0, y), seen_row, tile.width(), map.at(tile.x0, y));
   }
 }
 

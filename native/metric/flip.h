@@ -12,7 +12,7 @@ class Flip final : public LocalMetric {
   explicit Flip(Image reference);
 
  private:
-  void score(const Image& test, const Strip& strip, Plane& map) const override;
+  void score(const Image& test, Window tile, Plane& map) const override;
 
   Appearance<Plane> appearance_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "base/image.h"
@@ -23,6 +24,18 @@ class Metric {
   /// that holds the pixel. Throws std::invalid_argument where the sizes differ.
   virtual void fill_map(const Image& test, Window window, Plane& map) const = 0;
 
+  /// Brings `map`, the distances of `before`, up to date for `test`, which differs from `before` at
+  /// most inside `changed`. Returns the change of the map's sum, added in double and in an order
+  /// that depends on the images only. Gives up as soon as it is certain that the sum rises by more
+  /// than `limit`; then returns some number above `limit`, and `map` is of no further use.
+  ///
+  /// The images may be parts of the frame, which must hold: `before` the pixels of `changed`, `map`
+  /// those within the reach of them, `test` those within twice the reach; as far as they lie
+  /// inside the frame. Throws std::invalid_argument where they do not. Runs on one thread and
+  /// takes no memory once it has been called on windows as large.
+  virtual double update_map(const Image& before, const Image& test, Window changed, Plane& map,
+                            double limit = std::numeric_limits<double>::infinity()) const = 0;
+
   /// How many pixels away, along each axis, a changed pixel still changes the map.
   virtual int reach() const = 0;
 
@@ -36,7 +49,10 @@ class Metric {
 /// Any size of reference will do, also one smaller than the filters.
 std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference);
 
-/// Mean over all pixels, summed in double, row by row; 0 for a map without pixels.
+/// Sum over a window of the map, in double and in a fixed order.
+double sum(const Plane& map, Window window);
+
+/// Mean over all pixels, from that sum; 0 for a map without pixels.
 double mean(const Plane& map);
 
 }  // namespace gradmesh

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
 #include "metric/filter.h"
 #include "metric/window_plane.h"
 
@@ -42,11 +43,11 @@ class Blur {
  public:
   explicit Blur(int width) : column_((width + 2 * radius) * channels) {}
 
-  /// Writes columns `span` of row y; `in` reaches `radius` pixels further.
-  void operator()(const WindowPlane<T>& in, int y, Span span, T* out) {
-    const std::ptrdiff_t margin = radius * channels, count = span.width() * channels;
-    filter_even_unit_sum(gaussian<T>(), in.at(span.begin - radius, y), in.stride(),
-                         count + 2 * margin, column_.data());
+  /// Writes `width` columns of row y from x on; `in` reaches `radius` pixels further.
+  void operator()(const WindowPlane<T>& in, int y, int x, int width, T* out) {
+    const std::ptrdiff_t margin = radius * channels, count = width * channels;
+    filter_even_unit_sum(gaussian<T>(), in.at(x - radius, y), in.stride(), count + 2 * margin,
+                         column_.data());
     filter_even_unit_sum(gaussian<T>(), column_.data() + margin, channels, count, out);
   }
 
@@ -61,9 +62,10 @@ Ssim::Ssim(Image image)
       mean_(channels * reference().width, reference().height),
       variance_(channels * reference().width, reference().height) {
   const Window frame = reference().window();
-  const std::vector<Span> rows(frame.height(), {0, frame.width()});
-  for_each_strip(0, rows, [&](const Strip& strip) {
-    const Window around = strip.box.grown(radius);
+  constexpr int strip_height = 32;
+  parallel_for((frame.height() + strip_height - 1) / strip_height, [&](std::size_t strip) {
+    const int y0 = int(strip) * strip_height, y1 = std::min(y0 + strip_height, frame.y1);
+    const Window around = Window{0, y0, frame.x1, y1}.grown(radius);
     WindowPlane<double> value(around, channels), square(around, channels);
     for_each_extended(around, frame, [&](int x, int y, int source_x, int source_y) {
       for (int c = 0; c < channels; ++c) {
@@ -74,9 +76,9 @@ Ssim::Ssim(Image image)
     });
     Blur<double> blur(frame.width());
     std::vector<double> mean(frame.width() * channels), mean_square(mean.size());
-    for (int y = strip.box.y0; y < strip.box.y1; ++y) {
-      blur(value, y, rows[y], mean.data());
-      blur(square, y, rows[y], mean_square.data());
+    for (int y = y0; y < y1; ++y) {
+      blur(value, y, 0, frame.x1, mean.data());
+      blur(square, y, 0, frame.x1, mean_square.data());
       for (std::size_t i = 0; i < mean.size(); ++i) {
         mean_.at(0, y)[i] = float(mean[i]);
         variance_.at(0, y)[i] = float(mean_square[i] - mean[i] * mean[i]);
@@ -85,11 +87,11 @@ Ssim::Ssim(Image image)
   });
 }
 
-void Ssim::score(const Image& test, const Strip& strip, Plane& map) const {
-  const Window around = strip.box.grown(radius);
+void Ssim::score(const Image& test, Window tile, Plane& map) const {
+  const Window around = tile.grown(radius);
   WindowPlane<float> difference(around, channels), square(around, channels),
       product(around, channels);
-  for_each_extended(around, test.window(), [&](int x, int y, int source_x, int source_y) {
+  for_each_extended(around, reference().window(), [&](int x, int y, int source_x, int source_y) {
     const auto b = test.pixel(source_x, source_y), a = reference().pixel(source_x, source_y);
     for (int c = 0; c < channels; ++c) {
       const int d = b[c] - a[c];
@@ -99,18 +101,16 @@ void Ssim::score(const Image& test, const Strip& strip, Plane& map) const {
     }
   });
 
-  const int width = strip.box.width();
+  const int width = tile.width();
   Blur<float> blur(width);
   std::vector<float> mean_d(width * channels), mean_dd(mean_d), mean_yd(mean_d), distance(mean_d);
-  for (int y = strip.box.y0; y < strip.box.y1; ++y) {
-    const Span span = strip.rows[y - strip.box.y0];
-    if (span.empty()) continue;
-    blur(difference, y, span, mean_d.data());
-    blur(square, y, span, mean_dd.data());
-    blur(product, y, span, mean_yd.data());
-    const float* mean_y = mean_.at(channels * span.begin, y);
-    const float* variance_y = variance_.at(channels * span.begin, y);
-    for (int i = 0; i < span.width() * channels; ++i) {
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    blur(difference, y, tile.x0, width, mean_d.data());
+    blur(square, y, tile.x0, width, mean_dd.data());
+    blur(product, y, tile.x0, width, mean_yd.data());
+    const float* mean_y = mean_.at(channels * tile.x0, y);
+    const float* variance_y = variance_.at(channels * tile.x0, y);
+    for (int i = 0; i < width * channels; ++i) {
       const float m = mean_y[i] + byte_centre, md = mean_d[i], mx = m + md;
       const float luminance = md * md / (m * m + mx * mx + c1);
       const float variance_d = std::max(0.0F, mean_dd[i] - md * md);
@@ -118,8 +118,8 @@ void Ssim::score(const Image& test, const Strip& strip, Plane& map) const {
       const float structure = variance_d / (2 * (variance_y[i] + covariance) + variance_d + c2);
       distance[i] = luminance + structure - luminance * structure;
     }
-    float* out = map.at(span.begin, y);
-    for (int x = 0; x < span.width(); ++x) {
+    float* out = map.at(tile.x0, y);
+    for (int x = 0; x < width; ++x) {
       const float* pixel = &distance[x * channels];
       out[x] = (pixel[0] + pixel[1] + pixel[2]) * (1.0F / channels);
     }

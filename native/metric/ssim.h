@@ -12,7 +12,7 @@ class Ssim final : public LocalMetric {
   explicit Ssim(Image reference);
 
  private:
-  void score(const Image& test, const Strip& strip, Plane& map) const override;
+  void score(const Image& test, Window tile, Plane& map) const override;
 
   /// Gaussian mean less `byte_centre`, and variance.
   /// Three channels side by side in each pixel.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
@@ -80,8 +82,10 @@ int distance(int x0, int y0, int x1, int y1) {
 
 void expect_equal_bits(const Plane& a, const Plane& b) {
   ASSERT_EQ(a.window(), b.window());
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x) ASSERT_EQ(*a.at(x, y), *b.at(x, y)) << x << ", " << y;
+  const Window window = a.window();
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      ASSERT_EQ(*a.at(x, y), *b.at(x, y)) << x << ", " << y;
 }
 
 struct Bounds {
@@ -209,6 +213,124 @@ TEST(Metric, AWindowHoldsTheBitsOfTheWholeFrame) {
         }
       }
     }
+  }
+}
+
+/// The part of a raster that covers a window.
+template <class Sample, int Channels>
+Raster<Sample, Channels> part(const Raster<Sample, Channels>& whole, Window window) {
+  Raster<Sample, Channels> result(window);
+  for (int c = 0; c < Channels; ++c)
+    for (int y = window.y0; y < window.y1; ++y)
+      std::copy_n(whole.at(window.x0, y, c), window.width(), result.at(window.x0, y, c));
+  return result;
+}
+
+/// A frame before and after an edit, and their maps from scratch.
+struct Update {
+  Update(Random& random, MetricKind kind, int width, int height)
+      : reference(random.gradient(width, height)),
+        before(random.from(0, 1) == 0 ? reference : random.edited(reference)),
+        test(before),
+        changed(random.part_of(reference.window())),
+        metric(make_metric(kind, reference)),
+        map(metric->map(before)) {
+    const Window inside = changed.clipped(reference.window());
+    // A few scattered pixels, and in some frames a whole rectangle, of which some go back to the
+    // reference.
+    for (int i = random.from(0, 6); i > 0 && !inside.empty(); --i) {
+      const int x = random.from(inside.x0, inside.x1 - 1),
+                y = random.from(inside.y0, inside.y1 - 1);
+      *test.at(x, y, random.from(0, 2)) ^= std::uint8_t(1 << random.from(0, 7));
+    }
+    if (random.from(0, 2) == 0)
+      for (int y = inside.y0; y < inside.y1; ++y)
+        for (int x = inside.x0; x < inside.x1; ++x) test.set_pixel(x, y, reference.pixel(x, y));
+    whole = metric->map(test);
+    rise = sum(whole, whole.window()) - sum(map, map.window());
+  }
+
+  Window around(int by) const { return changed.grown(by).clipped(reference.window()); }
+
+  Image reference, before, test;
+  Window changed;
+  std::unique_ptr<Metric> metric;
+  Plane map, whole;
+  double rise = 0;
+};
+
+TEST(Metric, AnUpdatedMapHoldsTheBitsOfANewOne) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const MetricKind kind = all_kinds[seed % 2];
+    // Some frames hold more than one tile along both axes.
+    Update update(random, kind, random.from(1, seed % 9 == 0 ? 700 : 90), random.from(1, 150));
+    const double change =
+        update.metric->update_map(update.before, update.test, update.changed, update.map);
+    EXPECT_NEAR(change, update.rise, 1e-9);
+    expect_equal_bits(update.map, update.whole);
+  }
+}
+
+TEST(Metric, AMapIsUpdatedFromPartsOfTheFrame) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Update update(random, all_kinds[seed % 2], random.from(1, 90), random.from(1, 90));
+    const int reach = update.metric->reach();
+    const Image before = part(update.before, update.around(0));
+    const Image test = part(update.test, update.around(2 * reach));
+    Plane map = part(update.map, update.around(reach));
+    const double change = update.metric->update_map(before, test, update.changed, map);
+    EXPECT_NEAR(change, update.rise, 1e-9);
+    expect_equal_bits(map, part(update.whole, update.around(reach)));
+  }
+}
+
+TEST(Metric, AnUpdateGivesUpBeyondItsLimitOnly) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Update update(random, all_kinds[seed % 2], random.from(30, 90), random.from(30, 300));
+    const auto change_within = [&](double limit, Plane map) {
+      return update.metric->update_map(update.before, update.test, update.changed, map, limit);
+    };
+    const double rise = change_within(std::numeric_limits<double>::infinity(), update.map);
+    EXPECT_EQ(change_within(rise, update.map), rise);
+    EXPECT_EQ(change_within(rise + 1e-6, update.map), rise);
+    EXPECT_GT(change_within(rise - 1e-6, update.map), rise - 1e-6);
+  }
+}
+
+TEST(Metric, AnUpdateThatGivesUpLeavesOutTheRest) {
+  Random random(9);
+  const Image reference = random.gradient(60, 400), test = random.noise(60, 400);
+  for (const MetricKind kind : all_kinds) {
+    const auto metric = make_metric(kind, reference);
+    const Plane zero(60, 400);
+    Plane map = zero;
+    EXPECT_GT(metric->update_map(reference, test, reference.window(), map, 1), 1);
+    expect_equal_bits(part(map, {0, 200, 60, 400}), part(zero, {0, 200, 60, 400}));
+    EXPECT_GT(sum(map, map.window()), 1);
+  }
+}
+
+TEST(Metric, RefusesToUpdateFromPartsThatAreTooSmall) {
+  for (const MetricKind kind : all_kinds) {
+    const Image frame(90, 80);
+    const Window changed = {40, 30, 50, 45};
+    const auto metric = make_metric(kind, frame);
+    const int reach = metric->reach();
+    const auto refused = [&](Window before, Window test, Window map_window) {
+      Plane map(map_window);
+      EXPECT_THROW(metric->update_map(Image(before), Image(test), changed, map),
+                   std::invalid_argument);
+    };
+    const Window once = changed.grown(reach), twice = changed.grown(2 * reach);
+    refused({40, 30, 50, 44}, twice, once);
+    refused(changed, twice.grown(-1), once);
+    refused(changed, twice, once.grown(-1));
   }
 }
 
