@@ -3,7 +3,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <thread>
@@ -28,6 +30,17 @@ void parallel_for(std::size_t count, const Body& body) {
                     [&](const tbb::blocked_range<std::size_t>& range) {
                       for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
                     });
+#endif
+}
+
+/// The most threads on which parallel_for works now.
+inline std::size_t thread_count() {
+#ifdef __SANITIZE_THREAD__
+  return 2;
+#else
+  const auto allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::clamp(std::size_t(tbb::this_task_arena::max_concurrency()), std::size_t(1), allowed);
 #endif
 }
 

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format = "gradmesh analysis";
-constexpr int version = 1;
+constexpr int version = 2;
 
 std::string hex(std::uint64_t number) {
   char digits[17];
@@ -42,7 +42,8 @@ std::string checksum(const Json& analyses) {
 Json to_json(const Analysis& analysis) {
   Json prices = Json::array();
   for (const auto& [region, price] : analysis.prices)
-    prices.push_back({region.face.value, region.top, region.rows, region.columns, price});
+    prices.push_back(
+        {region.face.value, region.top, region.rows, region.columns, price.error, price.exact});
   const AnalysisKey& key = analysis.key;
   return {{"original", hex(key.original)},
           {"content", hex(key.content)},
@@ -66,8 +67,9 @@ Analysis from_json(const Json& json) {
     const Region region{Face{price.at(0).get<int>()}, price.at(1).get<int>(),
                         price.at(2).get<int>(), price.at(3).get<int>()};
     // JSON knows no infinity: null stands for it.
-    analysis.prices[region] =
+    const double error =
         price.at(4).is_null() ? std::numeric_limits<double>::infinity() : price.at(4).get<double>();
+    analysis.prices[region] = {error, price.at(5).get<bool>()};
   }
   return analysis;
 }

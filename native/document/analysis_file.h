@@ -14,11 +14,12 @@ struct AnalysisPaths {
 };
 
 /// The analyses of a document's meshes, kept in a file of their own (paper B.3): JSON,
-///   {"format": "gradmesh analysis", "version": 1, "checksum": C, "analyses": [
+///   {"format": "gradmesh analysis", "version": 2, "checksum": C, "analyses": [
 ///     {"original": H, "content": H, "metric": "flip", "width": w, "height": h,
-///      "color_model": "bicubic", "prices": [[face, top, rows, columns, price], ...]}]}
-/// with hashes as 16 hexadecimal digits. The price of a region that cannot be merged is null. Which
-/// analysis belongs to which mesh follows from the keys alone.
+///      "color_model": "bicubic", "prices": [[face, top, rows, columns, price, exact], ...]}]}
+/// with hashes as 16 hexadecimal digits. The price of a region that cannot be merged is null; one
+/// that is not exact is a number that the price is above. Which analysis belongs to which mesh
+/// follows from the keys alone.
 class AnalysisFiles {
  public:
   /// Throws InputError where the file to load cannot be read, is something else, or damaged.

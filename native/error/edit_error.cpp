@@ -1,91 +1,106 @@
 #include "error/edit_error.h"
 
+#include <utility>
+
 namespace gradmesh {
 namespace {
 
-/// Copies the samples of `window` out of a raster, row by row, or back into it.
+/// Copies the samples of a window that lies in both.
 template <class Sample, int Channels>
-void take(const Raster<Sample, Channels>& raster, Window window, std::vector<Sample>& to) {
-  to.clear();
+void copy(const Raster<Sample, Channels>& from, Window window, Raster<Sample, Channels>& to) {
   for (int c = 0; c < Channels; ++c)
-    for (int y = window.y0; y < window.y1; ++y) {
-      const Sample* row = raster.at(window.x0, y, c);
-      to.insert(to.end(), row, row + window.width());
-    }
+    for (int y = window.y0; y < window.y1; ++y)
+      std::copy_n(from.at(window.x0, y, c), window.width(), to.at(window.x0, y, c));
 }
 
-template <class Sample, int Channels>
-void put(const std::vector<Sample>& from, Window window, Raster<Sample, Channels>& raster) {
-  auto row = from.begin();
-  for (int c = 0; c < Channels; ++c)
-    for (int y = window.y0; y < window.y1; ++y, row += window.width())
-      std::copy_n(row, window.width(), raster.at(window.x0, y, c));
-}
-
-double sum(const Plane& map, Window window) {
-  double total = 0;
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x) total += *map.at(x, y);
-  return total;
+void copy(const Painting& from, Window window, Painting& to) {
+  copy(from.image, window, to.image);
+  copy(from.top, window, to.top);
 }
 
 }  // namespace
 
-EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric)
-    : rasterizer_(make_software_rasterizer()),
-      frame_(frame),
-      reference_(rasterizer_->paint(original, frame)),
-      metric_(make_metric(metric, reference_)) {
-  frame_.masked_opacity = start.color_model() == ColorModel::bilinear && is_translucent(start);
-  state_.image = rasterizer_->paint(start, frame_);
-  state_.map = metric_->map(state_.image);
-  state_.sum = sum(state_.map, state_.map.window());
-  state_.bounds.resize(start.face_slots());
-  for (const Face f : start.faces()) state_.bounds[f.value] = pixel_bounds(start.patch(f), frame_);
+EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame,
+                     MetricKind metric) {
+  const auto fixed = std::make_shared<Fixed>();
+  fixed->frame = frame;
+  fixed->metric = make_metric(metric, paint_whole(original, frame).image);
+  fixed->frame.masked_opacity =
+      start.color_model() == ColorModel::bilinear && is_translucent(start);
+  fixed_ = fixed;
+
+  const auto state = std::make_shared<State>();
+  state->painting = paint_whole(start, fixed->frame);
+  state->map = fixed->metric->map(state->painting.image);
+  state->sum = mean(state->map) * double(state->map.pixels());
+  state->bounds.resize(start.face_slots());
+  for (const Face f : start.faces())
+    state->bounds[f.value] = pixel_bounds(start.patch(f), fixed->frame);
+  state_ = state;
+}
+
+EditError EditError::fork() { return {fixed_, state()}; }
+
+std::shared_ptr<const EditError::State> EditError::state() {
+  own_state_.reset();
+  return state_;
+}
+
+void EditError::restore(std::shared_ptr<const State> state) {
+  own_state_.reset();
+  state_ = std::move(state);
 }
 
 Window EditError::changed_pixels(const Mesh& mesh) const {
   Window changed;
   for (const Face f : trial_.touched) {
-    if (std::size_t(f.value) < state_.bounds.size())
-      changed = changed.united(state_.bounds[f.value]);
-    if (mesh[f].alive) changed = changed.united(pixel_bounds(mesh.patch(f), frame_));
+    if (std::size_t(f.value) < state_->bounds.size())
+      changed = changed.united(state_->bounds[f.value]);
+    if (mesh[f].alive) changed = changed.united(pixel_bounds(mesh.patch(f), fixed_->frame));
   }
-  return changed.clipped(frame_.window());
+  return changed.clipped(fixed_->frame.window());
 }
 
-double EditError::after_edits(const Journal& journal, std::size_t depth) {
+double EditError::after_edits(const Journal& journal, std::size_t depth, double limit) {
+  ++fixed_->evaluations;
+  const Metric& metric = *fixed_->metric;
+  const Window frame = fixed_->frame.window();
   trial_.touched = journal.touched_since(depth);
   trial_.pixels = changed_pixels(journal.mesh());
-  trial_.measured = trial_.pixels.empty()
-                        ? Window{}
-                        : trial_.pixels.grown(metric_->reach()).clipped(frame_.window());
-  trial_.sum = state_.sum;
-  take(state_.image, trial_.pixels, trial_.image);
-  take(state_.map, trial_.measured, trial_.map);
+  trial_.sum = state_->sum;
+  trial_.measured = {};
+  if (trial_.pixels.empty()) return error();
+  trial_.measured = trial_.pixels.grown(metric.reach()).clipped(frame);
+  const Window seen = trial_.pixels.grown(2 * metric.reach()).clipped(frame);
 
-  const double before = sum(state_.map, trial_.measured);
-  rasterizer_->paint(journal.mesh(), frame_, trial_.pixels, state_.image);
-  metric_->fill_map(state_.image, trial_.measured, state_.map);
-  state_.sum += sum(state_.map, trial_.measured) - before;
-  return error();
+  Painting& painting = trial_.painting;
+  painting.image.reset(seen);
+  painting.top.reset(seen);
+  trial_.map.reset(trial_.measured);
+  copy(state_->painting, seen, painting);
+  copy(state_->map, trial_.measured, trial_.map);
+
+  painter_.repaint(journal.mesh(), fixed_->frame, trial_.touched, trial_.pixels, painting);
+  const double pixels = double(state_->map.pixels());
+  trial_.sum += metric.update_map(state_->painting.image, painting.image, trial_.pixels, trial_.map,
+                                  limit * pixels - state_->sum);
+  return trial_.sum / pixels;
 }
 
 void EditError::accept(const Journal& journal) {
-  state_.bounds.resize(journal.mesh().face_slots());
+  if (!own_state_) state_ = own_state_ = std::make_shared<State>(*state_);
+  State& state = *own_state_;
+  copy(trial_.painting, trial_.pixels, state.painting);
+  copy(trial_.map, trial_.measured, state.map);
+  state.sum = trial_.sum;
+  state.bounds.resize(journal.mesh().face_slots());
   for (const Face f : trial_.touched)
-    state_.bounds[f.value] =
-        journal.mesh()[f].alive ? pixel_bounds(journal.mesh().patch(f), frame_) : Window{};
-}
-
-void EditError::reject() {
-  put(trial_.image, trial_.pixels, state_.image);
-  put(trial_.map, trial_.measured, state_.map);
-  state_.sum = trial_.sum;
+    state.bounds[f.value] =
+        journal.mesh()[f].alive ? pixel_bounds(journal.mesh().patch(f), fixed_->frame) : Window{};
 }
 
 double EditError::whole_frame(const Mesh& mesh) const {
-  return mean(metric_->map(rasterizer_->paint(mesh, frame_)));
+  return mean(fixed_->metric->map(paint_whole(mesh, fixed_->frame).image));
 }
 
 }  // namespace gradmesh

@@ -1,18 +1,21 @@
 #pragma once
 
+#include <atomic>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "base/image.h"
 #include "metric/metric.h"
 #include "ops/journal.h"
-#include "raster/rasterizer.h"
+#include "raster/painter.h"
 
 namespace gradmesh {
 
 /// The error of an edited mesh against the mesh as it was at first (paper, section 5): the mean
 /// of the metric's map over the whole frame. An edit is painted and measured only where it
-/// changes something, and the number is that of the whole frame.
+/// changes something, beside what has been accepted so far, and the number is that of the whole
+/// frame.
 class EditError {
  public:
   /// Paints `original`, the reference, and `start`, the mesh that will be edited, as it will be
@@ -20,49 +23,65 @@ class EditError {
   /// original, and a translucent mesh of the model `bilinear` has its opacities in a mask.
   EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric);
 
+  /// Another one with the same reference that goes on from what this one has accepted, for another
+  /// thread. Neither sees what the other does.
+  EditError fork();
+
   /// Error of the mesh as last accepted.
-  double error() const { return state_.sum / double(state_.map.samples.size()); }
+  double error() const { return state_->sum / double(state_->map.pixels()); }
 
   /// Error of the journal's mesh, which is the accepted one and the operations after the first
-  /// `depth`. To be followed by accept() or reject().
-  double after_edits(const Journal& journal, std::size_t depth);
+  /// `depth`. Once it is certain to be above `limit` it is not worked out further: then it is some
+  /// number above that.
+  double after_edits(const Journal& journal, std::size_t depth,
+                     double limit = std::numeric_limits<double>::infinity());
+  /// Accepts the journal's mesh, which must be that of the last after_edits, whose error must be
+  /// at most its limit.
   void accept(const Journal& journal);
-  void reject();
 
   /// What has been accepted so far.
   struct State {
-    Image image;
+    Painting painting;
     Plane map;
     double sum = 0;
-    /// Where each face lies in `image`.
+    /// Where each face lies in the painting.
     std::vector<Window> bounds;
   };
-  const State& state() const { return state_; }
+  std::shared_ptr<const State> state();
   /// Goes back to an earlier state, after the journal did.
-  void restore(const State& state) { state_ = state; }
+  void restore(std::shared_ptr<const State> state);
 
   /// Paints and measures everything afresh.
   double whole_frame(const Mesh& mesh) const;
 
-  const Image& reference() const { return reference_; }
+  /// Edits that were painted and measured, by this one and all its forks.
+  int evaluations() const { return fixed_->evaluations; }
 
  private:
+  /// What does not change, and is shared with the forks.
+  struct Fixed {
+    Frame frame;
+    std::unique_ptr<Metric> metric;
+    mutable std::atomic<int> evaluations = 0;
+  };
+  EditError(std::shared_ptr<const Fixed> fixed, std::shared_ptr<const State> state)
+      : fixed_(std::move(fixed)), state_(std::move(state)) {}
+
   Window changed_pixels(const Mesh& mesh) const;
 
-  std::unique_ptr<Rasterizer> rasterizer_;
-  Frame frame_;
-  Image reference_;
-  std::unique_ptr<Metric> metric_;
+  std::shared_ptr<const Fixed> fixed_;
+  std::shared_ptr<const State> state_;
+  /// The same state where nobody else holds it, so that it may be written.
+  std::shared_ptr<State> own_state_;
 
-  State state_;
-
-  /// What is on trial, and what it has overwritten.
+  Painter painter_;
+  /// What is on trial: a copy of the part of the state that it changes and of what lies around.
   struct Trial {
     std::vector<Face> touched;
     Window pixels, measured;
-    std::vector<std::uint8_t> image;
-    std::vector<float> map;
-    double sum;
+    Painting painting;
+    Plane map;
+    double sum = 0;
   };
   Trial trial_;
 };

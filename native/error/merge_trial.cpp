@@ -1,15 +1,12 @@
 #include "error/merge_trial.h"
 
-#include <limits>
-
 #include "ops/merge.h"
 #include "ops/merge_region.h"
 
 namespace gradmesh {
 
 bool MergeTrial::try_merge(Halfedge edge) {
-  if (!journal_.mesh()[edge].alive || can_merge(journal_.mesh(), edge) != MergeObstacle::none)
-    return false;
+  if (!mesh()[edge].alive || can_merge(mesh(), edge) != MergeObstacle::none) return false;
   const std::size_t depth = journal_.depth();
   gradmesh::merge(journal_, edge);
   return keep_if_cheap(depth);
@@ -30,36 +27,36 @@ void MergeTrial::merge(const std::vector<Region>& regions) {
 
 void MergeTrial::merge_possible(const std::vector<Region>& regions) {
   for (const Region& region : regions)
-    if (const auto tops = region_tops(journal_.mesh(), region); !tops.empty())
+    if (const auto tops = region_tops(mesh(), region); !tops.empty())
       merge_region(journal_, region, tops);
 }
 
 bool MergeTrial::keep_if_cheap(std::size_t depth) {
-  ++evaluations_;
-  if (error_.after_edits(journal_, depth) <= epsilon_) {
+  if (error_.after_edits(journal_, depth, epsilon_) <= epsilon_) {
     error_.accept(journal_);
     return true;
   }
-  error_.reject();
   while (journal_.depth() > depth) journal_.undo();
   return false;
 }
 
-double MergeTrial::price(const Region& region, const std::vector<Halfedge>& tops) {
+double MergeTrial::price(const Region& region, const std::vector<Halfedge>& tops, double limit) {
   const std::size_t depth = journal_.depth();
   if (!merge_region(journal_, region, tops)) return std::numeric_limits<double>::infinity();
-  ++evaluations_;
   const double before = error_.error();
-  const double added = error_.after_edits(journal_, depth) - before;
-  error_.reject();
+  const double after = error_.after_edits(journal_, depth, before + limit);
   while (journal_.depth() > depth) journal_.undo();
-  return added;
+  return after - before;
 }
 
 void MergeTrial::undo_all() {
   if (journal_.depth() == 0) return;
   while (journal_.depth() > 0) journal_.undo();
   error_.restore(start_);
+}
+
+std::unique_ptr<MergeTrial::Fork> MergeTrial::fork() {
+  return std::make_unique<Fork>(mesh(), error_.fork(), epsilon_);
 }
 
 }  // namespace gradmesh

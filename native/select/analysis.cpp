@@ -1,5 +1,7 @@
 #include "select/analysis.h"
 
+#include <cmath>
+
 #include "base/hash.h"
 
 namespace gradmesh {
@@ -34,12 +36,9 @@ AnalysisKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& fr
   return {picture.value(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
 }
 
-double price(MergeTrial& trial, Analysis& analysis, const Region& name) {
-  const auto known = analysis.prices.find(name);
-  if (known != analysis.prices.end()) return known->second;
-  const double error = trial.price(name, region_tops(trial.mesh(), name));
-  analysis.prices.emplace(name, error);
-  return error;
+Price find_price(MergeTrial& trial, const Region& name, double limit) {
+  const double error = trial.price(name, region_tops(trial.mesh(), name), limit);
+  return {error, error <= limit || std::isinf(error)};
 }
 
 }  // namespace gradmesh

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 
 #include "error/merge_trial.h"
@@ -28,17 +29,35 @@ struct AnalysisKey {
 AnalysisKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
                          MetricKind metric);
 
+/// By how much merging a region alone raises the error; infinity: it cannot be merged.
+struct Price {
+  double error = 0;
+  /// False where no more is known than that it is above `error`: it was not worked out further.
+  bool exact = true;
+
+  /// Whether that tells if it is within the limit, and what it is if so.
+  bool tells(double limit) const { return exact || error > limit; }
+  bool operator==(const Price&) const = default;
+};
+
+/// The price of a region of the trial's mesh as it is, by its name; exact up to `limit`. Changes
+/// nothing in the end.
+Price find_price(MergeTrial& trial, const Region& name,
+                 double limit = std::numeric_limits<double>::infinity());
+
 /// What merging single regions of a mesh costs: the preprocessing of the paper's 6.2 and 6.3 (B.3).
 /// An edge is the region of its two patches. It depends on neither epsilon nor omega nor kappa,
 /// and whoever needs a price that is not there yet adds it.
 struct Analysis {
   AnalysisKey key;
-  /// By how much merging the region alone raises the error; infinity: it cannot be merged. Keys as
-  /// of region_name.
-  std::map<Region, double> prices;
-};
+  /// By the regions' names, as of region_name.
+  std::map<Region, Price> prices;
 
-/// The price of a region, by its name, from the analysis or else tried and added to it.
-double price(MergeTrial& trial, Analysis& analysis, const Region& name);
+  /// The price of a region where it is known well enough to be held against the limit.
+  const Price* known(const Region& name, double limit) const {
+    const auto found = prices.find(name);
+    return found != prices.end() && found->second.tells(limit) ? &found->second : nullptr;
+  }
+};
 
 }  // namespace gradmesh

@@ -1,6 +1,9 @@
 #include "select/edges.h"
 
 #include <limits>
+#include <optional>
+
+#include "error/parallel_trials.h"
 
 namespace gradmesh {
 
@@ -13,15 +16,33 @@ std::vector<Halfedge> inner_edges(const Mesh& mesh) {
 
 std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWatch& watch) {
   const Mesh& mesh = trial.mesh();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<Halfedge> edges = inner_edges(mesh);
-  std::vector<EdgePrice> prices;
+  std::vector<MergeObstacle> obstacles;
+  std::vector<Region> unknown;
   for (const Halfedge edge : edges) {
-    if (watch.should_stop({prices.size(), edges.size(), mesh.face_count(), trial.error()})) break;
-    const MergeObstacle obstacle = can_merge(mesh, edge);
-    const double error = obstacle == MergeObstacle::none
-                             ? price(trial, analysis, region_of_edge(mesh, edge))
-                             : std::numeric_limits<double>::infinity();
-    prices.push_back({edge, obstacle, error});
+    obstacles.push_back(can_merge(mesh, edge));
+    if (obstacles.back() != MergeObstacle::none) continue;
+    const Region name = region_of_edge(mesh, edge);
+    if (!analysis.known(name, infinity)) unknown.push_back(name);
+  }
+
+  std::vector<std::optional<Price>> found(unknown.size());
+  const auto stop = [&](std::size_t done) {
+    return watch.should_stop({done, unknown.size(), mesh.face_count(), trial.error()});
+  };
+  ParallelTrials(trial).for_each(unknown.size(), stop, [&](MergeTrial& own, std::size_t i) {
+    found[i] = find_price(own, unknown[i]);
+  });
+  for (std::size_t i = 0; i < unknown.size(); ++i)
+    if (found[i]) analysis.prices[unknown[i]] = *found[i];
+
+  std::vector<EdgePrice> prices;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (obstacles[i] != MergeObstacle::none)
+      prices.push_back({edges[i], obstacles[i], infinity});
+    else if (const Price* known = analysis.known(region_of_edge(mesh, edges[i]), infinity))
+      prices.push_back({edges[i], obstacles[i], known->error});
   }
   return prices;
 }

@@ -2,7 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <numeric>
+#include <optional>
+#include <queue>
+
+#include "error/parallel_trials.h"
+#include "select/patch_set.h"
 
 namespace gradmesh {
 namespace {
@@ -11,161 +17,254 @@ constexpr int halvings = 10, sweeps = 20;
 
 struct Candidate {
   Region region;
-  std::vector<Face> faces;
+  PatchSet patches;
   double error;
 };
 
+/// Candidates by their numbers, the best first.
 using Ranking = std::vector<int>;
 
-/// Sets that were tried, and whether they kept to epsilon.
-using Tried = std::map<std::vector<Region>, bool>;
+/// Regions to try together.
+struct Plan {
+  Ranking order;
+  /// The independent set that fits into gamma, in that order.
+  Ranking chosen;
+};
 
-class Gqe {
+/// What became of a plan.
+struct Outcome {
+  std::vector<Region> regions;
+  int patches = 0;
+  double error = 0;
+  /// Whether the set as planned kept to epsilon.
+  bool fits = false;
+
+  bool is_better_than(const Outcome& other) const {
+    return std::pair(patches, error) < std::pair(other.patches, other.error);
+  }
+};
+
+/// The candidates taken so far.
+class Choice {
  public:
-  Gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions, const GqeOptions& options)
-      : trial_(trial), options_(options), patches_(trial.mesh().face_count()) {
-    for (const RegionPrice& r : regions) {
-      Candidate& candidate = candidates_.emplace_back(Candidate{r.region, {}, r.error});
-      for (const Halfedge top : region_tops(trial.mesh(), r.region))
-        candidate.faces.push_back(trial.mesh().face(top));
-    }
+  explicit Choice(std::size_t face_slots) : taken_(face_slots) {}
+
+  bool is_free(const Candidate& c) const { return !taken_.overlaps(c.patches); }
+  void add(const Candidate& c) {
+    taken_.add(c.patches);
+    regions_.push_back(c.region);
+  }
+  const std::vector<Region>& regions() const { return regions_; }
+
+ private:
+  PatchSet taken_;
+  std::vector<Region> regions_;
+};
+
+/// Ranks the candidates for one gamma and picks the set.
+class Planner {
+ public:
+  Planner(const std::vector<Candidate>& candidates, const Mesh& mesh, double omega, double gamma)
+      : candidates_(candidates),
+        slots_(mesh.face_slots()),
+        patches_(mesh.face_count()),
+        omega_(omega),
+        gamma_(gamma) {
+    // Eq. 7, with size and error as shares of the whole mesh and of gamma.
+    for (const Candidate& c : candidates)
+      scores_.push_back(omega * c.region.size() / patches_ - (1 - omega) * c.error / gamma);
+    by_score_.resize(candidates.size());
+    std::iota(by_score_.begin(), by_score_.end(), 0);
+    std::ranges::stable_sort(by_score_, [&](int a, int b) { return scores_[a] > scores_[b]; });
   }
 
-  void run(StopWatch& watch) {
-    best_patches_ = trial_.mesh().face_count();
-    double low = 0, high = 2 * trial_.epsilon();
-    for (int i = 0; i < halvings && !stop(i, watch); ++i) {
-      const double gamma = 0.5 * (low + high);
-      (try_gamma(gamma) ? low : high) = gamma;
+  Plan by_score() const {
+    Plan plan{by_score_, {}};
+    Choice choice(slots_);
+    double sum = 0;
+    for (const int i : by_score_) take_if_possible(i, choice, sum, plan);
+    return plan;
+  }
+
+  /// Eq. 8: each candidate by the better of its own score and its score with its best partner. As
+  /// the set grows partners are taken and scores fall. A candidate keeps its place in the list of
+  /// partners and is ranked anew only when its turn comes and its partner is gone.
+  Plan by_pairs() const {
+    Plan plan;
+    Choice choice(slots_);
+    double sum = 0;
+    std::vector<std::size_t> partner(candidates_.size(), 0);
+    const auto later = [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first < b.first : a.second > b.second;
+    };
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
+                        decltype(later)>
+        queue(later);
+    for (const int i : by_score_) queue.emplace(with_partner(i, partner[i], choice), i);
+    while (!queue.empty()) {
+      const auto [score, i] = queue.top();
+      queue.pop();
+      const double now = with_partner(i, partner[i], choice);
+      if (now < score) {
+        queue.emplace(now, i);
+        continue;
+      }
+      plan.order.push_back(i);
+      take_if_possible(i, choice, sum, plan);
     }
-    // The number of patches goes up and down with gamma, which the halvings do not see.
-    for (int i = 1; i <= sweeps && !stop(halvings + i - 1, watch); ++i)
-      try_gamma(2 * trial_.epsilon() * i / sweeps);
-    trial_.merge(best_);
+    return plan;
   }
 
  private:
-  /// A run that is out of time still takes the first outcome.
-  bool stop(int done, StopWatch& watch) const {
-    return watch.should_stop({std::size_t(done), halvings + sweeps, best_patches_, best_error_}) &&
-           !best_.empty();
+  void take_if_possible(int i, Choice& choice, double& sum, Plan& plan) const {
+    const Candidate& c = candidates_[i];
+    if (!choice.is_free(c) || sum + c.error > gamma_) return;
+    choice.add(c);
+    plan.chosen.push_back(i);
+    sum += c.error;
   }
 
-  /// Whether the independent set by Eq. 7 within gamma keeps to epsilon.
-  bool try_gamma(double gamma) {
-    const bool fits = try_ranking(ranking(gamma), gamma, tried_);
-    if (options_.look_ahead) try_ranking(ranking_of_pairs(gamma), gamma, tried_by_pairs_);
-    return fits;
+  /// Moves `partner` on to the best free candidate that does not overlap the i-th. The score of a
+  /// pair is the sum of both less the same share for all pairs.
+  double with_partner(int i, std::size_t& partner, const Choice& choice) const {
+    while (partner < by_score_.size() && !is_partner(i, by_score_[partner], choice)) ++partner;
+    if (partner == by_score_.size()) return scores_[i];
+    return scores_[i] + std::max(0.0, scores_[by_score_[partner]] - omega_ / patches_);
+  }
+  bool is_partner(int i, int other, const Choice& choice) const {
+    return choice.is_free(candidates_[other]) &&
+           !candidates_[i].patches.overlaps(candidates_[other].patches);
   }
 
-  /// Eq. 7, with size and error as shares of the whole mesh and of gamma.
-  double score(const Candidate& c, double gamma) const {
-    return options_.omega * double(c.region.size()) / patches_ -
-           (1 - options_.omega) * c.error / gamma;
+  const std::vector<Candidate>& candidates_;
+  const std::size_t slots_;
+  const double patches_, omega_, gamma_;
+  std::vector<double> scores_;
+  Ranking by_score_;
+};
+
+class Gqe {
+ public:
+  Gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions, const GqeOptions& options,
+      StopWatch& watch)
+      : trial_(trial), options_(options), watch_(watch) {
+    for (const RegionPrice& r : regions) {
+      Candidate& candidate = candidates_.emplace_back(
+          Candidate{r.region, PatchSet(trial.mesh().face_slots()), r.error});
+      for (const Halfedge top : region_tops(trial.mesh(), r.region))
+        candidate.patches.add(trial.mesh().face(top));
+    }
+    best_.patches = trial.mesh().face_count();
   }
 
-  /// Candidates by falling score; of equals the one listed first.
-  static Ranking sorted(const std::vector<double>& scores) {
-    Ranking order(scores.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::stable_sort(order, [&](int a, int b) { return scores[a] > scores[b]; });
-    return order;
+  void run() {
+    if (candidates_.empty()) return;
+    // The number of patches goes up and down with gamma, which the halvings do not see.
+    std::vector<double> gammas;
+    for (int i = 1; i <= sweeps; ++i) gammas.push_back(2 * trial_.epsilon() * i / sweeps);
+    const std::vector<Plan> plans = plans_for(gammas);
+
+    // Outcomes are compared in the order of the jobs, whichever is done first.
+    std::vector<std::optional<Outcome>> outcomes(1 + plans.size());
+    ParallelTrials trials(trial_);
+    trials.for_each(
+        outcomes.size(), [&](std::size_t done) { return done > 0 && stop(done); },
+        [&](MergeTrial& own, std::size_t job) {
+          outcomes[job] = job == 0 ? best_of_halvings(own) : outcome(own, plans[job - 1]);
+          show(*outcomes[job]);
+        });
+    const Outcome* best = nullptr;
+    for (const auto& o : outcomes)
+      if (o && (!best || o->is_better_than(*best))) best = &*o;
+    if (best) trial_.merge(best->regions);
   }
 
-  Ranking ranking(double gamma) const {
-    std::vector<double> scores;
-    for (const Candidate& c : candidates_) scores.push_back(score(c, gamma));
-    return sorted(scores);
+ private:
+  /// The plans for these values of gamma, each set once.
+  std::vector<Plan> plans_for(const std::vector<double>& gammas) const {
+    std::vector<Plan> plans;
+    const auto add = [&](Plan plan) {
+      const auto same = [&](const Plan& p) { return p.chosen == plan.chosen; };
+      if (std::ranges::none_of(plans, same)) plans.push_back(std::move(plan));
+    };
+    for (const double gamma : gammas) {
+      const Planner planner = planner_for(gamma);
+      add(planner.by_score());
+      if (options_.look_ahead) add(planner.by_pairs());
+    }
+    return plans;
   }
 
-  /// Eq. 8: each candidate by the better of its own score and its score with its best partner.
-  Ranking ranking_of_pairs(double gamma) const {
-    const Ranking alone = ranking(gamma);
-    std::vector<double> scores(candidates_.size());
-    std::vector<bool> mine(trial_.mesh().face_slots(), false);
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+  Planner planner_for(double gamma) const {
+    return {candidates_, trial_.mesh(), options_.omega, gamma};
+  }
+
+  /// The paper's search for gamma. One after the other, as each halving follows from the last.
+  Outcome best_of_halvings(MergeTrial& own) {
+    Outcome best;
+    double low = 0, high = 2 * own.epsilon();
+    for (int i = 0; i < halvings && (i == 0 || !stopped_); ++i) {
+      const double gamma = 0.5 * (low + high);
+      const Planner planner = planner_for(gamma);
+      const Outcome found = outcome(own, planner.by_score());
+      (found.fits ? low : high) = gamma;
+      if (i == 0 || found.is_better_than(best)) best = found;
+      if (!options_.look_ahead) continue;
+      if (const Outcome pairs = outcome(own, planner.by_pairs()); pairs.is_better_than(best))
+        best = pairs;
+    }
+    return best;
+  }
+
+  /// Merges the set of the plan, mends it, and takes everything back.
+  Outcome outcome(MergeTrial& own, const Plan& plan) const {
+    Outcome result;
+    Choice choice(own.mesh().face_slots());
+    std::vector<Region> planned;
+    for (const int i : plan.chosen) planned.push_back(candidates_[i].region);
+    result.fits = planned.empty() || own.try_merge(planned);
+    if (result.fits)
+      for (const int i : plan.chosen) choice.add(candidates_[i]);
+    for (const int i : plan.order) {
       const Candidate& c = candidates_[i];
-      scores[i] = score(c, gamma);
-      for (const Face f : c.faces) mine[f.value] = true;
-      // The score of a pair is the sum of both less the same share for all pairs: the best partner
-      // is the best that does not overlap.
-      const auto partner = std::ranges::find_if(alone, [&](int other) {
-        return std::ranges::none_of(candidates_[other].faces,
-                                    [&](Face f) { return mine[f.value]; });
-      });
-      if (partner != alone.end())
-        scores[i] = std::max(
-            scores[i], scores[i] + score(candidates_[*partner], gamma) - options_.omega / patches_);
-      for (const Face f : c.faces) mine[f.value] = false;
+      if (choice.is_free(c) && own.error() + c.error <= own.epsilon() &&
+          own.try_merge(std::vector{c.region}))
+        choice.add(c);
     }
-    return sorted(scores);
+    result.regions = choice.regions();
+    result.patches = own.mesh().face_count();
+    result.error = own.error();
+    own.undo_all();
+    return result;
   }
 
-  /// Merges the independent set of the ranking, mends it, keeps the outcome in mind if it is the
-  /// best so far, and takes everything back. Whether the set kept to epsilon as it was.
-  bool try_ranking(const Ranking& order, double gamma, Tried& tried) {
-    taken_.assign(trial_.mesh().face_slots(), false);
-    chosen_.clear();
-    double sum = 0;
-    for (const int i : order) {
-      const Candidate& c = candidates_[i];
-      if (!is_free(c) || sum + c.error > gamma) continue;
-      choose(c);
-      sum += c.error;
-    }
-    if (const auto known = tried.find(chosen_); known != tried.end()) return known->second;
-    const bool fits = chosen_.empty() || trial_.try_merge(chosen_);
-    tried.emplace(chosen_, fits);
-    if (!fits) {
-      taken_.assign(taken_.size(), false);
-      chosen_.clear();
-    }
-    for (const int i : order) {
-      const Candidate& c = candidates_[i];
-      if (is_free(c) && trial_.error() + c.error <= trial_.epsilon() &&
-          trial_.try_merge(std::vector{c.region}))
-        choose(c);
-    }
-    remember();
-    trial_.undo_all();
-    return fits;
+  /// Whether to stop; asked on the thread that started the run.
+  bool stop(std::size_t done) {
+    const std::lock_guard lock(shown_);
+    stopped_ = stopped_ || watch_.should_stop({done, 1 + sweeps, best_.patches, best_.error});
+    return stopped_;
   }
 
-  bool is_free(const Candidate& c) const {
-    return std::ranges::none_of(c.faces, [&](Face f) { return taken_[f.value]; });
-  }
-  void choose(const Candidate& c) {
-    for (const Face f : c.faces) taken_[f.value] = true;
-    chosen_.push_back(c.region);
-  }
-
-  void remember() {
-    const int patches = trial_.mesh().face_count();
-    const double error = trial_.error();
-    if (patches > best_patches_ || (patches == best_patches_ && error >= best_error_)) return;
-    best_ = chosen_;
-    best_patches_ = patches;
-    best_error_ = error;
+  /// Keeps the best outcome so far in mind, for those who watch.
+  void show(const Outcome& outcome) {
+    const std::lock_guard lock(shown_);
+    if (outcome.is_better_than(best_)) best_ = outcome;
   }
 
   MergeTrial& trial_;
   const GqeOptions options_;
-  const double patches_;
+  StopWatch& watch_;
   std::vector<Candidate> candidates_;
-  /// The set at hand: its regions, and the faces they take.
-  std::vector<Region> chosen_;
-  std::vector<bool> taken_;
-  Tried tried_, tried_by_pairs_;
-  std::vector<Region> best_;
-  int best_patches_ = 0;
-  double best_error_ = 0;
+  std::mutex shown_;
+  std::atomic<bool> stopped_ = false;
+  Outcome best_;
 };
 
 }  // namespace
 
 void select_gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions,
                 const GqeOptions& options, StopWatch& watch) {
-  Gqe(trial, regions, options).run(watch);
+  Gqe(trial, regions, options, watch).run();
 }
 
 }  // namespace gradmesh

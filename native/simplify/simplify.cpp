@@ -97,14 +97,13 @@ bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& op
 /// Blocks are painted in another order than faces, which shows where a mesh lies over itself.
 /// Should the error as written be above epsilon, the last merges are taken back, ever more at a
 /// time.
-void verify(Journal& journal, const EditError& error, const SimplifyOptions& options,
-            SimplifyResult& result) {
-  for (int at_once = 1; journal.depth() > 0; at_once *= 2) {
-    if (measure(journal.mesh(), error, options, result)) return;
-    for (int i = 0; i < at_once && journal.depth() > 0; ++i) journal.undo();
+void verify(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
+  for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
+    if (measure(trial.mesh(), trial.measure(), options, result)) return;
+    for (int i = 0; i < at_once && trial.depth() > 0; ++i) trial.undo_last();
   }
   // What is not changed is not written either, so that only another original makes a difference.
-  result.error = options.original ? error.whole_frame(journal.mesh()) : 0;
+  result.error = options.original ? trial.measure().whole_frame(trial.mesh()) : 0;
 }
 
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
@@ -123,9 +122,7 @@ class Run {
         mesh_(mesh),
         original_(options.original ? *options.original : mesh),
         frame_(fit_frame(original_, options.view, options.resolution, options.padding)),
-        error_(original_, mesh, frame_, options.metric),
-        journal_(mesh),
-        trial_(journal_, error_, options.epsilon),
+        trial_(mesh, EditError(original_, mesh, frame_, options.metric), options.epsilon),
         analysis_(analysis_for(analysis_key(original_, mesh, frame_, options.metric), options,
                                own_analysis_)) {}
 
@@ -143,7 +140,7 @@ class Run {
     result.evaluations = trial_.evaluations();
     result.seconds.select = watch_.seconds() - result.seconds.rasterize;
 
-    verify(journal_, error_, options_, result);
+    verify(trial_, options_, result);
     result.patches_after = mesh_.face_count();
     result.stopped = why_stopped(watch_, result);
     result.seconds.total = watch_.seconds();
@@ -163,8 +160,6 @@ class Run {
   Mesh& mesh_;
   const Mesh& original_;
   const Frame frame_;
-  EditError error_;
-  Journal journal_;
   MergeTrial trial_;
   Analysis own_analysis_;
   Analysis& analysis_;

@@ -58,8 +58,8 @@ void write(const std::filesystem::path& path, const std::vector<Analysis>& analy
 }
 
 /// The prices in the file for this mesh.
-std::map<Region, double> loaded(const std::filesystem::path& path, const AnalysisKey& key,
-                                const Mesh& mesh) {
+std::map<Region, Price> loaded(const std::filesystem::path& path, const AnalysisKey& key,
+                               const Mesh& mesh) {
   return AnalysisFiles({path, {}}).start(key, mesh).prices;
 }
 
@@ -80,7 +80,8 @@ TEST(AnalysisFile, gives_back_what_was_written) {
   const SimplifyOptions options = small_options();
   Analysis a = analysis_of(first, options);
   const Analysis b = analysis_of(second, options);
-  a.prices.begin()->second = INFINITY;
+  a.prices.begin()->second = {INFINITY};
+  std::next(a.prices.begin())->second.exact = false;
   const auto path = scratch("prices.json");
   write(path, {a, b});
 
@@ -124,7 +125,7 @@ TEST(AnalysisFile, loaded_prices_serve_every_epsilon_below_and_every_omega_and_k
         options.analysis = &analysis;
         const SimplifyResult with = simplify(known, options);
         const auto measured = std::ranges::count_if(
-            priced.prices, [](const auto& price) { return std::isfinite(price.second); });
+            priced.prices, [](const auto& price) { return std::isfinite(price.second.error); });
         EXPECT_GT(measured, 0);
         EXPECT_EQ(with.evaluations, without.evaluations - measured);
         EXPECT_EQ(analysis.prices.size(), prices);
@@ -188,7 +189,7 @@ TEST(AnalysisFile, refuses_other_and_empty_files) {
               AnalysisFiles({path, {}});
             }),
             path.string() +
-                ": this analysis has the format version 7, but only version 1 is known here.");
+                ": this analysis has the format version 7, but only version 2 is known here.");
   write(path, {});
   const Mesh mesh = grid_mesh();
   EXPECT_EQ(refusal([&] {

@@ -27,7 +27,6 @@ TEST(EditError, windows_add_up_to_the_whole_frame) {
           error.accept(journal);
           EXPECT_EQ(error.error(), after);
         } else {
-          error.reject();
           journal.undo();
           EXPECT_EQ(error.error(), before);
           ASSERT_NEAR(before, error.whole_frame(mesh), 1e-9);

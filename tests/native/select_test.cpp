@@ -31,13 +31,9 @@ MeshParts parts(int rows, int columns, unsigned seed, double noise = 0.03) {
 struct Bench {
   explicit Bench(const Mesh& original, double epsilon = 0.01, MetricKind metric = MetricKind::flip)
       : mesh(original),
-        journal(mesh),
-        error(original, mesh, fit_frame(mesh, {}, 120), metric),
-        trial(journal, error, epsilon) {}
+        trial(mesh, EditError(original, mesh, fit_frame(mesh, {}, 120), metric), epsilon) {}
 
   Mesh mesh;
-  Journal journal;
-  EditError error;
   MergeTrial trial;
   Analysis analysis;
   StopWatch watch{0, {}};
@@ -159,7 +155,7 @@ TEST(Regions, cost_what_the_whole_frame_says) {
       ASSERT_TRUE(merge_region(journal, r.region, region_tops(merged, r.region)));
       EXPECT_EQ(validate(merged), std::vector<std::string>{});
       EXPECT_EQ(merged.face_count(), original.face_count() - r.region.size() + 1);
-      EXPECT_NEAR(r.error, b.error.whole_frame(merged), 1e-9);
+      EXPECT_NEAR(r.error, b.trial.measure().whole_frame(merged), 1e-9);
     }
     for (const Face f : original.faces()) EXPECT_EQ(b.mesh.patch(f), original.patch(f));
   }
@@ -301,7 +297,7 @@ TEST(Gqe, merges_disjoint_regions_within_epsilon_and_looking_ahead_is_never_wors
         const auto regions = price_regions(b.trial, b.analysis, 0.02, b.watch);
         select_gqe(b.trial, regions, {omega, look_ahead}, b.watch);
         EXPECT_EQ(validate(b.mesh), std::vector<std::string>{});
-        EXPECT_LE(b.error.whole_frame(b.mesh), 0.02);
+        EXPECT_LE(b.trial.measure().whole_frame(b.mesh), 0.02);
         EXPECT_LT(b.mesh.face_count(), original.face_count());
         patches[look_ahead] = b.mesh.face_count();
       }

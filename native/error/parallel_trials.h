@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "base/parallel.h"
+#include "error/merge_trial.h"
+
+namespace gradmesh {
+
+/// Tries many things that do not depend on each other, on all cores: each thread has a trial of its
+/// own, with its own mesh, journal and window, which all start from the same state.
+class ParallelTrials {
+ public:
+  /// As long as it lives `trial` must be, between calls of for_each, as it was at first.
+  explicit ParallelTrials(MergeTrial& trial) : trials_{&trial} {
+    while (trials_.size() < thread_count()) {
+      forks_.push_back(trial.fork());
+      trials_.push_back(&forks_.back()->trial);
+    }
+  }
+
+  /// Calls `body(trial, i)` for each i in [0, count), lower ones first; the body must leave its
+  /// trial as it found it. `stop(done)` is asked on the calling thread between two of its calls;
+  /// once it is true no more are begun. Whether all were done.
+  template <class Body>
+  bool for_each(std::size_t count, const std::function<bool(std::size_t done)>& stop,
+                const Body& body) {
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<std::size_t> next = 0, done = 0;
+    std::atomic<bool> stopped = false;
+    parallel_for(std::min(trials_.size(), count), [&](std::size_t own) {
+      for (std::size_t i; !stopped && (i = next++) < count; ++done) {
+        if (std::this_thread::get_id() == caller && stop(done)) stopped = true;
+        if (!stopped) body(*trials_[own], i);
+      }
+    });
+    return !stopped;
+  }
+
+ private:
+  std::vector<std::unique_ptr<MergeTrial::Fork>> forks_;
+  std::vector<MergeTrial*> trials_;
+};
+
+}  // namespace gradmesh
