@@ -1,0 +1,97 @@
+#include <set>
+
+#include "base/parallel.h"
+#include "cases.h"
+#include "error/merge_trial.h"
+#include "mesh/region.h"
+#include "ops/merge_region.h"
+
+namespace gradmesh::bench {
+namespace {
+
+struct Candidate {
+  Region region;
+  std::vector<Halfedge> tops;
+};
+
+void undo_to(Journal& journal, std::size_t depth) {
+  while (journal.depth() > depth) journal.undo();
+}
+
+/// All regions of that many patches that can be merged, each once.
+std::vector<Candidate> candidates(Mesh& mesh, int rows, int columns) {
+  std::set<Region> names;
+  for (const Face face : mesh.faces())
+    for (int top = 0; top < 4; ++top) {
+      const Region region{face, top, rows, columns};
+      const auto tops = region_tops(mesh, region);
+      if (!tops.empty()) names.insert(region_name(mesh, region, tops));
+    }
+  Journal journal(mesh);
+  std::vector<Candidate> result;
+  for (const Region& region : names) {
+    const auto tops = region_tops(mesh, region);
+    if (merge_region(journal, region, tops)) result.push_back({region, tops});
+    undo_to(journal, 0);
+  }
+  return result;
+}
+
+/// Each iteration goes once over all regions of that size; the rate of items is that of regions.
+void merge_and_undo(benchmark::State& state, const MeshFile& file, int rows, int columns) {
+  Input input(file);
+  const auto regions = candidates(input.mesh, rows, columns);
+  Journal journal(input.mesh);
+  for (auto _ : state)
+    for (const Candidate& c : regions) {
+      merge_region(journal, c.region, c.tops);
+      undo_to(journal, 0);
+    }
+  state.SetItemsProcessed(state.iterations() * int(regions.size()));
+}
+
+/// Merge, paint, measure and undo, of all regions of 2 x 2 patches in turn.
+void price(benchmark::State& state, const MeshFile& file, MetricKind metric) {
+  const ThreadLimit one(1);
+  Input input(file);
+  const auto regions = candidates(input.mesh, 2, 2);
+  EditError error(input.mesh, input.mesh, input.frame(700), metric);
+  Journal journal(input.mesh);
+  MergeTrial trial(journal, error, 1);
+  for (auto _ : state)
+    for (const Candidate& c : regions) benchmark::DoNotOptimize(trial.price(c.region, c.tops));
+  state.SetItemsProcessed(state.iterations() * int(regions.size()));
+}
+
+/// What a candidate costs without windows: the whole frame is painted, and every pixel scored,
+/// for which all of them differ.
+void whole_frame(benchmark::State& state, const MeshFile& file, MetricKind kind) {
+  const ThreadLimit one(1);
+  const Input input(file);
+  const Frame frame = input.frame(700);
+  const auto rasterizer = make_software_rasterizer();
+  const Image reference = rasterizer->paint(input.mesh, frame);
+  const auto metric = make_metric(kind, reference);
+  Image test = reference;
+  for (auto& sample : test.samples) sample ^= 1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(rasterizer->paint(input.mesh, frame));
+    benchmark::DoNotOptimize(mean(metric->map(test)));
+  }
+}
+
+}  // namespace
+
+void register_merges() {
+  const MeshFile duck = mesh_file("duck");
+  add("merge-undo/pair", duck, [](auto& state, auto& file) { merge_and_undo(state, file, 1, 2); });
+  add("merge-undo/2x2", duck, [](auto& state, auto& file) { merge_and_undo(state, file, 2, 2); });
+  for (const MetricKind metric : {MetricKind::ssim, MetricKind::flip}) {
+    add(std::string("candidate/") + name(metric), duck,
+        [=](auto& state, auto& file) { price(state, file, metric); });
+    add(std::string("whole-frame/") + name(metric), duck,
+        [=](auto& state, auto& file) { whole_frame(state, file, metric); });
+  }
+}
+
+}  // namespace gradmesh::bench

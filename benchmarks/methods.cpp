@@ -1,0 +1,39 @@
+#include "cases.h"
+
+namespace gradmesh::bench {
+namespace {
+
+void run(benchmark::State& state, const MeshFile& file, const SimplifyOptions& options) {
+  const auto document = Document::read_file(file.path);
+  SimplifyResult result;
+  for (auto _ : state) result = document->preview({file.id}, options).front().result;
+  state.counters["patches_before"] = result.patches_before;
+  state.counters["patches"] = result.patches_after;
+  state.counters["evaluations"] = result.evaluations;
+  state.counters["error"] = result.error;
+}
+
+void add_methods(const MeshFile& file, MetricKind metric, double epsilon) {
+  for (const Method method : all_methods) {
+    if (method == Method::manual) continue;
+    SimplifyOptions options;
+    options.method = method;
+    options.metric = metric;
+    options.epsilon = epsilon;
+    add(std::string("method/") + name(method) + "/" + file.name + "/" + name(metric), file,
+        [=](auto& state, auto& f) { run(state, f, options); });
+  }
+}
+
+}  // namespace
+
+/// On all cores, at the thresholds that the paper compares methods at.
+void register_methods() {
+  for (const MeshFile& file : paper_meshes()) {
+    add_methods(file, MetricKind::ssim, 0.005);
+    add_methods(file, MetricKind::flip, 0.02);
+  }
+  for (const MeshFile& file : sample_meshes()) add_methods(file, MetricKind::flip, 0.01);
+}
+
+}  // namespace gradmesh::bench
