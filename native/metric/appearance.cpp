@@ -1,57 +1,178 @@
 #include "metric/appearance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 
-#include "metric/elementary.h"
-#include "metric/filter.h"
+#include "metric/color_matrices.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "metric/appearance.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "metric/elementary-inl.h"
+#include "metric/filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gradmesh::HWY_NAMESPACE {
+namespace {
+
+using D = Lanes<float>;
+using V = hn::Vec<D>;
+constexpr D d;
+
+using Rows = PaddedRows<float>;
+
+enum Opponent { luminance, red_green, blue_yellow, opponents };
+/// What the filters down the columns leave for those along the rows.
+enum Column {
+  y_column,
+  cx_column,
+  cz_wide_column,
+  cz_narrow_column,
+  smooth_column,
+  slope_column,
+  curvature_column
+};
+
+HWY_INLINE V product(const Linear& matrix, int row, V p, V q, V r) {
+  const auto& m = matrix.m[row];
+  return hn::Add(hn::Add(hn::Mul(hn::Set(d, m[0]), p), hn::Mul(hn::Set(d, m[1]), q)),
+                 hn::Mul(hn::Set(d, m[2]), r));
+}
+
+/// The colours of columns [x0, x1) of row y of the image.
+void read_row(const Image& image, const std::array<float, 256>& linear_light, int y, int x0, int x1,
+              Rows& light, Rows& opponent) {
+  for (int c = 0; c < 3; ++c) {
+    const std::uint8_t* bytes = image.at(x0, y, c);
+    float* row = light.row(c, 0);
+    for (int i = 0; i < x1 - x0; ++i) row[i] = linear_light[bytes[i]];
+  }
+  for (int i = 0; i < x1 - x0; i += hn::Lanes(d)) {
+    const V r = hn::Load(d, light.row(0, 0) + i), g = hn::Load(d, light.row(1, 0) + i),
+            b = hn::Load(d, light.row(2, 0) + i);
+    for (int plane = 0; plane < opponents; ++plane)
+      hn::StoreU(product(rgb_to_opponent, plane, r, g, b), d, opponent.at(plane, x0, y) + i);
+  }
+}
+
+/// CIELab's f.
+HWY_INLINE V lab_curve(V t) {
+  constexpr float delta = 6 / 29.0F;
+  const V knee = hn::Set(d, delta * delta * delta);
+  const V root = cube_root(d, hn::Max(t, knee));
+  return hn::IfThenElse(hn::Gt(t, knee), root,
+                        scaled_sum(d, 1 / (3 * delta * delta), t, 4 / 29.0F));
+}
+
+HWY_INLINE V in_gamut(V sample) { return hn::Min(hn::Max(sample, hn::Zero(d)), hn::Set(d, 1.0F)); }
+
+/// Filtered opponent colours to CIELab with Hunt's adjustment. What the filters carry out of the
+/// gamut is clamped in linear RGB first.
+HWY_INLINE void perceive(V y, V cx, V cz, float* lightness, float* a, float* b) {
+  const V red = in_gamut(product(opponent_to_rgb, 0, y, cx, cz));
+  const V green = in_gamut(product(opponent_to_rgb, 1, y, cx, cz));
+  const V blue = in_gamut(product(opponent_to_rgb, 2, y, cx, cz));
+  const V fx = lab_curve(product(rgb_to_white_xyz, 0, red, green, blue));
+  const V fy = lab_curve(product(rgb_to_white_xyz, 1, red, green, blue));
+  const V fz = lab_curve(product(rgb_to_white_xyz, 2, red, green, blue));
+  const V l = scaled_sum(d, 116, fy, -16);
+  const V hunt = hn::Mul(hn::Set(d, 0.01F), l);
+  hn::StoreU(l, d, lightness);
+  hn::StoreU(hn::Mul(hn::Mul(hunt, hn::Set(d, 500.0F)), hn::Sub(fx, fy)), d, a);
+  hn::StoreU(hn::Mul(hn::Mul(hunt, hn::Set(d, 200.0F)), hn::Sub(fy, fz)), d, b);
+}
+
+/// All filters down the columns, with their centres in row y.
+void filter_columns(const Rows& opponent, int y, Rows& columns) {
+  const int count = opponent.window().width();
+  const std::ptrdiff_t stride = opponent.stride();
+  const ColourTaps& colour = ColourTaps::get();
+  const FeatureTaps& feature = FeatureTaps::get();
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const float* in = opponent.row(luminance, y) + i;
+    const V centre = hn::Load(d, in), twice = hn::Add(centre, centre);
+    V smooth = hn::Zero(d), slope = smooth, curvature = smooth;
+    for (int k = FeatureTaps::reach; k > 0; --k) {
+      const V above = hn::Load(d, in - k * stride), below = hn::Load(d, in + k * stride);
+      smooth = add_even(d, smooth, feature.smooth.at[k], above, below);
+      slope = add_odd(d, slope, feature.slope.at[k], above, below);
+      curvature = add_zero_sum(d, curvature, feature.curvature.at[k], above, below, twice);
+    }
+    smooth = hn::Add(smooth, hn::Mul(hn::Set(d, feature.smooth.at[0]), centre));
+    hn::Store(smooth, d, columns.row(smooth_column, 0) + i);
+    hn::Store(slope, d, columns.row(slope_column, 0) + i);
+    hn::Store(curvature, d, columns.row(curvature_column, 0) + i);
+    hn::Store(filter_even(d, colour.luminance, in, stride), d, columns.row(y_column, 0) + i);
+  }
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const float* in = opponent.row(red_green, y) + i;
+    hn::Store(filter_even(d, colour.red_green, in, stride), d, columns.row(cx_column, 0) + i);
+  }
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const float* in = opponent.row(blue_yellow, y) + i;
+    V wide = hn::Zero(d), narrow = wide;
+    for (int k = ColourTaps::reach; k > 0; --k) {
+      const V above = hn::Load(d, in - k * stride), below = hn::Load(d, in + k * stride);
+      wide = add_even(d, wide, colour.blue_yellow_wide.at[k], above, below);
+      narrow = add_even(d, narrow, colour.blue_yellow_narrow.at[k], above, below);
+    }
+    const V centre = hn::Load(d, in);
+    wide = hn::Add(wide, hn::Mul(hn::Set(d, colour.blue_yellow_wide.at[0]), centre));
+    narrow = hn::Add(narrow, hn::Mul(hn::Set(d, colour.blue_yellow_narrow.at[0]), centre));
+    hn::Store(wide, d, columns.row(cz_wide_column, 0) + i);
+    hn::Store(narrow, d, columns.row(cz_narrow_column, 0) + i);
+  }
+}
+
+HWY_INLINE V magnitude(V dx, V dy) { return hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy))); }
+
+/// All filters along the row, and what follows them.
+void filter_row(const Rows& columns, const AppearanceRow<float>& out) {
+  const int count = columns.window().width() - 2 * appearance_reach;
+  const auto at = [&](Column column) { return columns.row(column, 0) + appearance_reach; };
+  const ColourTaps& colour = ColourTaps::get();
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const V y = filter_even(d, colour.luminance, at(y_column) + i, 1);
+    const V cx = filter_even(d, colour.red_green, at(cx_column) + i, 1);
+    const V cz = hn::Add(filter_even(d, colour.blue_yellow_wide, at(cz_wide_column) + i, 1),
+                         filter_even(d, colour.blue_yellow_narrow, at(cz_narrow_column) + i, 1));
+    perceive(y, cx, cz, out.lightness + i, out.a + i, out.b + i);
+  }
+  const FeatureTaps& feature = FeatureTaps::get();
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const float* smooth = at(smooth_column) + i;
+    const V centre = hn::LoadU(d, smooth), twice = hn::Add(centre, centre);
+    V slope = hn::Zero(d), curvature = slope;
+    for (int k = FeatureTaps::reach; k > 0; --k) {
+      const V before = hn::LoadU(d, smooth - k), after = hn::LoadU(d, smooth + k);
+      slope = add_odd(d, slope, feature.slope.at[k], before, after);
+      curvature = add_zero_sum(d, curvature, feature.curvature.at[k], before, after, twice);
+    }
+    const V slope_down = filter_even(d, feature.smooth, at(slope_column) + i, 1);
+    const V curvature_down = filter_even(d, feature.smooth, at(curvature_column) + i, 1);
+    hn::StoreU(magnitude(slope, slope_down), d, out.edge + i);
+    hn::StoreU(magnitude(curvature, curvature_down), d, out.point + i);
+  }
+}
+
+void appearance_row(const Rows& opponent, int y, Rows& columns, const AppearanceRow<float>& out) {
+  filter_columns(opponent, y, columns);
+  filter_row(columns, out);
+}
+
+}  // namespace
+}  // namespace gradmesh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace gradmesh {
 namespace {
 
-using std::numbers::pi;
-
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-constexpr Matrix operator*(const Matrix& a, const Matrix& b) {
-  Matrix product{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k) product[i][j] += a[i][k] * b[k][j];
-  return product;
-}
-
-/// A linear map of three float samples.
-struct Linear {
-  std::array<std::array<float, 3>, 3> m{};
-
-  explicit constexpr Linear(const Matrix& matrix) {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) m[i][j] = float(matrix[i][j]);
-  }
-  float operator()(int row, float p, float q, float r) const {
-    return m[row][0] * p + m[row][1] * q + m[row][2] * r;
-  }
-};
-
-constexpr double white_x = 0.950428545, white_z = 1.088900371;  // D65, Y = 1
-constexpr Matrix rgb_to_xyz = {
-    {{10135552 / 24577794.0, 8788810 / 24577794.0, 4435075 / 24577794.0},
-     {2613072 / 12288897.0, 8788810 / 12288897.0, 887015 / 12288897.0},
-     {1425312 / 73733382.0, 8788810 / 73733382.0, 70074185 / 73733382.0}}};
-constexpr Matrix xyz_to_rgb = {{{3.241003275, -1.537398934, -0.498615861},
-                                {-0.969224334, 1.875930071, 0.041554224},
-                                {0.055639423, -0.204011202, 1.057148933}}};
-constexpr Matrix over_white = {{{1 / white_x, 0, 0}, {0, 1, 0}, {0, 0, 1 / white_z}}};
-constexpr Matrix times_white = {{{white_x, 0, 0}, {0, 1, 0}, {0, 0, white_z}}};
-/// (x, y, z) over white to (y, x - y, y - z) and back.
-constexpr Matrix to_opponent = {{{0, 1, 0}, {1, -1, 0}, {0, 1, -1}}};
-constexpr Matrix from_opponent = {{{1, 1, 0}, {1, 0, 0}, {1, 0, -1}}};
-
-constexpr Linear rgb_to_white_xyz(over_white* rgb_to_xyz);
-constexpr Linear rgb_to_opponent(to_opponent* over_white* rgb_to_xyz);
-constexpr Linear opponent_to_rgb(xyz_to_rgb* times_white* from_opponent);
+HWY_EXPORT(read_row);
+HWY_EXPORT(appearance_row);
 
 /// Linear light of the 256 values of an sRGB sample (IEC 61966-2-1).
 const std::array<float, 256>& linear_light() {
@@ -66,173 +187,25 @@ const std::array<float, 256>& linear_light() {
   return table;
 }
 
-/// Spatial filters of the colour pipeline: contrast sensitivity as Gaussians exp(-pi^2 x^2 / b), x
-/// in degrees. Blue-yellow is the sum of a wide and a narrow one. The other two are cut where their
-/// taps sink below 1e-11, far beneath a float's rounding.
-struct ColourTaps {
-  static constexpr int reach = appearance_reach, short_reach = 7;
-  Taps<float, short_reach> luminance, red_green;
-  Taps<float, reach> blue_yellow_wide, blue_yellow_narrow;
-
-  static const ColourTaps& get() {
-    static const ColourTaps taps;
-    return taps;
-  }
-
- private:
-  template <int Radius>
-  static Taps<double, Radius> gaussian(double b, double amplitude = 1) {
-    constexpr double pixels_per_degree = 67.0206451;
-    return sample_taps<Radius>([=](int k) {
-      const double x = k / pixels_per_degree;
-      return amplitude * std::exp(-pi * pi * x * x / b);
-    });
-  }
-  static Taps<float, short_reach> normalised(const Taps<double, short_reach>& taps) {
-    return scaled<float>(taps, 1 / sum(taps));
-  }
-  ColourTaps()
-      : luminance(normalised(gaussian<short_reach>(0.0047))),
-        red_green(normalised(gaussian<short_reach>(0.0053))) {
-    constexpr double b_wide = 0.04, b_narrow = 0.025;
-    const auto wide = gaussian<reach>(b_wide, std::sqrt(34.1 * std::sqrt(pi / b_wide)));
-    const auto narrow = gaussian<reach>(b_narrow, std::sqrt(13.5 * std::sqrt(pi / b_narrow)));
-    const double scale = 1 / std::hypot(sum(wide), sum(narrow));
-    blue_yellow_wide = scaled<float>(wide, scale);
-    blue_yellow_narrow = scaled<float>(narrow, scale);
-  }
-};
-
-/// Filters of the feature pipeline: a Gaussian and its derivatives, whose positive and negative
-/// taps sum to 1 and -1.
-struct FeatureTaps {
-  static constexpr int reach = 9;
-  Taps<float, reach> smooth, slope, curvature;
-
-  static const FeatureTaps& get() {
-    static const FeatureTaps taps;
-    return taps;
-  }
-
- private:
-  FeatureTaps() {
-    constexpr double sigma = 2.74785;  // half of 0.082 degrees in pixels
-    const auto gaussian = [](int k) { return std::exp(-k * k / (2 * sigma * sigma)); };
-    const auto g = sample_taps<reach>(gaussian);
-    const auto first = sample_taps<reach>([&](int k) { return k * gaussian(k); });
-    const auto second =
-        sample_taps<reach>([&](int k) { return (k * k / (sigma * sigma) - 1) * gaussian(k); });
-    smooth = scaled<float>(g, 1 / sum(g));
-    slope = scaled<float>(first, 2 / sum(first));
-    double positive = 0, negative = second.at[0];
-    for (int k = 1; k <= reach; ++k) (second.at[k] > 0 ? positive : negative) += 2 * second.at[k];
-    for (int k = 0; k <= reach; ++k) {
-      curvature.at[k] = float(second.at[k] / std::abs(second.at[k] > 0 ? positive : negative));
-    }
-  }
-};
-
-/// CIELab's f.
-float lab_curve(float t) {
-  constexpr float delta = 6 / 29.0F;
-  const float root = cube_root(std::max(t, delta * delta * delta));
-  return t > delta * delta * delta ? root : t / (3 * delta * delta) + 4 / 29.0F;
-}
-
-float in_gamut(float sample) { return std::min(std::max(sample, 0.0F), 1.0F); }
-
-/// Filtered opponent colours to CIELab with Hunt's adjustment. What the filters carry out of the
-/// gamut is clamped in linear RGB first.
-void perceive(const float* y, const float* cx, const float* cz_wide, const float* cz_narrow,
-              int count, float* __restrict lightness, float* __restrict a, float* __restrict b) {
-  for (int i = 0; i < count; ++i) {
-    const float cz = cz_wide[i] + cz_narrow[i];
-    const float red = in_gamut(opponent_to_rgb(0, y[i], cx[i], cz));
-    const float green = in_gamut(opponent_to_rgb(1, y[i], cx[i], cz));
-    const float blue = in_gamut(opponent_to_rgb(2, y[i], cx[i], cz));
-    const float fx = lab_curve(rgb_to_white_xyz(0, red, green, blue));
-    const float fy = lab_curve(rgb_to_white_xyz(1, red, green, blue));
-    const float fz = lab_curve(rgb_to_white_xyz(2, red, green, blue));
-    lightness[i] = 116 * fy - 16;
-    const float hunt = 0.01F * lightness[i];
-    a[i] = hunt * 500 * (fx - fy);
-    b[i] = hunt * 200 * (fy - fz);
-  }
-}
+constexpr int opponents = 3, columns = 7;
 
 }  // namespace
 
-AppearanceFilter::AppearanceFilter(const Image& image, Window frame, Window box)
-    : luminance_(box.grown(appearance_reach)),
-      red_green_(box.grown(appearance_reach)),
-      blue_yellow_(box.grown(appearance_reach)),
-      box_(box) {
-  const auto& light = linear_light();
-  const auto convert = [&](int x, int y, int source_x, int source_y) {
-    const auto pixel = image.pixel(source_x, source_y);
-    const float r = light[pixel[0]], g = light[pixel[1]], b = light[pixel[2]];
-    *luminance_.at(x, y) = rgb_to_opponent(0, r, g, b);
-    *red_green_.at(x, y) = rgb_to_opponent(1, r, g, b);
-    *blue_yellow_.at(x, y) = rgb_to_opponent(2, r, g, b);
-  };
-  for_each_extended(box.grown(appearance_reach), frame, convert);
-  for (Buffer* buffer : {&column_, &smooth_column_, &sloped_column_, &curved_column_}) {
-    buffer->resize(box.width() + 2 * appearance_reach);
-  }
-  for (Buffer* buffer : {&y_, &cx_, &cz_wide_, &cz_narrow_, &dx_, &dy_}) {
-    buffer->resize(box.width());
-  }
+void AppearanceFilter::read(const Image& image, Window frame, Window box) {
+  const Window around = box.grown(appearance_reach), inside = around.clipped(frame);
+  const Window one_row = {around.x0, 0, around.x1, 1};
+  box_ = box;
+  opponent_.reset(around, opponents);
+  light_.reset(one_row, 3);
+  columns_.reset(one_row, columns);
+  for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_row)
+  (image, linear_light(), y, inside.x0, inside.x1, light_, opponent_);
+  extend(opponent_, inside);
 }
 
-void AppearanceFilter::row(int y, const AppearanceRow& out) {
-  colour(y, out);
-  features(y, out);
-}
-
-void AppearanceFilter::colour(int y, const AppearanceRow& out) {
-  const auto blur = [&]<int Radius>(const Taps<float, Radius>& taps, const WindowPlane<float>& in,
-                                    Buffer& result) {
-    filter_even(taps, in.at(box_.x0 - Radius, y), in.stride(), box_.width() + 2 * Radius,
-                column_.data());
-    filter_even(taps, column_.data() + Radius, 1, box_.width(), result.data());
-  };
-  const ColourTaps& taps = ColourTaps::get();
-  blur(taps.luminance, luminance_, y_);
-  blur(taps.red_green, red_green_, cx_);
-  blur(taps.blue_yellow_wide, blue_yellow_, cz_wide_);
-  blur(taps.blue_yellow_narrow, blue_yellow_, cz_narrow_);
-  perceive(y_.data(), cx_.data(), cz_wide_.data(), cz_narrow_.data(), box_.width(), out.lightness,
-           out.a, out.b);
-}
-
-void AppearanceFilter::features(int y, const AppearanceRow& out) {
-  constexpr int reach = FeatureTaps::reach;
-  const FeatureTaps& taps = FeatureTaps::get();
-  const int count = box_.width();
-  const auto down = [&](auto filter, const Taps<float, reach>& axis, Buffer& result) {
-    filter(axis, luminance_.at(box_.x0 - reach, y), luminance_.stride(), count + 2 * reach,
-           result.data());
-  };
-  const auto along = [&](auto filter, const Taps<float, reach>& axis, const Buffer& column,
-                         Buffer& result) {
-    filter(axis, column.data() + reach, 1, count, result.data());
-  };
-  const auto magnitude = [&](float* result) {
-    for (int i = 0; i < count; ++i) result[i] = std::sqrt(dx_[i] * dx_[i] + dy_[i] * dy_[i]);
-  };
-  const auto even = filter_even<float, reach>;
-  const auto odd = filter_odd<float, reach>;
-  const auto zero_sum = filter_even_zero_sum<float, reach>;
-
-  down(even, taps.smooth, smooth_column_);
-  down(odd, taps.slope, sloped_column_);
-  down(zero_sum, taps.curvature, curved_column_);
-  along(odd, taps.slope, smooth_column_, dx_);
-  along(even, taps.smooth, sloped_column_, dy_);
-  magnitude(out.edge);
-  along(zero_sum, taps.curvature, smooth_column_, dx_);
-  along(even, taps.smooth, curved_column_, dy_);
-  magnitude(out.point);
+void AppearanceFilter::row(int y, const AppearanceRow<float>& out) {
+  HWY_DYNAMIC_DISPATCH(appearance_row)(opponent_, y, columns_, out);
 }
 
 }  // namespace gradmesh
+#endif  // HWY_ONCE

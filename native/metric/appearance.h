@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include "metric/window_plane.h"
+#include "metric/appearance_taps.h"
+#include "metric/padded_rows.h"
 
 namespace gradmesh {
 
@@ -11,36 +9,44 @@ namespace gradmesh {
 /// Evaluator for Alternating Images"). Its colour pipeline gives the colour that an eye resolves
 /// from the viewing distance, in CIELab with Hunt's adjustment; its feature pipeline gives the
 /// magnitudes of the luminance's first (edge) and second (point) derivative.
-template <class T>
-struct Appearance {
-  T lightness, a, b, edge, point;
+template <class Sample>
+struct AppearanceRow {
+  Sample *lightness, *a, *b, *edge, *point;
 };
 
-using AppearanceRow = Appearance<float*>;
-
-/// How far a pixel changes the appearance around it.
-inline constexpr int appearance_reach = 10;
-
-/// Computes the appearance of the pixels of `box`, row by row.
-class AppearanceFilter {
+/// The appearance of the pixels of a window.
+class AppearanceRows {
  public:
-  /// Reads the image within `appearance_reach` of `box`, which lies inside the frame.
-  AppearanceFilter(const Image& image, Window frame, Window box);
+  void reset(Window window) { planes_.reset(window, 5); }
 
-  /// Writes row y of the box.
-  void row(int y, const AppearanceRow& out);
+  /// From column x on.
+  AppearanceRow<float> row(int x, int y) { return row_of<float>(planes_, x, y); }
+  AppearanceRow<const float> row(int x, int y) const { return row_of<const float>(planes_, x, y); }
 
  private:
-  void colour(int y, const AppearanceRow& out);
-  void features(int y, const AppearanceRow& out);
+  template <class Sample, class Planes>
+  static AppearanceRow<Sample> row_of(Planes& planes, int x, int y) {
+    return {planes.at(0, x, y), planes.at(1, x, y), planes.at(2, x, y), planes.at(3, x, y),
+            planes.at(4, x, y)};
+  }
 
-  /// CIE XYZ over white: y, x - y and y - z, which are FLIP's YCxCz but for constant factors.
-  WindowPlane<float> luminance_, red_green_, blue_yellow_;
+  PaddedRows<float> planes_;
+};
+
+/// Computes the appearance of an image's pixels, row by row. To be used again, for its memory.
+class AppearanceFilter {
+ public:
+  /// Reads the image within `appearance_reach` of `box`. What of that lies beyond `frame` is taken
+  /// for its nearest pixel; the image covers the rest.
+  void read(const Image& image, Window frame, Window box);
+
+  /// Writes row y of the box, and some samples of padding behind it.
+  void row(int y, const AppearanceRow<float>& out);
+
+ private:
   Window box_;
-  using Buffer = std::vector<float>;
-  Buffer column_, smooth_column_, sloped_column_, curved_column_;
-  Buffer y_, cx_, cz_wide_, cz_narrow_;
-  Buffer dx_, dy_;
+  PaddedRows<float> opponent_;
+  PaddedRows<float> light_, columns_;  ///< One row each.
 };
 
 }  // namespace gradmesh

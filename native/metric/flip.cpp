@@ -1,71 +1,102 @@
 #include "metric/flip.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "base/parallel.h"
-#include "metric/elementary.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "metric/flip.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
-namespace gradmesh {
+#include "metric/elementary-inl.h"
+#include "metric/filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gradmesh::HWY_NAMESPACE {
 namespace {
 
-using ConstAppearanceRow = Appearance<const float*>;
-
-/// The row of every plane from column x on; pointers to const where the planes are.
-template <class Planes>
-auto row_at(Planes& planes, int x, int y) {
-  return Appearance<decltype(planes.a.at(x, y))>{planes.lightness.at(x, y), planes.a.at(x, y),
-                                                 planes.b.at(x, y), planes.edge.at(x, y),
-                                                 planes.point.at(x, y)};
-}
+using D = Lanes<float>;
+using V = hn::Vec<D>;
+constexpr D d;
 
 /// Maps a colour distance to 0..1 so that the greatest one, green against blue, becomes 1 and
 /// distances from 0.4 of that on share the last twentieth (the paper's error redistribution).
-float remapped(float distance) {
+HWY_INLINE V remapped(V distance) {
   constexpr float greatest = 41.276096F, knee = 0.4F * greatest, at_knee = 0.95F;
   constexpr float below = at_knee / knee, above = (1 - at_knee) / (greatest - knee);
-  return distance < knee ? distance * below : at_knee + (distance - knee) * above;
+  const V beyond = scaled_sum(d, above, hn::Sub(distance, hn::Set(d, knee)), at_knee);
+  return hn::IfThenElse(hn::Lt(distance, hn::Set(d, knee)), hn::Mul(distance, hn::Set(d, below)),
+                        beyond);
+}
+
+HWY_INLINE V difference(const float* s, const float* t) {
+  return hn::Sub(hn::LoadU(d, s), hn::LoadU(d, t));
 }
 
 /// HyAB distance of the colours, strengthened where edges or points differ as well.
-void compare(const ConstAppearanceRow& s, const AppearanceRow& t, int count,
-             float* __restrict out) {
-  constexpr float exponent = 0.7F;
-  constexpr float half_sqrt = 0.707106781F;
-  for (int i = 0; i < count; ++i) {
-    const float da = s.a[i] - t.a[i], db = s.b[i] - t.b[i];
-    const float hyab = std::abs(s.lightness[i] - t.lightness[i]) + std::sqrt(da * da + db * db);
-    const float colour = remapped(power(hyab, exponent));
-    const float feature =
-        std::max(std::abs(s.edge[i] - t.edge[i]), std::abs(s.point[i] - t.point[i]));
-    out[i] = power(colour, 1 - std::sqrt(feature * half_sqrt));
+void compare(const AppearanceRow<const float>& s, const AppearanceRow<float>& t, int count,
+             float* out) {
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const V da = difference(s.a + i, t.a + i), db = difference(s.b + i, t.b + i);
+    const V hyab = hn::Add(hn::Abs(difference(s.lightness + i, t.lightness + i)),
+                           hn::Sqrt(hn::Add(hn::Mul(da, da), hn::Mul(db, db))));
+    const V colour = remapped(power(d, hyab, hn::Set(d, 0.7F)));
+    const V greater = hn::Max(hn::Abs(difference(s.edge + i, t.edge + i)),
+                              hn::Abs(difference(s.point + i, t.point + i)));
+    const V feature = hn::Sqrt(hn::Mul(greater, hn::Set(d, 0.707106781F)));  // over sqrt(2)
+    hn::StoreU(power(d, colour, hn::Sub(hn::Set(d, 1.0F), feature)), d, out + i);
   }
 }
 
 }  // namespace
+}  // namespace gradmesh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "base/parallel.h"
+
+namespace gradmesh {
+namespace {
+
+HWY_EXPORT(compare);
+
+/// For one tile; kept by a thread, as there may be hundreds of thousands.
+struct Scratch {
+  AppearanceFilter filter;
+  AppearanceRows row;
+  PaddedRows<float> distance;
+
+  static Scratch& of_this_thread() {
+    static thread_local Scratch scratch;
+    return scratch;
+  }
+};
+
+}  // namespace
 
 Flip::Flip(Image image) : LocalMetric(std::move(image), appearance_reach) {
-  const Window frame = reference().window();
-  const Plane plane(frame.width(), frame.height());
-  appearance_ = {plane, plane, plane, plane, plane};
-  constexpr int strip_height = 32;
-  parallel_for((frame.height() + strip_height - 1) / strip_height, [&](std::size_t i) {
-    const int y0 = int(i) * strip_height, y1 = std::min(y0 + strip_height, frame.y1);
-    AppearanceFilter filter(reference(), frame, {0, y0, frame.x1, y1});
-    for (int y = y0; y < y1; ++y) filter.row(y, row_at(appearance_, 0, y));
+  appearance_.reset(reference().window());
+  for_each_strip(reference().window(), [&](Window strip) {
+    AppearanceFilter& filter = Scratch::of_this_thread().filter;
+    filter.read(reference(), reference().window(), strip);
+    for (int y = strip.y0; y < strip.y1; ++y) filter.row(y, appearance_.row(0, y));
   });
 }
 
 void Flip::score(const Image& test, Window tile, Plane& map) const {
-  AppearanceFilter filter(test, reference().window(), tile);
-  const Plane one_row(tile.width(), 1);
-  Appearance<Plane> seen = {one_row, one_row, one_row, one_row, one_row};
-  const AppearanceRow seen_row = row_at(seen, 0, 0);
+  Scratch& scratch = Scratch::of_this_thread();
+  const Window one_row = {tile.x0, 0, tile.x1, 1};
+  scratch.row.reset(one_row);
+  scratch.distance.reset(one_row, 1);
+  const AppearanceRow<float> seen = scratch.row.row(tile.x0, 0);
+  float* distance = scratch.distance.row(0, 0);
+  scratch.filter.read(test, reference().window(), tile);
   for (int y = tile.y0; y < tile.y1; ++y) {
-    filter.row(y, seen_row);
-    compare(row_at(appearance_, tile.x0, y), seen_row, tile.width(), map.at(tile.x0, y));
+    scratch.filter.row(y, seen);
+    HWY_DYNAMIC_DISPATCH(compare)(appearance_.row(tile.x0, y), seen, tile.width(), distance);
+    std::copy_n(distance, tile.width(), map.at(tile.x0, y));
   }
 }
 
 }  // namespace gradmesh
+#endif  // HWY_ONCE

@@ -14,7 +14,7 @@ class Flip final : public LocalMetric {
  private:
   void score(const Image& test, Window tile, Plane& map) const override;
 
-  Appearance<Plane> appearance_;
+  AppearanceRows appearance_;  ///< Of the reference.
 };
 
 }  // namespace gradmesh

@@ -9,14 +9,21 @@
 namespace gradmesh {
 namespace {
 
-constexpr int strip_height = 64;
-
 template <class Raster>
 bool covers(const Raster& raster, Window window) {
   return window.clipped(raster.window()) == window;
 }
 
 }  // namespace
+
+void for_each_strip(Window window, const std::function<void(Window)>& body) {
+  constexpr int largest_height = 64;
+  const int height = window.height(), count = (height + largest_height - 1) / largest_height;
+  parallel_for(count, [&](std::size_t i) {
+    body({window.x0, window.y0 + height * int(i) / count, window.x1,
+          window.y0 + height * int(i + 1) / count});
+  });
+}
 
 void LocalMetric::score_near_differences(const Image& test, Window window, Plane& map) const {
   // Kept from call to call, as there may be hundreds of thousands.
@@ -32,13 +39,7 @@ void LocalMetric::fill_map(const Image& test, Window window, Plane& map) const {
     throw std::invalid_argument("The images that a metric compares must have the same size.");
   }
   const Window inside = window.clipped(reference_.window());
-  if (inside.empty()) return;
-  const int height = inside.height(), strips = (height + strip_height - 1) / strip_height;
-  parallel_for(strips, [&](std::size_t i) {
-    const int y0 = inside.y0 + height * int(i) / strips;
-    const int y1 = inside.y0 + height * int(i + 1) / strips;
-    score_near_differences(test, {inside.x0, y0, inside.x1, y1}, map);
-  });
+  for_each_strip(inside, [&](Window strip) { score_near_differences(test, strip, map); });
 }
 
 double LocalMetric::update_map(const Image& before, const Image& test, Window changed, Plane& map,

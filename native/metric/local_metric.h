@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <utility>
 
 #include "metric/metric.h"
@@ -32,5 +33,9 @@ class LocalMetric : public Metric {
   Image reference_;
   int reach_;
 };
+
+/// Calls `body(strip)` in parallel for windows that share the rows of `window` between them, few
+/// enough in each for what is computed of them to stay in the cache.
+void for_each_strip(Window window, const std::function<void(Window)>& body);
 
 }  // namespace gradmesh

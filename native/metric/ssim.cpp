@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
-#include "base/parallel.h"
-#include "metric/filter.h"
-#include "metric/window_plane.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "metric/ssim.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "metric/filter-inl.h"
 
 // With d = test - reference, m and v the Gaussian mean and variance, x the test and y the
 // reference, the two factors of SSIM are
@@ -16,13 +20,11 @@
 // cancellation where the images are close, and is exactly 0 where they are equal. The sum of the
 // variances is 2 v(y) + 2 cov(y, d) + v(d), which leaves only filters over d for each test.
 
-namespace gradmesh {
+HWY_BEFORE_NAMESPACE();
+namespace gradmesh::HWY_NAMESPACE {
 namespace {
 
 constexpr int radius = 5;
-constexpr int channels = 3;
-constexpr float c1 = 6.5025F;   // (0.01 * 255)^2
-constexpr float c2 = 58.5225F;  // (0.03 * 255)^2
 /// Variances are taken of bytes less this, as squares of small numbers round less.
 constexpr int byte_centre = 128;
 
@@ -37,93 +39,157 @@ const Taps<T, radius>& gaussian() {
   return taps;
 }
 
-/// Filters one row of an interleaved plane after the other.
+/// Filters every plane down the columns, with the centres in row y.
 template <class T>
-class Blur {
- public:
-  explicit Blur(int width) : column_((width + 2 * radius) * channels) {}
+HWY_INLINE void filter_columns(const PaddedRows<T>& in, int planes, int y, PaddedRows<T>& columns) {
+  const Lanes<T> d;
+  for (int plane = 0; plane < planes; ++plane)
+    for (int i = 0; i < in.window().width(); i += hn::Lanes(d))
+      hn::Store(filter_unit_sum(d, gaussian<T>(), in.row(plane, y) + i, in.stride()), d,
+                columns.row(plane, 0) + i);
+}
 
-  /// Writes `width` columns of row y from x on; `in` reaches `radius` pixels further.
-  void operator()(const WindowPlane<T>& in, int y, int x, int width, T* out) {
-    const std::ptrdiff_t margin = radius * channels, count = width * channels;
-    filter_even_unit_sum(gaussian<T>(), in.at(x - radius, y), in.stride(), count + 2 * margin,
-                         column_.data());
-    filter_even_unit_sum(gaussian<T>(), column_.data() + margin, channels, count, out);
+/// A vector of what columns filter to along the row, its first centre `radius` behind their i-th.
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> filter_row(D d, const PaddedRows<T>& columns, int plane, int i) {
+  return filter_unit_sum(d, gaussian<T>(), columns.row(plane, 0) + radius + i, 1);
+}
+
+/// The planes that are filtered of a channel of the reference, in double, since variances are small
+/// differences of them.
+enum ReferencePlane { value, square };
+
+void read_reference(const std::uint8_t* y, int count, double* values, double* squares) {
+  for (int i = 0; i < count; ++i) {
+    const double centred = y[i] - byte_centre;
+    values[i] = centred;
+    squares[i] = centred * centred;
   }
+}
 
- private:
-  std::vector<T> column_;
+void moments_of_row(const PaddedRows<double>& in, int y, PaddedRows<double>& columns, float* mean,
+                    float* variance) {
+  filter_columns(in, 2, y, columns);
+  const Lanes<double> d;
+  const hn::Rebind<float, Lanes<double>> df;
+  for (int i = 0; i < in.window().width() - 2 * radius; i += hn::Lanes(d)) {
+    const auto m = filter_row(d, columns, value, i);
+    const auto v = hn::Sub(filter_row(d, columns, square, i), hn::Mul(m, m));
+    hn::StoreU(hn::DemoteTo(df, m), df, mean + i);
+    hn::StoreU(hn::DemoteTo(df, v), df, variance + i);
+  }
+}
+
+/// The planes that are filtered of a channel of the difference.
+enum DifferencePlane { difference, squared, times_reference };
+
+void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count, float* differences,
+                     float* squares, float* products) {
+  for (int i = 0; i < count; ++i) {
+    const int d = x[i] - y[i];
+    differences[i] = float(d);
+    squares[i] = float(d * d);
+    products[i] = float(d * (y[i] - byte_centre));
+  }
+}
+
+/// Adds the distances in one channel to `distance`.
+void add_distances(const PaddedRows<float>& in, int y, PaddedRows<float>& columns,
+                   const float* mean_y, const float* variance_y, float* distance) {
+  constexpr float c1 = 6.5025F;   // (0.01 * 255)^2
+  constexpr float c2 = 58.5225F;  // (0.03 * 255)^2
+  filter_columns(in, 3, y, columns);
+  const Lanes<float> d;
+  for (int i = 0; i < in.window().width() - 2 * radius; i += hn::Lanes(d)) {
+    const auto md = filter_row(d, columns, difference, i);
+    const auto mdd = filter_row(d, columns, squared, i);
+    const auto myd = filter_row(d, columns, times_reference, i);
+    const auto my = hn::LoadU(d, mean_y + i), vy = hn::LoadU(d, variance_y + i);
+    const auto m = hn::Add(my, hn::Set(d, float(byte_centre))), mx = hn::Add(m, md);
+    const auto squares = hn::Add(hn::Mul(m, m), hn::Mul(mx, mx));
+    const auto md2 = hn::Mul(md, md);
+    const auto luminance = hn::Div(md2, hn::Add(squares, hn::Set(d, c1)));
+    const auto vd = hn::Max(hn::Zero(d), hn::Sub(mdd, md2));
+    const auto covariance = hn::Sub(myd, hn::Mul(my, md));
+    const auto half = hn::Add(vy, covariance);
+    const auto structure = hn::Div(vd, hn::Add(hn::Add(hn::Add(half, half), vd), hn::Set(d, c2)));
+    const auto both = hn::Sub(hn::Add(luminance, structure), hn::Mul(luminance, structure));
+    hn::StoreU(hn::Add(hn::LoadU(d, distance + i), both), d, distance + i);
+  }
+}
+
+}  // namespace
+}  // namespace gradmesh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gradmesh {
+namespace {
+
+HWY_EXPORT(read_reference);
+HWY_EXPORT(moments_of_row);
+HWY_EXPORT(read_difference);
+HWY_EXPORT(add_distances);
+
+constexpr int channels = 3, radius = 5;
+
+/// For one tile; kept by a thread, as there may be hundreds of thousands.
+template <class T>
+struct Scratch {
+  PaddedRows<T> planes, columns;
+  PaddedRows<float> distance;
+
+  static Scratch& of_this_thread() {
+    static thread_local Scratch scratch;
+    return scratch;
+  }
+  void reset(Window tile, int count) {
+    const Window around = tile.grown(radius);
+    planes.reset(around, count);
+    columns.reset({around.x0, 0, around.x1, 1}, count);
+  }
 };
 
 }  // namespace
 
-Ssim::Ssim(Image image)
-    : LocalMetric(std::move(image), radius),
-      mean_(channels * reference().width, reference().height),
-      variance_(channels * reference().width, reference().height) {
+Ssim::Ssim(Image image) : LocalMetric(std::move(image), radius) {
   const Window frame = reference().window();
-  constexpr int strip_height = 32;
-  parallel_for((frame.height() + strip_height - 1) / strip_height, [&](std::size_t strip) {
-    const int y0 = int(strip) * strip_height, y1 = std::min(y0 + strip_height, frame.y1);
-    const Window around = Window{0, y0, frame.x1, y1}.grown(radius);
-    WindowPlane<double> value(around, channels), square(around, channels);
-    for_each_extended(around, frame, [&](int x, int y, int source_x, int source_y) {
-      for (int c = 0; c < channels; ++c) {
-        const double centred = *reference().at(source_x, source_y, c) - byte_centre;
-        value.at(x, y)[c] = centred;
-        square.at(x, y)[c] = centred * centred;
-      }
-    });
-    Blur<double> blur(frame.width());
-    std::vector<double> mean(frame.width() * channels), mean_square(mean.size());
-    for (int y = y0; y < y1; ++y) {
-      blur(value, y, 0, frame.x1, mean.data());
-      blur(square, y, 0, frame.x1, mean_square.data());
-      for (std::size_t i = 0; i < mean.size(); ++i) {
-        mean_.at(0, y)[i] = float(mean[i]);
-        variance_.at(0, y)[i] = float(mean_square[i] - mean[i] * mean[i]);
-      }
+  moments_.reset(frame, 2 * channels);
+  for_each_strip(frame, [&](Window strip) {
+    auto& scratch = Scratch<double>::of_this_thread();
+    scratch.reset(strip, 2);
+    const Window inside = strip.grown(radius).clipped(frame);
+    for (int c = 0; c < channels; ++c) {
+      for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_reference)
+      (reference().at(inside.x0, y, c), inside.width(), scratch.planes.at(0, inside.x0, y),
+       scratch.planes.at(1, inside.x0, y));
+      extend(scratch.planes, inside);
+      for (int y = strip.y0; y < strip.y1; ++y) HWY_DYNAMIC_DISPATCH(moments_of_row)
+      (scratch.planes, y, scratch.columns, moments_.row(c, y), moments_.row(channels + c, y));
     }
   });
 }
 
 void Ssim::score(const Image& test, Window tile, Plane& map) const {
-  const Window around = tile.grown(radius);
-  WindowPlane<float> difference(around, channels), square(around, channels),
-      product(around, channels);
-  for_each_extended(around, reference().window(), [&](int x, int y, int source_x, int source_y) {
-    const auto b = test.pixel(source_x, source_y), a = reference().pixel(source_x, source_y);
-    for (int c = 0; c < channels; ++c) {
-      const int d = b[c] - a[c];
-      difference.at(x, y)[c] = float(d);
-      square.at(x, y)[c] = float(d * d);
-      product.at(x, y)[c] = float(d * (a[c] - byte_centre));
-    }
-  });
-
-  const int width = tile.width();
-  Blur<float> blur(width);
-  std::vector<float> mean_d(width * channels), mean_dd(mean_d), mean_yd(mean_d), distance(mean_d);
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    blur(difference, y, tile.x0, width, mean_d.data());
-    blur(square, y, tile.x0, width, mean_dd.data());
-    blur(product, y, tile.x0, width, mean_yd.data());
-    const float* mean_y = mean_.at(channels * tile.x0, y);
-    const float* variance_y = variance_.at(channels * tile.x0, y);
-    for (int i = 0; i < width * channels; ++i) {
-      const float m = mean_y[i] + byte_centre, md = mean_d[i], mx = m + md;
-      const float luminance = md * md / (m * m + mx * mx + c1);
-      const float variance_d = std::max(0.0F, mean_dd[i] - md * md);
-      const float covariance = mean_yd[i] - mean_y[i] * md;
-      const float structure = variance_d / (2 * (variance_y[i] + covariance) + variance_d + c2);
-      distance[i] = luminance + structure - luminance * structure;
-    }
-    float* out = map.at(tile.x0, y);
-    for (int x = 0; x < width; ++x) {
-      const float* pixel = &distance[x * channels];
-      out[x] = (pixel[0] + pixel[1] + pixel[2]) * (1.0F / channels);
-    }
+  auto& scratch = Scratch<float>::of_this_thread();
+  scratch.reset(tile, 3);
+  scratch.distance.reset(tile, 1);
+  scratch.distance.clear();
+  const Window inside = tile.grown(radius).clipped(reference().window());
+  for (int c = 0; c < channels; ++c) {
+    for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_difference)
+    (test.at(inside.x0, y, c), reference().at(inside.x0, y, c), inside.width(),
+     scratch.planes.at(0, inside.x0, y), scratch.planes.at(1, inside.x0, y),
+     scratch.planes.at(2, inside.x0, y));
+    extend(scratch.planes, inside);
+    for (int y = tile.y0; y < tile.y1; ++y) HWY_DYNAMIC_DISPATCH(add_distances)
+    (scratch.planes, y, scratch.columns, moments_.at(c, tile.x0, y),
+     moments_.at(channels + c, tile.x0, y), scratch.distance.row(0, y));
   }
+  for (int y = tile.y0; y < tile.y1; ++y)
+    std::transform(scratch.distance.row(0, y), scratch.distance.row(0, y) + tile.width(),
+                   map.at(tile.x0, y), [](float total) { return total * (1.0F / channels); });
 }
 
 }  // namespace gradmesh
+#endif  // HWY_ONCE

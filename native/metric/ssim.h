@@ -1,6 +1,7 @@
 #pragma once
 
 #include "metric/local_metric.h"
+#include "metric/padded_rows.h"
 
 namespace gradmesh {
 
@@ -14,9 +15,8 @@ class Ssim final : public LocalMetric {
  private:
   void score(const Image& test, Window tile, Plane& map) const override;
 
-  /// Gaussian mean less `byte_centre`, and variance.
-  /// Three channels side by side in each pixel.
-  Plane mean_, variance_;
+  /// Gaussian means less `byte_centre` of the reference's three channels, then their variances.
+  PaddedRows<float> moments_;
 };
 
 }  // namespace gradmesh
