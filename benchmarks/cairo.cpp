@@ -9,7 +9,7 @@ namespace {
 
 glm::dvec2 pixel(const Value& v, const Frame& frame) { return frame.to_pixels.point(v.position); }
 
-void add_patch(cairo_pattern_t* pattern, Patch patch, const Frame& frame) {
+void add_patch(cairo_pattern_t* pattern, const Patch& patch, const Frame& frame) {
   const BezierNet b = bezier_net(patch);
   const auto point = [&](int i, int j) { return pixel(b[i][j], frame); };
   const auto curve_to = [&](glm::dvec2 p, glm::dvec2 q, glm::dvec2 r) {
@@ -59,7 +59,7 @@ void paint(benchmark::State& state, const MeshFile& file) {
 
 void register_cairo() {
   for (const char* name : {"duck", "banana"})
-    add(std::string("cairo/paint/") + name, mesh_file(name), paint);
+    add(std::string("cairo/paint/") + name, on(mesh_file(name), paint));
 }
 
 }  // namespace gradmesh::bench

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "base/parallel.h"
 #include "inputs.h"
 
 namespace gradmesh::bench {
@@ -17,20 +18,30 @@ void register_merges();
 void register_methods();
 void register_growth();
 
-/// Registers a benchmark that is timed by the wall's clock.
-inline void add(const std::string& name, std::function<void(benchmark::State&)> run) {
-  benchmark::RegisterBenchmark(name.c_str(), std::move(run))
-      ->UseRealTime()
-      ->Unit(benchmark::kMillisecond);
+using Run = std::function<void(benchmark::State&)>;
+using RunOnMesh = std::function<void(benchmark::State&, const MeshFile&)>;
+
+/// Registers a benchmark of one thread, timed by what the processor spends on it.
+inline void add(const std::string& name, const Run& run) {
+  const auto on_one_thread = [run](benchmark::State& state) {
+    const ThreadLimit one(1);
+    run(state);
+  };
+  benchmark::RegisterBenchmark(name.c_str(), on_one_thread)->Unit(benchmark::kMillisecond);
 }
 
-/// The same for a benchmark of a mesh; where its file is absent the result says so.
-inline void add(const std::string& name, const MeshFile& file,
-                std::function<void(benchmark::State&, const MeshFile&)> run) {
-  add(name, [=](benchmark::State& state) {
+/// The same on as many threads as `run` takes, timed by the clock on the wall; Google Benchmark
+/// then adds "/real_time" to the name.
+inline void add_parallel(const std::string& name, const Run& run) {
+  benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+
+/// A run on a mesh; where the file is absent the result says so.
+inline Run on(const MeshFile& file, const RunOnMesh& run) {
+  return [=](benchmark::State& state) {
     if (file.exists()) return run(state, file);
     state.SkipWithError((file.path.filename().string() + " is absent").c_str());
-  });
+  };
 }
 
 }  // namespace gradmesh::bench

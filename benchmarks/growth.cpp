@@ -1,6 +1,5 @@
 /// How cost grows: with patches, where each keeps its size in pixels, and with pixels. The last
 /// part of a name is the number of patches or the resolution.
-#include "base/parallel.h"
 #include "block_mesh.h"
 #include "cases.h"
 
@@ -40,7 +39,6 @@ void gqe(benchmark::State& state, int resolution) {
 }
 
 void paint(benchmark::State& state, int resolution) {
-  const ThreadLimit one(1);
   const Input pear(mesh_file("pear"));
   const Frame frame = pear.frame(resolution);
   const auto rasterizer = make_software_rasterizer();
@@ -48,7 +46,6 @@ void paint(benchmark::State& state, int resolution) {
 }
 
 void score(benchmark::State& state, MetricKind kind, int resolution) {
-  const ThreadLimit one(1);
   const auto [reference, test] = image_pair(resolution, resolution);
   const auto metric = make_metric(kind, reference);
   for (auto _ : state) benchmark::DoNotOptimize(mean(metric->map(test)));
@@ -59,8 +56,8 @@ void score(benchmark::State& state, MetricKind kind, int resolution) {
 void register_growth() {
   for (const int blocks : block_counts) {
     const int side = blocks * block_side;
-    add("growth/gqe/patches/" + std::to_string(side * side),
-        [=](auto& state) { patches(state, blocks); });
+    add_parallel("growth/gqe/patches/" + std::to_string(side * side),
+                 [=](auto& state) { patches(state, blocks); });
   }
   for (const int resolution : resolutions) {
     const std::string size = "/resolution/" + std::to_string(resolution);
@@ -68,7 +65,7 @@ void register_growth() {
     for (const MetricKind kind : {MetricKind::ssim, MetricKind::flip})
       add(std::string("growth/") + name(kind) + size,
           [=](auto& state) { score(state, kind, resolution); });
-    add("growth/gqe" + size, [=](auto& state) { gqe(state, resolution); });
+    add_parallel("growth/gqe" + size, [=](auto& state) { gqe(state, resolution); });
   }
 }
 

@@ -35,7 +35,8 @@ std::vector<MeshFile> sample_meshes() {
   std::vector<MeshFile> meshes;
   for (const auto& file : std::filesystem::directory_iterator(GRADMESH_SOURCE_DIR "/samples")) {
     if (file.path().extension() != ".svg") continue;
-    for (const MeshEntry& entry : Document::read_file(file.path())->meshes())
+    const auto document = Document::read_file(file.path());
+    for (const MeshEntry& entry : document->meshes())
       meshes.push_back({entry.id, file.path(), entry.id});
   }
   std::ranges::sort(meshes, {}, &MeshFile::name);

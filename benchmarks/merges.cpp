@@ -1,6 +1,5 @@
 #include <set>
 
-#include "base/parallel.h"
 #include "cases.h"
 #include "error/merge_trial.h"
 #include "mesh/region.h"
@@ -52,7 +51,6 @@ void merge_and_undo(benchmark::State& state, const MeshFile& file, int rows, int
 
 /// Merge, paint, measure and undo, of all regions of 2 x 2 patches in turn.
 void price(benchmark::State& state, const MeshFile& file, MetricKind metric) {
-  const ThreadLimit one(1);
   Input input(file);
   const auto regions = candidates(input.mesh, 2, 2);
   EditError error(input.mesh, input.mesh, input.frame(700), metric);
@@ -66,7 +64,6 @@ void price(benchmark::State& state, const MeshFile& file, MetricKind metric) {
 /// What a candidate costs without windows: the whole frame is painted, and every pixel scored,
 /// for which all of them differ.
 void whole_frame(benchmark::State& state, const MeshFile& file, MetricKind kind) {
-  const ThreadLimit one(1);
   const Input input(file);
   const Frame frame = input.frame(700);
   const auto rasterizer = make_software_rasterizer();
@@ -84,13 +81,18 @@ void whole_frame(benchmark::State& state, const MeshFile& file, MetricKind kind)
 
 void register_merges() {
   const MeshFile duck = mesh_file("duck");
-  add("merge-undo/pair", duck, [](auto& state, auto& file) { merge_and_undo(state, file, 1, 2); });
-  add("merge-undo/2x2", duck, [](auto& state, auto& file) { merge_and_undo(state, file, 2, 2); });
+  const auto add_merges = [&](const char* name, int rows, int columns) {
+    add(name, on(duck, [=](auto& state, auto& f) { merge_and_undo(state, f, rows, columns); }));
+  };
+  add_merges("merge-undo/pair", 1, 2);
+  add_merges("merge-undo/2x2", 2, 2);
   for (const MetricKind metric : {MetricKind::ssim, MetricKind::flip}) {
-    add(std::string("candidate/") + name(metric), duck,
-        [=](auto& state, auto& file) { price(state, file, metric); });
-    add(std::string("whole-frame/") + name(metric), duck,
-        [=](auto& state, auto& file) { whole_frame(state, file, metric); });
+    const auto add_duck = [&](const std::string& work, auto run) {
+      add(work + "/" + name(metric),
+          on(duck, [=](auto& state, auto& f) { run(state, f, metric); }));
+    };
+    add_duck("candidate", price);
+    add_duck("whole-frame", whole_frame);
   }
 }
 

@@ -20,8 +20,8 @@ void add_methods(const MeshFile& file, MetricKind metric, double epsilon) {
     options.method = method;
     options.metric = metric;
     options.epsilon = epsilon;
-    add(std::string("method/") + name(method) + "/" + file.name + "/" + name(metric), file,
-        [=](auto& state, auto& f) { run(state, f, options); });
+    add_parallel(std::string("method/") + name(method) + "/" + file.name + "/" + name(metric),
+                 on(file, [=](auto& state, auto& f) { run(state, f, options); }));
   }
 }
 

@@ -1,4 +1,3 @@
-#include "base/parallel.h"
 #include "bilinear.h"
 #include "cases.h"
 #include "raster/rasterizer.h"
@@ -7,7 +6,6 @@ namespace gradmesh::bench {
 namespace {
 
 void paint(benchmark::State& state, const Mesh& mesh, const Frame& frame) {
-  const ThreadLimit one(1);
   const auto rasterizer = make_software_rasterizer();
   for (auto _ : state) benchmark::DoNotOptimize(rasterizer->paint(mesh, frame));
   state.counters["patches"] = mesh.face_count();
@@ -18,15 +16,15 @@ void paint(benchmark::State& state, const Mesh& mesh, const Frame& frame) {
 void register_painting() {
   for (const char* name : {"duck", "banana"}) {
     const MeshFile file = mesh_file(name);
-    add(std::string("paint/") + name, file, [](benchmark::State& state, const MeshFile& f) {
-      const Input input(f);
-      paint(state, input.mesh, input.frame(700));
-    });
-    add(std::string("paint/") + name + "/corner-colors", file,
-        [](benchmark::State& state, const MeshFile& f) {
+    const std::string line = std::string("paint/") + name;
+    add(line, on(file, [](auto& state, auto& f) {
+          const Input input(f);
+          paint(state, input.mesh, input.frame(700));
+        }));
+    add(line + "/corner-colors", on(file, [](auto& state, auto& f) {
           const Input input(f);
           paint(state, bilinear(input.mesh), input.frame(700));
-        });
+        }));
   }
 }
 
