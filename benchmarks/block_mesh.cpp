@@ -14,7 +14,7 @@ glm::dvec4 color_at(glm::dvec2 p) {
   const auto wave = [&](double x, double y) {
     return 0.5 + 0.4 * std::sin(p.x / x) * std::cos(p.y / y);
   };
-  return {wave(90, 130), wave(140, 80), wave(110, 170), 1};
+  return {wave(180, 260), wave(280, 160), wave(220, 340), 1};
 }
 
 Value corner(int i, int j) {
