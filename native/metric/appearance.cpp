@@ -50,11 +50,13 @@ void read_row(const Image& image, const std::array<float, 256>& linear_light, in
     float* row = light.row(c, 0);
     for (int i = 0; i < x1 - x0; ++i) row[i] = linear_light[bytes[i]];
   }
-  for (int i = 0; i < x1 - x0; i += hn::Lanes(d)) {
-    const V r = hn::Load(d, light.row(0, 0) + i), g = hn::Load(d, light.row(1, 0) + i),
-            b = hn::Load(d, light.row(2, 0) + i);
-    for (int plane = 0; plane < opponents; ++plane)
-      hn::StoreU(product(rgb_to_opponent, plane, r, g, b), d, opponent.at(plane, x0, y) + i);
+  const float *red = light.row(0, 0), *green = light.row(1, 0), *blue = light.row(2, 0);
+  for (int plane = 0; plane < opponents; ++plane) {
+    float* out = opponent.at(plane, x0, y);
+    for (int i = 0; i < x1 - x0; i += hn::Lanes(d)) {
+      const V r = hn::Load(d, red + i), g = hn::Load(d, green + i), b = hn::Load(d, blue + i);
+      hn::StoreU(product(rgb_to_opponent, plane, r, g, b), d, out + i);
+    }
   }
 }
 
@@ -85,82 +87,101 @@ HWY_INLINE void perceive(V y, V cx, V cz, float* lightness, float* a, float* b) 
   hn::StoreU(hn::Mul(hn::Mul(hunt, hn::Set(d, 200.0F)), hn::Sub(fy, fz)), d, b);
 }
 
-/// All filters down the columns, with their centres in row y.
-void filter_columns(const Rows& opponent, int y, Rows& columns) {
-  const int count = opponent.window().width();
-  const std::ptrdiff_t stride = opponent.stride();
-  const ColourTaps& colour = ColourTaps::get();
+// The filters down the columns, with their centres in the row `in`.
+
+void filter_luminance_down(const float* in, std::ptrdiff_t stride, int count, Rows& columns) {
+  const Taps<float, ColourTaps::short_reach>& blur = ColourTaps::get().luminance;
   const FeatureTaps& feature = FeatureTaps::get();
+  float *y = columns.row(y_column, 0), *smooth_out = columns.row(smooth_column, 0),
+        *slope_out = columns.row(slope_column, 0),
+        *curvature_out = columns.row(curvature_column, 0);
   for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const float* in = opponent.row(luminance, y) + i;
-    const V centre = hn::Load(d, in), twice = hn::Add(centre, centre);
+    const V centre = hn::Load(d, in + i), twice = hn::Add(centre, centre);
     V smooth = hn::Zero(d), slope = smooth, curvature = smooth;
     for (int k = FeatureTaps::reach; k > 0; --k) {
-      const V above = hn::Load(d, in - k * stride), below = hn::Load(d, in + k * stride);
+      const V above = hn::Load(d, in + i - k * stride), below = hn::Load(d, in + i + k * stride);
       smooth = add_even(d, smooth, feature.smooth.at[k], above, below);
       slope = add_odd(d, slope, feature.slope.at[k], above, below);
       curvature = add_zero_sum(d, curvature, feature.curvature.at[k], above, below, twice);
     }
     smooth = hn::Add(smooth, hn::Mul(hn::Set(d, feature.smooth.at[0]), centre));
-    hn::Store(smooth, d, columns.row(smooth_column, 0) + i);
-    hn::Store(slope, d, columns.row(slope_column, 0) + i);
-    hn::Store(curvature, d, columns.row(curvature_column, 0) + i);
-    hn::Store(filter_even(d, colour.luminance, in, stride), d, columns.row(y_column, 0) + i);
+    hn::Store(smooth, d, smooth_out + i);
+    hn::Store(slope, d, slope_out + i);
+    hn::Store(curvature, d, curvature_out + i);
+    hn::Store(filter_even(d, blur, in + i, stride), d, y + i);
   }
+}
+
+void filter_red_green_down(const float* in, std::ptrdiff_t stride, int count, Rows& columns) {
+  const Taps<float, ColourTaps::short_reach>& blur = ColourTaps::get().red_green;
+  float* cx = columns.row(cx_column, 0);
+  for (int i = 0; i < count; i += hn::Lanes(d))
+    hn::Store(filter_even(d, blur, in + i, stride), d, cx + i);
+}
+
+void filter_blue_yellow_down(const float* in, std::ptrdiff_t stride, int count, Rows& columns) {
+  const auto &wide_taps = ColourTaps::get().blue_yellow_wide,
+             &narrow_taps = ColourTaps::get().blue_yellow_narrow;
+  float *wide_out = columns.row(cz_wide_column, 0), *narrow_out = columns.row(cz_narrow_column, 0);
   for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const float* in = opponent.row(red_green, y) + i;
-    hn::Store(filter_even(d, colour.red_green, in, stride), d, columns.row(cx_column, 0) + i);
-  }
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const float* in = opponent.row(blue_yellow, y) + i;
     V wide = hn::Zero(d), narrow = wide;
     for (int k = ColourTaps::reach; k > 0; --k) {
-      const V above = hn::Load(d, in - k * stride), below = hn::Load(d, in + k * stride);
-      wide = add_even(d, wide, colour.blue_yellow_wide.at[k], above, below);
-      narrow = add_even(d, narrow, colour.blue_yellow_narrow.at[k], above, below);
+      const V above = hn::Load(d, in + i - k * stride), below = hn::Load(d, in + i + k * stride);
+      wide = add_even(d, wide, wide_taps.at[k], above, below);
+      narrow = add_even(d, narrow, narrow_taps.at[k], above, below);
     }
-    const V centre = hn::Load(d, in);
-    wide = hn::Add(wide, hn::Mul(hn::Set(d, colour.blue_yellow_wide.at[0]), centre));
-    narrow = hn::Add(narrow, hn::Mul(hn::Set(d, colour.blue_yellow_narrow.at[0]), centre));
-    hn::Store(wide, d, columns.row(cz_wide_column, 0) + i);
-    hn::Store(narrow, d, columns.row(cz_narrow_column, 0) + i);
+    const V centre = hn::Load(d, in + i);
+    wide = hn::Add(wide, hn::Mul(hn::Set(d, wide_taps.at[0]), centre));
+    narrow = hn::Add(narrow, hn::Mul(hn::Set(d, narrow_taps.at[0]), centre));
+    hn::Store(wide, d, wide_out + i);
+    hn::Store(narrow, d, narrow_out + i);
+  }
+}
+
+// The filters along a row, and what follows them.
+
+void colour_row(const Rows& columns, int count, float* lightness, float* a, float* b) {
+  const auto start = [&](Column column) { return columns.row(column, 0) + appearance_reach; };
+  const float *luminance_in = start(y_column), *red_green_in = start(cx_column),
+              *wide_in = start(cz_wide_column), *narrow_in = start(cz_narrow_column);
+  const ColourTaps& taps = ColourTaps::get();
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const V y = filter_even(d, taps.luminance, luminance_in + i, 1);
+    const V cx = filter_even(d, taps.red_green, red_green_in + i, 1);
+    const V cz = hn::Add(filter_even(d, taps.blue_yellow_wide, wide_in + i, 1),
+                         filter_even(d, taps.blue_yellow_narrow, narrow_in + i, 1));
+    perceive(y, cx, cz, lightness + i, a + i, b + i);
   }
 }
 
 HWY_INLINE V magnitude(V dx, V dy) { return hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy))); }
 
-/// All filters along the row, and what follows them.
-void filter_row(const Rows& columns, const AppearanceRow<float>& out) {
-  const int count = columns.window().width() - 2 * appearance_reach;
-  const auto at = [&](Column column) { return columns.row(column, 0) + appearance_reach; };
-  const ColourTaps& colour = ColourTaps::get();
+void feature_row(const Rows& columns, int count, float* edge, float* point) {
+  const auto start = [&](Column column) { return columns.row(column, 0) + appearance_reach; };
+  const float *smooth = start(smooth_column), *slope_in = start(slope_column),
+              *curvature_in = start(curvature_column);
+  const FeatureTaps& taps = FeatureTaps::get();
   for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const V y = filter_even(d, colour.luminance, at(y_column) + i, 1);
-    const V cx = filter_even(d, colour.red_green, at(cx_column) + i, 1);
-    const V cz = hn::Add(filter_even(d, colour.blue_yellow_wide, at(cz_wide_column) + i, 1),
-                         filter_even(d, colour.blue_yellow_narrow, at(cz_narrow_column) + i, 1));
-    perceive(y, cx, cz, out.lightness + i, out.a + i, out.b + i);
-  }
-  const FeatureTaps& feature = FeatureTaps::get();
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const float* smooth = at(smooth_column) + i;
-    const V centre = hn::LoadU(d, smooth), twice = hn::Add(centre, centre);
+    const V centre = hn::LoadU(d, smooth + i), twice = hn::Add(centre, centre);
     V slope = hn::Zero(d), curvature = slope;
     for (int k = FeatureTaps::reach; k > 0; --k) {
-      const V before = hn::LoadU(d, smooth - k), after = hn::LoadU(d, smooth + k);
-      slope = add_odd(d, slope, feature.slope.at[k], before, after);
-      curvature = add_zero_sum(d, curvature, feature.curvature.at[k], before, after, twice);
+      const V before = hn::LoadU(d, smooth + i - k), after = hn::LoadU(d, smooth + i + k);
+      slope = add_odd(d, slope, taps.slope.at[k], before, after);
+      curvature = add_zero_sum(d, curvature, taps.curvature.at[k], before, after, twice);
     }
-    const V slope_down = filter_even(d, feature.smooth, at(slope_column) + i, 1);
-    const V curvature_down = filter_even(d, feature.smooth, at(curvature_column) + i, 1);
-    hn::StoreU(magnitude(slope, slope_down), d, out.edge + i);
-    hn::StoreU(magnitude(curvature, curvature_down), d, out.point + i);
+    hn::StoreU(magnitude(slope, filter_even(d, taps.smooth, slope_in + i, 1)), d, edge + i);
+    hn::StoreU(magnitude(curvature, filter_even(d, taps.smooth, curvature_in + i, 1)), d,
+               point + i);
   }
 }
 
 void appearance_row(const Rows& opponent, int y, Rows& columns, const AppearanceRow<float>& out) {
-  filter_columns(opponent, y, columns);
-  filter_row(columns, out);
+  const int width = opponent.window().width(), count = width - 2 * appearance_reach;
+  filter_luminance_down(opponent.row(luminance, y), opponent.stride(), width, columns);
+  filter_red_green_down(opponent.row(red_green, y), opponent.stride(), width, columns);
+  filter_blue_yellow_down(opponent.row(blue_yellow, y), opponent.stride(), width, columns);
+  colour_row(columns, count, out.lightness, out.a, out.b);
+  feature_row(columns, count, out.edge, out.point);
 }
 
 }  // namespace

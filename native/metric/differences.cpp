@@ -13,6 +13,12 @@ constexpr int smallest_gap = 16;
 
 int pieces(int length, int largest) { return (length + largest - 1) / largest; }
 
+/// A loop that vectorises.
+void mark(const std::uint8_t* a, const std::uint8_t* b, int count,
+          std::uint8_t* __restrict differing) {
+  for (int i = 0; i < count; ++i) differing[i] |= a[i] ^ b[i];
+}
+
 /// Finds the tiles of one strip of rows.
 class StripSearch {
  public:
@@ -41,10 +47,8 @@ class StripSearch {
     const int width = seen_.width();
     differing.assign(width, 0);
     for (int c = 0; c < 3; ++c)
-      for (int y = seen_.y0; y < seen_.y1; ++y) {
-        const std::uint8_t *row_a = a_.at(seen_.x0, y, c), *row_b = b_.at(seen_.x0, y, c);
-        for (int i = 0; i < width; ++i) differing[i] |= row_a[i] ^ row_b[i];
-      }
+      for (int y = seen_.y0; y < seen_.y1; ++y)
+        mark(a_.at(seen_.x0, y, c), b_.at(seen_.x0, y, c), width, differing.data());
   }
 
   /// Cuts columns [begin, end) where they are too many.

@@ -19,14 +19,20 @@ using D = Lanes<float>;
 using V = hn::Vec<D>;
 constexpr D d;
 
-/// Maps a colour distance to 0..1 so that the greatest one, green against blue, becomes 1 and
-/// distances from 0.4 of that on share the last twentieth (the paper's error redistribution).
-HWY_INLINE V remapped(V distance) {
+/// Base-2 logarithm of the colour's part of FLIP: of the HyAB distance to the power 0.7, mapped to
+/// 0..1 so that the greatest one, green against blue, becomes 1, and what is beyond 0.4 of that
+/// shares the last twentieth (the paper's error redistribution).
+HWY_INLINE V log2_colour(V hyab) {
   constexpr float greatest = 41.276096F, knee = 0.4F * greatest, at_knee = 0.95F;
-  constexpr float below = at_knee / knee, above = (1 - at_knee) / (greatest - knee);
-  const V beyond = scaled_sum(d, above, hn::Sub(distance, hn::Set(d, knee)), at_knee);
-  return hn::IfThenElse(hn::Lt(distance, hn::Set(d, knee)), hn::Mul(distance, hn::Set(d, below)),
-                        beyond);
+  constexpr float log2_below = -4.11930714F;  // log2(at_knee / knee)
+  constexpr float above = (1 - at_knee) / (greatest - knee);
+  const V log2_distance = hn::Mul(hn::Set(d, 0.7F), log2_positive(d, hyab));
+  const V log2_near = hn::Add(log2_distance, hn::Set(d, log2_below));
+  const auto is_near = hn::Lt(log2_near, hn::Set(d, -0.0740005995F));  // log2(at_knee)
+  if (HWY_LIKELY(hn::AllTrue(d, is_near))) return log2_near;
+  const V distance = exp2_bounded(d, log2_distance);
+  const V far = scaled_sum(d, above, hn::Sub(distance, hn::Set(d, knee)), at_knee);
+  return hn::IfThenElse(is_near, log2_near, log2_positive(d, far));
 }
 
 HWY_INLINE V difference(const float* s, const float* t) {
@@ -34,17 +40,17 @@ HWY_INLINE V difference(const float* s, const float* t) {
 }
 
 /// HyAB distance of the colours, strengthened where edges or points differ as well.
-void compare(const AppearanceRow<const float>& s, const AppearanceRow<float>& t, int count,
-             float* out) {
+void compare(AppearanceRow<const float> s, AppearanceRow<float> t, int count, float* out) {
   for (int i = 0; i < count; i += hn::Lanes(d)) {
     const V da = difference(s.a + i, t.a + i), db = difference(s.b + i, t.b + i);
     const V hyab = hn::Add(hn::Abs(difference(s.lightness + i, t.lightness + i)),
                            hn::Sqrt(hn::Add(hn::Mul(da, da), hn::Mul(db, db))));
-    const V colour = remapped(power(d, hyab, hn::Set(d, 0.7F)));
     const V greater = hn::Max(hn::Abs(difference(s.edge + i, t.edge + i)),
                               hn::Abs(difference(s.point + i, t.point + i)));
     const V feature = hn::Sqrt(hn::Mul(greater, hn::Set(d, 0.707106781F)));  // over sqrt(2)
-    hn::StoreU(power(d, colour, hn::Sub(hn::Set(d, 1.0F), feature)), d, out + i);
+    const V exponent = hn::Sub(hn::Set(d, 1.0F), feature);
+    const V distance = exp2_bounded(d, hn::Mul(exponent, log2_colour(hyab)));
+    hn::StoreU(hn::IfThenElseZero(hn::Gt(hyab, hn::Zero(d)), distance), d, out + i);
   }
 }
 

@@ -41,25 +41,25 @@ const Taps<T, radius>& gaussian() {
 
 /// Filters every plane down the columns, with the centres in row y.
 template <class T>
-HWY_INLINE void filter_columns(const PaddedRows<T>& in, int planes, int y, PaddedRows<T>& columns) {
+HWY_INLINE void filter_columns(const PaddedRows<T>& in, int y, PaddedRows<T>& columns) {
   const Lanes<T> d;
-  for (int plane = 0; plane < planes; ++plane)
-    for (int i = 0; i < in.window().width(); i += hn::Lanes(d))
-      hn::Store(filter_unit_sum(d, gaussian<T>(), in.row(plane, y) + i, in.stride()), d,
-                columns.row(plane, 0) + i);
-}
-
-/// A vector of what columns filter to along the row, its first centre `radius` behind their i-th.
-template <class D, class T = hn::TFromD<D>>
-HWY_INLINE hn::Vec<D> filter_row(D d, const PaddedRows<T>& columns, int plane, int i) {
-  return filter_unit_sum(d, gaussian<T>(), columns.row(plane, 0) + radius + i, 1);
+  const Taps<T, radius>& taps = gaussian<T>();
+  const int count = in.window().width();
+  const std::ptrdiff_t stride = in.stride();
+  for (int plane = 0; plane < in.planes(); ++plane) {
+    const T* row = in.row(plane, y);
+    T* out = columns.row(plane, 0);
+    for (int i = 0; i < count; i += hn::Lanes(d))
+      hn::Store(filter_unit_sum(d, taps, row + i, stride), d, out + i);
+  }
 }
 
 /// The planes that are filtered of a channel of the reference, in double, since variances are small
 /// differences of them.
 enum ReferencePlane { value, square };
 
-void read_reference(const std::uint8_t* y, int count, double* values, double* squares) {
+void read_reference(const std::uint8_t* y, int count, double* HWY_RESTRICT values,
+                    double* HWY_RESTRICT squares) {
   for (int i = 0; i < count; ++i) {
     const double centred = y[i] - byte_centre;
     values[i] = centred;
@@ -69,12 +69,16 @@ void read_reference(const std::uint8_t* y, int count, double* values, double* sq
 
 void moments_of_row(const PaddedRows<double>& in, int y, PaddedRows<double>& columns, float* mean,
                     float* variance) {
-  filter_columns(in, 2, y, columns);
+  filter_columns(in, y, columns);
   const Lanes<double> d;
   const hn::Rebind<float, Lanes<double>> df;
-  for (int i = 0; i < in.window().width() - 2 * radius; i += hn::Lanes(d)) {
-    const auto m = filter_row(d, columns, value, i);
-    const auto v = hn::Sub(filter_row(d, columns, square, i), hn::Mul(m, m));
+  const Taps<double, radius>& taps = gaussian<double>();
+  const double* values = columns.row(value, 0) + radius;
+  const double* squares = columns.row(square, 0) + radius;
+  const int count = in.window().width() - 2 * radius;
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const auto m = filter_unit_sum(d, taps, values + i, 1);
+    const auto v = hn::Sub(filter_unit_sum(d, taps, squares + i, 1), hn::Mul(m, m));
     hn::StoreU(hn::DemoteTo(df, m), df, mean + i);
     hn::StoreU(hn::DemoteTo(df, v), df, variance + i);
   }
@@ -83,8 +87,9 @@ void moments_of_row(const PaddedRows<double>& in, int y, PaddedRows<double>& col
 /// The planes that are filtered of a channel of the difference.
 enum DifferencePlane { difference, squared, times_reference };
 
-void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count, float* differences,
-                     float* squares, float* products) {
+void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count,
+                     float* HWY_RESTRICT differences, float* HWY_RESTRICT squares,
+                     float* HWY_RESTRICT products) {
   for (int i = 0; i < count; ++i) {
     const int d = x[i] - y[i];
     differences[i] = float(d);
@@ -98,17 +103,22 @@ void add_distances(const PaddedRows<float>& in, int y, PaddedRows<float>& column
                    const float* mean_y, const float* variance_y, float* distance) {
   constexpr float c1 = 6.5025F;   // (0.01 * 255)^2
   constexpr float c2 = 58.5225F;  // (0.03 * 255)^2
-  filter_columns(in, 3, y, columns);
+  filter_columns(in, y, columns);
   const Lanes<float> d;
-  for (int i = 0; i < in.window().width() - 2 * radius; i += hn::Lanes(d)) {
-    const auto md = filter_row(d, columns, difference, i);
-    const auto mdd = filter_row(d, columns, squared, i);
-    const auto myd = filter_row(d, columns, times_reference, i);
+  const Taps<float, radius>& taps = gaussian<float>();
+  const float* differences = columns.row(difference, 0) + radius;
+  const float* squares = columns.row(squared, 0) + radius;
+  const float* products = columns.row(times_reference, 0) + radius;
+  const int count = in.window().width() - 2 * radius;
+  for (int i = 0; i < count; i += hn::Lanes(d)) {
+    const auto md = filter_unit_sum(d, taps, differences + i, 1);
+    const auto mdd = filter_unit_sum(d, taps, squares + i, 1);
+    const auto myd = filter_unit_sum(d, taps, products + i, 1);
     const auto my = hn::LoadU(d, mean_y + i), vy = hn::LoadU(d, variance_y + i);
     const auto m = hn::Add(my, hn::Set(d, float(byte_centre))), mx = hn::Add(m, md);
-    const auto squares = hn::Add(hn::Mul(m, m), hn::Mul(mx, mx));
+    const auto means = hn::Add(hn::Mul(m, m), hn::Mul(mx, mx));
     const auto md2 = hn::Mul(md, md);
-    const auto luminance = hn::Div(md2, hn::Add(squares, hn::Set(d, c1)));
+    const auto luminance = hn::Div(md2, hn::Add(means, hn::Set(d, c1)));
     const auto vd = hn::Max(hn::Zero(d), hn::Sub(mdd, md2));
     const auto covariance = hn::Sub(myd, hn::Mul(my, md));
     const auto half = hn::Add(vy, covariance);
