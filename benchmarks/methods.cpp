@@ -7,8 +7,8 @@ void run(benchmark::State& state, const MeshFile& file, const SimplifyOptions& o
   const auto document = Document::read_file(file.path);
   SimplifyResult result;
   for (auto _ : state) result = document->preview({file.id}, options).front().result;
-  state.counters["patches_before"] = result.patches_before;
-  state.counters["patches"] = result.patches_after;
+  state.counters["patches"] = result.patches_before;
+  state.counters["left"] = result.patches_after;
   state.counters["evaluations"] = result.evaluations;
   state.counters["error"] = result.error;
 }
