@@ -1,115 +1,258 @@
 #include "raster/fill.h"
 
 #include <algorithm>
-#include <cmath>
 
-namespace gradmesh {
+#include "raster/cover.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "raster/fill.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gradmesh::HWY_NAMESPACE {
 namespace {
 
-constexpr std::int64_t unit = 1 << subpixel_bits;
-constexpr std::int64_t half = unit / 2;
+namespace hn = hwy::HWY_NAMESPACE;
 
-/// Smallest integer not below a / b, b > 0.
-std::int64_t ceil_div(std::int64_t a, std::int64_t b) {
-  const std::int64_t q = a / b;
-  return q + (a % b > 0);
+/// A value of a bicubic and its derivatives.
+template <class V>
+struct Derivatives {
+  V value, along_u, along_v;
+};
+
+template <class D, class V>
+HWY_INLINE Derivatives<V> derivatives(D d, const Bicubic<float>& c, V u, V v) {
+  V row[4], slope[4];
+  for (int i = 0; i < 4; ++i) {
+    const V c1 = hn::Set(d, c[i][1]), c2 = hn::Set(d, c[i][2]), c3 = hn::Set(d, c[i][3]);
+    const V a = hn::Add(c2, hn::Mul(v, c3)), b = hn::Add(c1, hn::Mul(v, a));
+    row[i] = hn::Add(hn::Set(d, c[i][0]), hn::Mul(v, b));
+    slope[i] = hn::Add(b, hn::Mul(v, hn::Add(a, hn::Mul(v, c3))));
+  }
+  const V a = hn::Add(row[2], hn::Mul(u, row[3])), b = hn::Add(row[1], hn::Mul(u, a));
+  return {
+      hn::Add(row[0], hn::Mul(u, b)), hn::Add(b, hn::Mul(u, hn::Add(a, hn::Mul(u, row[3])))),
+      hn::Add(slope[0],
+              hn::Mul(u, hn::Add(slope[1], hn::Mul(u, hn::Add(slope[2], hn::Mul(u, slope[3]))))))};
 }
 
-/// First pixel whose centre is not left of (or above) the coordinate x.
-int first_pixel(std::int64_t x) { return int(ceil_div(x - half, unit)); }
+template <class V>
+struct Step {
+  V u, v;
+};
 
-/// First pixel of a row whose centre is not left of the line from a to b, b below a. Exact.
-int first_pixel_on(const Vertex& a, const Vertex& b, int row) {
-  const std::int64_t dy = b.y - a.y;
-  const std::int64_t at = row * unit + half - a.y;
-  return int(ceil_div((a.x - half) * dy + at * (b.x - a.x), unit * dy));
+template <class D, class V>
+HWY_INLINE V clamp01(D d, V x) {
+  return hn::Min(hn::Max(x, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-std::uint8_t to_byte(float channel) { return std::uint8_t(std::clamp(channel, 0.f, 255.f) + 0.5f); }
+/// How far to go along one parameter to come closest to (dx, dy) after going `other` along the
+/// other one.
+template <class V>
+HWY_INLINE V closest(V dx, V dy, V along_x, V along_y, V other, V other_x, V other_y) {
+  const V x = hn::Sub(dx, hn::Mul(other, other_x)), y = hn::Sub(dy, hn::Mul(other, other_y));
+  return hn::Div(hn::Add(hn::Mul(x, along_x), hn::Mul(y, along_y)),
+                 hn::Add(hn::Mul(along_x, along_x), hn::Mul(along_y, along_y)));
+}
+
+/// Takes the `active` parameters a step of Newton's method nearer to the position (x, y), but not
+/// out of the patch: pieces of its outline may lie beyond it, and then the nearest point counts.
+/// Returns the step as it would be without that.
+template <class D, class V, class M>
+HWY_INLINE Step<V> approach(D d, const Refinement& refinement, V x, V y, M active, V& u, V& v) {
+  const Derivatives<V> px = derivatives(d, refinement.position[0], u, v);
+  const Derivatives<V> py = derivatives(d, refinement.position[1], u, v);
+  const V dx = hn::Sub(x, px.value), dy = hn::Sub(y, py.value);
+  const V jacobian = hn::Sub(hn::Mul(px.along_u, py.along_v), hn::Mul(px.along_v, py.along_u));
+  const Step<V> step{hn::Div(hn::Sub(hn::Mul(dx, py.along_v), hn::Mul(dy, px.along_v)), jacobian),
+                     hn::Div(hn::Sub(hn::Mul(dy, px.along_u), hn::Mul(dx, py.along_u)), jacobian)};
+  const V free_u = hn::Add(u, step.u), free_v = hn::Add(v, step.v);
+  V next_u = clamp01(d, free_u), next_v = clamp01(d, free_v);
+  const M out_u = hn::And(active, hn::Ne(next_u, free_u));
+  const M out_v = hn::And(active, hn::Ne(next_v, free_v));
+  if (!hn::AllFalse(d, hn::Or(out_u, out_v))) {
+    const V along_v =
+        closest(dx, dy, px.along_v, py.along_v, hn::Sub(next_u, u), px.along_u, py.along_u);
+    next_v = hn::IfThenElse(out_u, clamp01(d, hn::Add(v, along_v)), next_v);
+    const V along_u =
+        closest(dx, dy, px.along_u, py.along_u, hn::Sub(next_v, v), px.along_v, py.along_v);
+    next_u = hn::IfThenElse(out_v, clamp01(d, hn::Add(u, along_u)), next_u);
+  }
+  u = hn::IfThenElse(active, next_u, u);
+  v = hn::IfThenElse(active, next_v, v);
+  return step;
+}
+
+/// Newton's method, pixel by pixel until what is left is less than `flatness`: after a step of
+/// (du, dv) that is at most (uu du^2 + 2 uv du dv + vv dv^2) / 2. One step nearly always does.
+void refine(const Refinement& refinement, Parameters& parameters) {
+  const hn::CappedTag<float, row_padding> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  using V = hn::Vec<decltype(d)>;
+  constexpr int most_steps = 4;
+  const V uu = hn::Set(d, refinement.uu), uv = hn::Set(d, 2 * refinement.uv),
+          vv = hn::Set(d, refinement.vv), enough = hn::Set(d, float(2 * flatness));
+  const V half = hn::Set(d, 0.5F);
+  const Window window = parameters.window;
+  for (int row = window.y0; row < window.y1; ++row) {
+    float* u_row = parameters.u.data() + parameters.offset(window.x0, row);
+    float* v_row = parameters.v.data() + parameters.offset(window.x0, row);
+    const V y = hn::Add(hn::Set(d, float(row - refinement.y)), half);
+    for (int i = 0; i < window.width(); i += int(hn::Lanes(d))) {
+      V u = hn::LoadU(d, u_row + i), v = hn::LoadU(d, v_row + i);
+      auto active = hn::Gt(u, hn::Set(d, Parameters::not_covered / 2));
+      if (hn::AllFalse(d, active)) continue;
+      const V x = hn::Add(hn::ConvertTo(d, hn::Iota(di, window.x0 + i - refinement.x)), half);
+      for (int n = 0; n < most_steps; ++n) {
+        const Step<V> step = approach(d, refinement, x, y, active, u, v);
+        const V left = hn::Add(
+            hn::Add(hn::Mul(uu, hn::Mul(step.u, step.u)), hn::Mul(vv, hn::Mul(step.v, step.v))),
+            hn::Mul(uv, hn::Abs(hn::Mul(step.u, step.v))));
+        active = hn::And(active, hn::Gt(left, enough));
+        if (hn::AllFalse(d, active)) break;
+      }
+      hn::StoreU(u, d, u_row + i);
+      hn::StoreU(v, d, v_row + i);
+    }
+  }
+}
+
+template <class D, class V>
+HWY_INLINE V polynomial(D d, bool bilinear, const Bicubic<float>& c, V u, V v) {
+  const auto row = [&](int i) {
+    const V linear = hn::Set(d, c[i][1]);
+    if (bilinear) return hn::Add(hn::Set(d, c[i][0]), hn::Mul(v, linear));
+    const V upper = hn::Add(hn::Set(d, c[i][2]), hn::Mul(v, hn::Set(d, c[i][3])));
+    return hn::Add(hn::Set(d, c[i][0]), hn::Mul(v, hn::Add(linear, hn::Mul(v, upper))));
+  };
+  if (bilinear) return hn::Add(row(0), hn::Mul(u, row(1)));
+  const V upper = hn::Add(row(2), hn::Mul(u, row(3)));
+  return hn::Add(row(0), hn::Mul(u, hn::Add(row(1), hn::Mul(u, upper))));
+}
+
+/// To whole levels, 0..255.
+template <class D, class V>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_level(D d, V channel) {
+  const V inside = hn::Min(hn::Max(channel, hn::Zero(d)), hn::Set(d, 255.0F));
+  return hn::ConvertTo(hn::RebindToSigned<D>(), hn::Add(inside, hn::Set(d, 0.5F)));
+}
+
+/// 8-bit colours over white.
+template <class D, class V>
+HWY_INLINE void levels(D d, const PatchColor& color, V u, V v,
+                       hn::Vec<hn::RebindToSigned<D>>* rgb) {
+  if (color.opaque) {
+    for (int n = 0; n < 3; ++n)
+      rgb[n] = to_level(d, polynomial(d, color.bilinear, color.channels[n], u, v));
+    return;
+  }
+  const V white = hn::Set(d, 255.0F), one = hn::Set(d, 1.0F);
+  V alpha = polynomial(d, color.bilinear, color.channels[3], u, v);
+  alpha = hn::Min(hn::Max(alpha, hn::Zero(d)), one);
+  if (color.masked_opacity)
+    alpha = hn::Div(hn::ConvertTo(d, to_level(d, hn::Mul(alpha, white))), white);
+  const V through = hn::Mul(hn::Sub(one, alpha), white);
+  for (int n = 0; n < 3; ++n) {
+    V channel = polynomial(d, color.bilinear, color.channels[n], u, v);
+    channel = color.masked_opacity ? hn::ConvertTo(d, to_level(d, channel))
+                                   : hn::Min(hn::Max(channel, hn::Zero(d)), white);
+    rgb[n] = to_level(d, hn::Add(hn::Mul(alpha, channel), through));
+  }
+}
+
+/// Paints a row of `width` pixels, which is at least as many as the vectors of D have lanes. The
+/// last vector may overlap the one before: painting a pixel twice changes nothing.
+template <class D>
+HWY_INLINE void shade_row(D d, const PatchColor& color, Face face, const float* u, const float* v,
+                          int width, std::uint32_t* top, const std::array<std::uint8_t*, 3>& rgb) {
+  const hn::RebindToUnsigned<D> du;
+  const hn::RebindToSigned<D> di;
+  const hn::Rebind<std::uint8_t, D> bytes;
+  const int lanes = int(hn::Lanes(d));
+  // As TopFace::with.
+  const auto alone = hn::Set(du, TopFace().with(face).sample());
+  const auto face_on_top = hn::ShiftRight<1>(hn::BitCast(di, alone));
+  for (int next = 0; next < width; next += lanes) {
+    const int x = std::min(next, width - lanes);
+    const auto at_u = hn::LoadU(d, u + x);
+    const auto covered = hn::Gt(at_u, hn::Set(d, Parameters::not_covered / 2));
+    if (hn::AllFalse(d, covered)) continue;
+
+    const auto before = hn::LoadU(du, top + x);
+    const auto face_before = hn::ShiftRight<1>(hn::BitCast(di, before));
+    const auto same = hn::Or(hn::Eq(face_before, face_on_top), hn::Eq(face_before, hn::Zero(di)));
+    const auto above = hn::Not(hn::Gt(face_before, face_on_top));
+    const auto both = hn::Or(hn::Max(alone, before), hn::Set(du, 1u));
+    const auto after = hn::IfThenElse(hn::RebindMask(du, same), hn::Or(before, alone), both);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(du, covered), after, before), du, top + x);
+
+    hn::Vec<decltype(di)> level[3];
+    levels(d, color, at_u, hn::LoadU(d, v + x), level);
+    const auto painted = hn::And(hn::RebindMask(di, covered), above);
+    for (int n = 0; n < 3; ++n) {
+      const auto old = hn::PromoteTo(di, hn::LoadU(bytes, rgb[n] + x));
+      hn::StoreU(hn::DemoteTo(bytes, hn::IfThenElse(painted, level[n], old)), bytes, rgb[n] + x);
+    }
+  }
+}
+
+template <class D>
+void shade_rows(D d, const PatchColor& color, Face face, const Parameters& parameters,
+                Painting& painting) {
+  const Window window = parameters.window;
+  for (int y = window.y0; y < window.y1; ++y) {
+    const std::size_t at = parameters.offset(window.x0, y);
+    const std::array<std::uint8_t*, 3> rgb{painting.image.at(window.x0, y, 0),
+                                           painting.image.at(window.x0, y, 1),
+                                           painting.image.at(window.x0, y, 2)};
+    shade_row(d, color, face, parameters.u.data() + at, parameters.v.data() + at, window.width(),
+              painting.top.at(window.x0, y), rgb);
+  }
+}
+
+void shade(const PatchColor& color, Face face, const Parameters& parameters, Painting& painting) {
+  const hn::CappedTag<float, 16> full;
+  const hn::CappedTag<float, 4> quarter;
+  const hn::CappedTag<float, 1> single;
+  const std::size_t width = std::size_t(parameters.window.width());
+  if (width >= hn::Lanes(full))
+    shade_rows(full, color, face, parameters, painting);
+  else if (width >= hn::Lanes(quarter))
+    shade_rows(quarter, color, face, parameters, painting);
+  else
+    shade_rows(single, color, face, parameters, painting);
+}
 
 }  // namespace
+}  // namespace gradmesh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-PatchColor::PatchColor(const Patch& patch, ColorModel model, bool masked_opacity)
-    : bilinear_(model == ColorModel::bilinear), opaque_(true), masked_opacity_(masked_opacity) {
-  // Rows of the monomial coefficients of the Hermite basis (the paper's B, Eq. 2).
-  constexpr double b[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {-3, -2, -1, 3}, {2, 1, 1, -2}};
-  const int terms = bilinear_ ? 2 : 4;
-  for (int i = 0; i < terms; ++i)
-    for (int j = 0; j < terms; ++j) {
-      glm::dvec4 sum(0.0);
-      for (int k = 0; k < 4; ++k)
-        for (int l = 0; l < 4; ++l) sum += patch.c[k][l].color * (b[i][k] * b[j][l]);
-      for (int n = 0; n < 4; ++n) c_[i][j][n] = float(sum[n] * (n < 3 ? 255 : 1));
-      if (sum[3] != (i + j == 0 ? 1.0 : 0.0)) opaque_ = false;
-    }
+#if HWY_ONCE
+namespace gradmesh {
+
+HWY_EXPORT(refine);
+HWY_EXPORT(shade);
+
+void find_parameters(const FaceShape& shape, Window window, Parameters& parameters) {
+  parameters.window = window = window.clipped(shape.bounds);
+  if (window.empty()) return;
+  parameters.stride = std::size_t(window.width()) + row_padding;
+  const std::size_t size = parameters.stride * std::size_t(window.height());
+  if (parameters.u.size() < size) {
+    parameters.u.resize(size);
+    parameters.v.resize(size);
+  }
+  std::fill_n(parameters.u.begin(), size, Parameters::not_covered);
+  cover(shape, parameters);
+  if (shape.refinement.needed) HWY_DYNAMIC_DISPATCH(refine)(shape.refinement, parameters);
 }
 
-std::array<std::uint8_t, 3> PatchColor::at(float u, float v) const {
-  float channel[4];
-  for (int n = 0; n < 4; ++n) {
-    if (bilinear_) {
-      channel[n] = c_[0][0][n] + v * c_[0][1][n] + u * (c_[1][0][n] + v * c_[1][1][n]);
-    } else {
-      float sum = 0;
-      for (int i = 3; i >= 0; --i) {
-        const float row = c_[i][0][n] + v * (c_[i][1][n] + v * (c_[i][2][n] + v * c_[i][3][n]));
-        sum = sum * u + row;
-      }
-      channel[n] = sum;
-    }
-  }
-  float alpha = opaque_ ? 1.f : std::clamp(channel[3], 0.f, 1.f);
-  if (masked_opacity_ && !opaque_) {
-    // The picture under the mask, and the mask, have 8 bits each.
-    alpha = float(to_byte(255 * alpha)) / 255;
-    for (int n = 0; n < 3; ++n) channel[n] = float(to_byte(channel[n]));
-  }
-  std::array<std::uint8_t, 3> rgb;
-  for (int n = 0; n < 3; ++n)
-    rgb[n] = to_byte(alpha * std::clamp(channel[n], 0.f, 255.f) + (1 - alpha) * 255.f);
-  return rgb;
-}
-
-void fill_triangle(const Triangle& triangle, Face face, const PatchColor& color, Window window,
-                   Painting& painting) {
-  std::array<Vertex, 3> p = triangle;
-  std::ranges::sort(p, {}, [](const Vertex& v) { return std::pair(v.y, v.x); });
-  const int y0 = std::max(window.y0, first_pixel(p[0].y));
-  const int y1 = std::min(window.y1, first_pixel(p[2].y));
-  if (y0 >= y1) return;
-  const std::int64_t area =
-      (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
-  if (area == 0) return;
-  const int bend = first_pixel(p[1].y);
-  const bool bend_right = area > 0;
-
-  // (u, v) are linear over the triangle; the division is by twice its area in subpixels.
-  const double scale = 1.0 / double(area);
-  const auto gradient = [&](float Vertex::*m) {
-    const double d1 = double(p[1].*m) - p[0].*m, d2 = double(p[2].*m) - p[0].*m;
-    return glm::dvec2((d1 * double(p[2].y - p[0].y) - d2 * double(p[1].y - p[0].y)) * scale,
-                      (d2 * double(p[1].x - p[0].x) - d1 * double(p[2].x - p[0].x)) * scale);
-  };
-  const glm::dvec2 du = gradient(&Vertex::u), dv = gradient(&Vertex::v);
-
-  for (int y = y0; y < y1; ++y) {
-    const int on_long = first_pixel_on(p[0], p[2], y);
-    const int on_short = y < bend ? first_pixel_on(p[0], p[1], y) : first_pixel_on(p[1], p[2], y);
-    const int x0 = std::max(window.x0, bend_right ? on_long : on_short);
-    const int x1 = std::min(window.x1, bend_right ? on_short : on_long);
-    const double dy = double(y * unit + half - p[0].y);
-    for (int x = x0; x < x1; ++x) {
-      std::uint32_t& top = *painting.top.at(x, y);
-      const TopFace with = TopFace(top).with(face);
-      top = with.sample();
-      if (with.face() != face) continue;
-      const double dx = double(x * unit + half - p[0].x);
-      // Clamped, since in a sliver rounding could leave the patch.
-      const float u = std::clamp(float(p[0].u + du.x * dx + du.y * dy), 0.f, 1.f);
-      const float v = std::clamp(float(p[0].v + dv.x * dx + dv.y * dy), 0.f, 1.f);
-      painting.image.set_pixel(x, y, color.at(u, v));
-    }
-  }
+void fill_face(const FaceShape& shape, Face face, const PatchColor& color, Window window,
+               Parameters& parameters, Painting& painting) {
+  find_parameters(shape, window, parameters);
+  if (!parameters.window.empty()) HWY_DYNAMIC_DISPATCH(shade)(color, face, parameters, painting);
 }
 
 }  // namespace gradmesh
+#endif  // HWY_ONCE

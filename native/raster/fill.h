@@ -1,30 +1,33 @@
 #pragma once
 
-#include "base/image.h"
-#include "geom/patch.h"
 #include "raster/painting.h"
+#include "raster/patch_color.h"
 #include "raster/tessellate.h"
 
 namespace gradmesh {
 
-/// Colour of a patch at (u, v), ready to be evaluated at many pixels: 8-bit sRGB over white.
-class PatchColor {
- public:
-  PatchColor(const Patch& patch, ColorModel model, bool masked_opacity = false);
-  std::array<std::uint8_t, 3> at(float u, float v) const;
+/// Where on a patch the centres of pixels lie. Rows have room for a few more samples at their
+/// ends, which may be anything.
+struct Parameters {
+  Window window;
+  std::size_t stride = 0;
+  /// `not_covered` where the patch does not cover the pixel; then v may be anything.
+  std::vector<float> u, v;
 
- private:
-  using Quad = std::array<float, 4>;
-  bool bilinear_;
-  bool opaque_;
-  bool masked_opacity_;
-  /// Coefficients of u^i v^j, times 255; `bilinear` needs the first two of each only.
-  std::array<std::array<Quad, 4>, 4> c_{};
+  static constexpr float not_covered = -1;
+
+  std::size_t offset(int x, int y) const {
+    return std::size_t(y - window.y0) * stride + std::size_t(x - window.x0);
+  }
 };
 
-/// Paints the pixels of `window` whose centres the triangle covers. A centre on an edge belongs
-/// to exactly one of the two triangles beside it.
-void fill_triangle(const Triangle& triangle, Face face, const PatchColor& color, Window window,
-                   Painting& painting);
+/// Works out where on its patch each pixel of `window` lies that the shape covers: those whose
+/// centres its triangles cover, of which the last counts. A centre on an edge belongs to exactly
+/// one of the two triangles beside it. What a pixel gets does not depend on the window.
+void find_parameters(const FaceShape& shape, Window window, Parameters& parameters);
+
+/// Paints a face over `window`, which lies inside the painting's. `parameters` is memory for it.
+void fill_face(const FaceShape& shape, Face face, const PatchColor& color, Window window,
+               Parameters& parameters, Painting& painting);
 
 }  // namespace gradmesh

@@ -1,11 +1,19 @@
 #include "raster/painter.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "base/parallel.h"
 #include "geom/written.h"
-#include "raster/fill.h"
-#include "raster/tessellate.h"
 
 namespace gradmesh {
 namespace {
+
+constexpr std::uint8_t white = 255;
+
+/// Rows that one thread paints at a time, and faces that one cuts into triangles.
+constexpr int band_height = 64;
+constexpr std::size_t share_of_faces = 32;
 
 Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
   Patch patch = mesh.patch(face);
@@ -14,29 +22,39 @@ Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
   return patch;
 }
 
+void clear_all(Painting& painting) {
+  painting.top.reset(painting.window());
+  std::ranges::fill(painting.image.samples, white);
+  std::ranges::fill(painting.top.samples, TopFace().sample());
+}
+
+/// A face that is ready to be filled, band by band.
+struct ReadyFace {
+  Face face;
+  std::optional<PatchColor> color;
+  FaceShape shape;
+};
+
 }  // namespace
 
 void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
-  const Window window = painting.window();
-  painting.top.reset(window);
-  fill(painting.image, window, std::uint8_t(255));
-  fill(painting.top, window, std::uint32_t(0));
-  for (const Face f : mesh.faces())
-    paint_face(mesh, frame, f, painted_patch(mesh, frame, f), window, painting);
+  clear_all(painting);
+  tessellator_.start(mesh, frame);
+  for (const Face f : mesh.faces()) paint_face(mesh, frame, f, painting.window(), painting);
 }
 
 void Painter::repaint(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched,
                       Window within, Painting& painting) {
   within = within.clipped(painting.window());
   if (within.empty() || touched.empty()) return;
+  tessellator_.start(mesh, frame);
   const Window uncovered = clear(touched, within, painting);
   for (const Face f : touched)
     if (std::size_t(f.value) < mesh.face_slots() && mesh[f].alive)
-      paint_face(mesh, frame, f, painted_patch(mesh, frame, f), within, painting);
+      paint_face(mesh, frame, f, within, painting);
   if (uncovered.empty()) return;
   for (const Face f : mesh.faces())
-    if (std::size_t(f.value) >= is_touched_.size() || !is_touched_[f.value])
-      paint_face(mesh, frame, f, painted_patch(mesh, frame, f), uncovered, painting);
+    if (!is_touched(f)) paint_face(mesh, frame, f, uncovered, painting);
 }
 
 Window Painter::clear(const std::vector<Face>& touched, Window within, Painting& painting) {
@@ -47,24 +65,21 @@ Window Painter::clear(const std::vector<Face>& touched, Window within, Painting&
     for (int x = within.x0; x < within.x1; ++x) {
       std::uint32_t& sample = *painting.top.at(x, y);
       const TopFace top(sample);
-      const Face f = top.face();
-      if (!f.valid() || std::size_t(f.value) >= is_touched_.size() || !is_touched_[f.value])
-        continue;
+      if (!top.face().valid() || !is_touched(top.face())) continue;
       if (top.covers_others()) uncovered = uncovered.united({x, y, x + 1, y + 1});
-      sample = 0;
-      painting.image.set_pixel(x, y, {255, 255, 255});
+      sample = TopFace().sample();
+      painting.image.set_pixel(x, y, {white, white, white});
     }
   return uncovered;
 }
 
-void Painter::paint_face(const Mesh& mesh, const Frame& frame, Face face, const Patch& patch,
-                         Window window, Painting& painting) {
-  if (pixel_bounds(patch, frame).clipped(window).empty()) return;
-  Outlines outlines(mesh, frame);
-  for (const Halfedge side : mesh.sides(face)) outlines.prepare(side);
+void Painter::paint_face(const Mesh& mesh, const Frame& frame, Face face, Window window,
+                         Painting& painting) {
+  const Patch patch = painted_patch(mesh, frame, face);
+  tessellator_.tessellate(face, patch, window, shape_);
+  if (shape_.bounds.clipped(window).empty()) return;
   const PatchColor color(patch, mesh.color_model(), frame.masked_opacity);
-  for (const Triangle& triangle : tessellate(mesh, face, patch, frame, outlines))
-    fill_triangle(triangle, face, color, window, painting);
+  fill_face(shape_, face, color, window, parameters_, painting);
 }
 
 Painting paint_whole(const Mesh& mesh, const Frame& frame) {
@@ -74,7 +89,30 @@ Painting paint_whole(const Mesh& mesh, const Frame& frame) {
 }
 
 void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
-  Painter().paint(mesh, frame, painting);
+  const Window window = painting.window();
+  clear_all(painting);
+  std::vector<ReadyFace> faces;
+  for (const Face f : mesh.faces()) faces.push_back({f, {}, {}});
+  const std::size_t shares = (faces.size() + share_of_faces - 1) / share_of_faces;
+  parallel_for(shares, [&](std::size_t share) {
+    Tessellator tessellator;
+    tessellator.start(mesh, frame);
+    const std::size_t end = std::min(faces.size(), (share + 1) * share_of_faces);
+    for (std::size_t i = share * share_of_faces; i < end; ++i) {
+      const Patch patch = painted_patch(mesh, frame, faces[i].face);
+      faces[i].color.emplace(patch, mesh.color_model(), frame.masked_opacity);
+      tessellator.tessellate(faces[i].face, patch, window, faces[i].shape);
+    }
+  });
+  const int bands = (window.height() + band_height - 1) / band_height;
+  parallel_for(std::size_t(bands), [&](std::size_t i) {
+    Window band = window;
+    band.y0 = window.y0 + int(i) * band_height;
+    band.y1 = std::min(window.y1, band.y0 + band_height);
+    Parameters parameters;
+    for (const ReadyFace& f : faces)
+      fill_face(f.shape, f.face, *f.color, band, parameters, painting);
+  });
 }
 
 }  // namespace gradmesh

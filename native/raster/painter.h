@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geom/patch.h"
+#include "raster/fill.h"
 #include "raster/painting.h"
 
 namespace gradmesh {
@@ -21,13 +21,19 @@ class Painter {
                Window within, Painting& painting);
 
  private:
-  void paint_face(const Mesh& mesh, const Frame& frame, Face face, const Patch& patch,
-                  Window window, Painting& painting);
+  void paint_face(const Mesh& mesh, const Frame& frame, Face face, Window window,
+                  Painting& painting);
   /// Takes the touched faces' pixels away. Returns a window that holds those of them below which
   /// there may be others.
   Window clear(const std::vector<Face>& touched, Window within, Painting& painting);
+  bool is_touched(Face face) const {
+    return std::size_t(face.value) < is_touched_.size() && is_touched_[face.value];
+  }
 
-  std::vector<bool> is_touched_;
+  Tessellator tessellator_;
+  FaceShape shape_;
+  Parameters parameters_;
+  std::vector<char> is_touched_;
 };
 
 }  // namespace gradmesh

@@ -2,69 +2,104 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace gradmesh {
 namespace {
 
-/// Half of the tenth of a pixel that is promised: outlines and inside add up.
-constexpr double flatness = 0.05;
+using Points = Bicubic<glm::dvec2>;
+
+/// How far the few triangles of a patch that does not fold may be from the surface, in pixels.
+constexpr double coarseness = 0.7;
+/// How small the Jacobian may be against its largest value for Newton's method to be used.
+constexpr double least_jacobian = 1e-3;
 constexpr int most_steps = 2048;
 
-int steps_for(double steps) { return int(std::clamp(std::ceil(steps), 1.0, double(most_steps))); }
-
-/// A cubic's second derivative is at most 6 times the second difference of its control points,
-/// and a chord over 1/n of it is off by at most an eighth of that over n^2.
-int outline_steps(const Cubic<Value>& curve, const Frame& frame) {
-  const glm::dvec2 b0 = curve.p0.position, b1 = curve.bezier1().position;
-  const glm::dvec2 b2 = curve.bezier2().position, b3 = curve.p1.position;
-  const double bend = 6 * std::max(glm::length(frame.to_pixels.vector(b0 - 2.0 * b1 + b2)),
-                                   glm::length(frame.to_pixels.vector(b1 - 2.0 * b2 + b3)));
-  return steps_for(std::sqrt(bend / (8 * flatness)));
-}
-
-struct Steps {
-  int u, v;
-};
-
-/// Linear interpolation over half a cell of size hu x hv is off by at most
-/// (|H_uu| hu^2 + 2 |H_uv| hu hv + |H_vv| hv^2) / 8; each term gets a third.
-Steps inside_steps(const BezierNet& net, const Frame& frame) {
-  const auto p = [&](int i, int j) { return net[i][j].position; };
-  const auto size = [&](glm::dvec2 d) { return glm::length(frame.to_pixels.vector(d)); };
-  double uu = 0, vv = 0, uv = 0;
+Points hermite_in_pixels(const Patch& patch, const Affine& to_pixels) {
+  Points points;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {
-      if (i < 2) uu = std::max(uu, 6 * size(p(i, j) - 2.0 * p(i + 1, j) + p(i + 2, j)));
-      if (j < 2) vv = std::max(vv, 6 * size(p(i, j) - 2.0 * p(i, j + 1) + p(i, j + 2)));
-      if (i < 3 && j < 3)
-        uv = std::max(uv, 9 * size(p(i, j) - p(i + 1, j) - p(i, j + 1) + p(i + 1, j + 1)));
+      const bool is_corner = i % 3 == 0 && j % 3 == 0;
+      const glm::dvec2 p = patch.c[i][j].position;
+      points[i][j] = is_corner ? to_pixels.point(p) : to_pixels.vector(p);
     }
-  constexpr double third = 8 * flatness / 3;
-  double u = std::max(1.0, std::sqrt(uu / third)), v = std::max(1.0, std::sqrt(vv / third));
-  const double lacking = 2 * uv / third / (u * v);
-  if (lacking > 1) {
-    u *= std::sqrt(lacking);
-    v *= std::sqrt(lacking);
-  }
-  // A grid needs a vertex inside.
-  return {std::max(2, steps_for(u)), std::max(2, steps_for(v))};
+  return points;
 }
 
-Vertex vertex(glm::dvec2 position, double u, double v, const Frame& frame) {
-  constexpr double unit = 1 << subpixel_bits;
-  const glm::dvec2 p = frame.to_pixels.point(position);
-  // Far outside every frame, and products of two differences still fit into 64 bits.
-  const auto snap = [](double x) {
-    return std::int64_t(std::llround(std::clamp(x, -1e6, 1e6) * unit));
-  };
-  return {snap(p.x), snap(p.y), float(u), float(v)};
+/// Most that the second derivatives can be, by the second differences of the Bezier points.
+struct Bends {
+  double uu = 0, uv = 0, vv = 0;
+};
+
+Bends bends_of(const Points& p) {
+  const auto squared = [](glm::dvec2 d) { return glm::dot(d, d); };
+  Bends most;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      if (i < 2) most.uu = std::max(most.uu, squared(p[i][j] - 2.0 * p[i + 1][j] + p[i + 2][j]));
+      if (j < 2) most.vv = std::max(most.vv, squared(p[i][j] - 2.0 * p[i][j + 1] + p[i][j + 2]));
+      if (i < 3 && j < 3)
+        most.uv = std::max(most.uv, squared(p[i][j] - p[i + 1][j] - p[i][j + 1] + p[i + 1][j + 1]));
+    }
+  return {6 * std::sqrt(most.uu), 9 * std::sqrt(most.uv), 6 * std::sqrt(most.vv)};
+}
+
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+/// Whether the Jacobian keeps its sign and stays away from zero. It is a polynomial of degree 5 in
+/// u and in v, which lies between its Bezier coefficients.
+bool surely_does_not_fold(const Points& p) {
+  constexpr double two[3] = {1, 2, 1}, three[4] = {1, 3, 3, 1}, five[6] = {1, 5, 10, 10, 5, 1};
+  double jacobian[6][6] = {};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const glm::dvec2 along_u = (two[i] * three[j]) * (p[i + 1][j] - p[i][j]);
+      for (int k = 0; k < 4; ++k)
+        for (int l = 0; l < 3; ++l)
+          jacobian[i + k][j + l] += (three[k] * two[l]) * cross(along_u, p[k][l + 1] - p[k][l]);
+    }
+  double least = INFINITY, most = -INFINITY;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) {
+      const double coefficient = jacobian[i][j] / (five[i] * five[j]);
+      least = std::min(least, coefficient);
+      most = std::max(most, coefficient);
+    }
+  return least > least_jacobian * most || most < least_jacobian * least;
+}
+
+Window pixels_of(const Points& bezier) {
+  glm::dvec2 low = bezier[0][0], high = low;
+  for (const auto& row : bezier)
+    for (const glm::dvec2 p : row) {
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  const GridPoint first = snap(low), last = snap(high);
+  return {first_pixel(first.x), first_pixel(first.y), first_pixel(last.x), first_pixel(last.y)};
+}
+
+Refinement refinement_of(const Points& powers, const Bends& bends) {
+  Refinement refinement;
+  refinement.needed = true;
+  const glm::dvec2 corner = glm::floor(glm::clamp(powers[0][0], -1e6, 1e6));
+  refinement.x = int(corner.x);
+  refinement.y = int(corner.y);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      for (int k = 0; k < 2; ++k)
+        refinement.position[k][i][j] = float(powers[i][j][k] - (i + j == 0 ? corner[k] : 0));
+  refinement.uu = float(bends.uu);
+  refinement.uv = float(bends.uv);
+  refinement.vv = float(bends.vv);
+  return refinement;
 }
 
 /// Fills the strip between two rows of vertices that run the same way, `outer` to their left.
 /// `along` tells how far a vertex is along the strip.
 template <class Along>
-void add_strip(const std::vector<Vertex>& outer, const std::vector<Vertex>& inner,
+void add_strip(const std::vector<std::uint32_t>& outer, const std::vector<std::uint32_t>& inner,
                const Along& along, std::vector<Triangle>& triangles) {
   std::size_t i = 0, j = 0;
   while (i + 1 < outer.size() || j + 1 < inner.size()) {
@@ -81,111 +116,135 @@ void add_strip(const std::vector<Vertex>& outer, const std::vector<Vertex>& inne
   }
 }
 
-std::int64_t doubled_area(const Triangle& t) {
-  return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
+/// Whether some triangles are turned over and some are not.
+bool is_folded(const FaceShape& shape) {
+  bool left = false, right = false;
+  for (const auto& [a, b, c] : shape.triangles) {
+    const auto area = doubled_area(shape.vertices[a], shape.vertices[b], shape.vertices[c]);
+    left = left || area > 0;
+    right = right || area < 0;
+  }
+  return left && right;
 }
 
 /// Where a patch folds over itself, the larger v and then the larger u lies on top, as the
 /// documentation of cairo's mesh patterns and PDF 32000-1, 8.7.4.5.7, have it.
-void order_where_folded(std::vector<Triangle>& triangles) {
-  bool left = false, right = false;
-  for (const Triangle& t : triangles) {
-    const std::int64_t area = doubled_area(t);
-    left = left || area > 0;
-    right = right || area < 0;
-  }
-  if (!(left && right)) return;
-  const auto key = [](const Triangle& t) {
-    return std::pair(t[0].v + t[1].v + t[2].v, t[0].u + t[1].u + t[2].u);
+void order_folded(FaceShape& shape) {
+  const auto key = [&](const Triangle& t) {
+    const Vertex &a = shape.vertices[t[0]], &b = shape.vertices[t[1]], &c = shape.vertices[t[2]];
+    return std::pair(a.v + b.v + c.v, a.u + b.u + c.u);
   };
-  std::ranges::stable_sort(triangles, {}, key);
+  std::ranges::stable_sort(shape.triangles, {}, key);
+}
+
+void set_bounds(FaceShape& shape) {
+  const Vertex& any = shape.vertices.front();
+  GridPoint low{any.x, any.y}, high = low;
+  for (const Vertex& v : shape.vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+  }
+  shape.bounds = {first_pixel(low.x), first_pixel(low.y), first_pixel(high.x), first_pixel(high.y)};
 }
 
 }  // namespace
 
-void Outlines::prepare(Halfedge leaf) {
-  const Halfedge curve = mesh_.curve(leaf);
-  const auto [place, is_new] = cuts_.try_emplace(curve);
-  if (!is_new) return;
-
-  std::vector<Cut>& cuts = place->second;
-  const Halfedge twin = mesh_[curve].twin;
-  const Cubic<Value> cubic = mesh_.curve_of(curve);
-  cuts.push_back({0, mesh_.position(mesh_.origin(curve))});
-  cuts.push_back({1, mesh_.position(mesh_.end(curve))});
-  for (const Halfedge stem : mesh_.stems(curve))
-    cuts.push_back({mesh_[stem].interval.first, mesh_.position(mesh_.origin(stem))});
-  if (twin.valid())
-    for (const Halfedge stem : mesh_.stems(twin))
-      cuts.push_back({1 - mesh_[stem].interval.first, mesh_.position(mesh_.origin(stem))});
-  const int steps = outline_steps(cubic, frame_);
-  for (int i = 1; i < steps; ++i) {
-    const double t = double(i) / steps;
-    cuts.push_back({t, cubic.at(t).position});
-  }
-  std::ranges::stable_sort(cuts, {}, &Cut::t);
-  // T-junctions of both sides in one place are one cut, and an even cut beside one is none.
-  const auto same = [](const Cut& a, const Cut& b) { return b.t - a.t < 1e-9; };
-  cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
+std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex& c) {
+  return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
 }
 
-std::vector<Outlines::Cut> Outlines::along(Halfedge leaf) const {
-  const Halfedge curve = mesh_.curve(leaf);
-  const bool backwards = mesh_.curve_side(leaf) != curve;
-  Interval span = mesh_.span(leaf);
-  if (backwards) span = {1 - span.second, 1 - span.first};
-  std::vector<Cut> result;
-  for (const Cut& cut : cuts_.at(curve))
-    if (cut.t > span.first - 1e-9 && cut.t < span.second + 1e-9)
-      result.push_back({std::clamp((cut.t - span.first) / span.length(), 0.0, 1.0), cut.position});
-  if (backwards) {
-    std::ranges::reverse(result);
-    for (Cut& cut : result) cut.t = 1 - cut.t;
-  }
-  return result;
+void Tessellator::start(const Mesh& mesh, const Frame& frame) {
+  mesh_ = &mesh;
+  frame_ = &frame;
+  outlines_.start(mesh, frame);
 }
 
-std::vector<Triangle> tessellate(const Mesh& mesh, Face face, const Patch& patch,
-                                 const Frame& frame, const Outlines& outlines) {
-  const Steps steps = inside_steps(bezier_net(patch), frame);
+void Tessellator::tessellate(Face face, const Patch& patch, Window window, FaceShape& shape) {
+  shape.vertices.clear();
+  shape.triangles.clear();
+  shape.bounds = {};
+  shape.refinement.needed = false;
+  const Points hermite = hermite_in_pixels(patch, frame_->to_pixels);
+  const Points bezier = change_form(hermite, bezier_of_hermite);
+  // The outlines leave the patch by up to `flatness`.
+  if (pixels_of(bezier).grown(1).clipped(window).empty()) return;
+
+  const Points powers = change_form(hermite, powers_of_hermite);
+  const Bends bends = bends_of(bezier);
+  // Linear interpolation over a cell of hu x hv is off by at most (uu hu^2 + 2 uv hu hv + vv hv^2)
+  // / 8. Steps in the ratio of a to b share that well between the two directions.
+  const double a = std::sqrt(bends.uu + bends.uv + 1e-9), b = std::sqrt(bends.vv + bends.uv + 1e-9);
+  const double bend = bends.uu / (a * a) + 2 * bends.uv / (a * b) + bends.vv / (b * b);
+  const auto steps = [&](double tolerance) {
+    const double scale = std::sqrt(bend / (8 * tolerance));
+    // A grid needs a vertex inside.
+    const auto count = [](double n) {
+      return int(std::clamp(std::ceil(n), 2., double(most_steps)));
+    };
+    return Steps{count(a * scale), count(b * scale)};
+  };
+
+  if (surely_does_not_fold(bezier)) {
+    const Steps coarse = steps(coarseness);
+    cut(face, powers, coarse, shape);
+    if (!is_folded(shape)) {
+      const double hu = 1.0 / coarse.u, hv = 1.0 / coarse.v;
+      if (bends.uu * hu * hu + 2 * bends.uv * hu * hv + bends.vv * hv * hv > 8 * flatness)
+        shape.refinement = refinement_of(powers, bends);
+      set_bounds(shape);
+      return;
+    }
+  }
+  cut(face, powers, steps(flatness), shape);
+  if (is_folded(shape)) order_folded(shape);
+  set_bounds(shape);
+}
+
+void Tessellator::cut(Face face, const Points& powers, Steps steps, FaceShape& shape) {
   const int nu = steps.u, nv = steps.v;
-  std::vector<Vertex> grid;
-  for (int j = 1; j < nv; ++j)
+  shape.vertices.clear();
+  shape.triangles.clear();
+  for (int j = 1; j < nv; ++j) {
+    const double v = double(j) / nv;
+    std::array<glm::dvec2, 4> row;
+    for (int i = 0; i < 4; ++i)
+      row[i] = powers[i][0] + v * (powers[i][1] + v * (powers[i][2] + v * powers[i][3]));
     for (int i = 1; i < nu; ++i) {
-      const double u = double(i) / nu, v = double(j) / nv;
-      grid.push_back(vertex(patch.at(u, v).position, u, v, frame));
+      const double u = double(i) / nu;
+      const GridPoint p = snap(row[0] + u * (row[1] + u * (row[2] + u * row[3])));
+      shape.vertices.push_back({p.x, p.y, float(u), float(v)});
     }
-  const auto inside = [&](int i, int j) { return grid[(j - 1) * (nu - 1) + (i - 1)]; };
-
-  std::vector<Triangle> triangles;
-  triangles.reserve(2 * nu * nv);
-  const std::array<Halfedge, 4> sides = mesh.sides(face);
-  for (int k = 0; k < 4; ++k) {
-    std::vector<Vertex> outer, inner;
-    for (const Outlines::Cut& cut : outlines.along(sides[k])) {
-      const double u = k == 0 ? 0 : k == 1 ? cut.t : k == 2 ? 1 : 1 - cut.t;
-      const double v = k == 0 ? cut.t : k == 1 ? 1 : k == 2 ? 1 - cut.t : 0;
-      outer.push_back(vertex(cut.position, u, v, frame));
-    }
-    if (k == 0)
-      for (int j = 1; j < nv; ++j) inner.push_back(inside(1, j));
-    else if (k == 1)
-      for (int i = 1; i < nu; ++i) inner.push_back(inside(i, nv - 1));
-    else if (k == 2)
-      for (int j = nv - 1; j > 0; --j) inner.push_back(inside(nu - 1, j));
-    else
-      for (int i = nu - 1; i > 0; --i) inner.push_back(inside(i, 1));
-    const float direction = k < 2 ? 1.f : -1.f;
-    const auto along = [&](const Vertex& x) { return direction * (k % 2 == 0 ? x.v : x.u); };
-    add_strip(outer, inner, along, triangles);
   }
+  const std::array<Halfedge, 4> sides = mesh_->sides(face);
+  for (int k = 0; k < 4; ++k) add_side(k, sides[k], steps, shape);
+  const auto inside = [&](int i, int j) { return std::uint32_t((j - 1) * (nu - 1) + (i - 1)); };
   for (int j = 1; j + 1 < nv; ++j)
     for (int i = 1; i + 1 < nu; ++i) {
-      triangles.push_back({inside(i, j), inside(i, j + 1), inside(i + 1, j)});
-      triangles.push_back({inside(i + 1, j + 1), inside(i + 1, j), inside(i, j + 1)});
+      shape.triangles.push_back({inside(i, j), inside(i, j + 1), inside(i + 1, j)});
+      shape.triangles.push_back({inside(i + 1, j + 1), inside(i + 1, j), inside(i, j + 1)});
     }
-  order_where_folded(triangles);
-  return triangles;
+}
+
+void Tessellator::add_side(int k, Halfedge leaf, Steps steps, FaceShape& shape) {
+  const int nu = steps.u, nv = steps.v;
+  outer_.clear();
+  inner_.clear();
+  for (const Outlines::Cut& cut : outlines_.along(leaf)) {
+    const double u = k == 0 ? 0 : k == 1 ? cut.t : k == 2 ? 1 : 1 - cut.t;
+    const double v = k == 0 ? cut.t : k == 1 ? 1 : k == 2 ? 1 - cut.t : 0;
+    outer_.push_back(std::uint32_t(shape.vertices.size()));
+    shape.vertices.push_back({cut.point.x, cut.point.y, float(u), float(v)});
+  }
+  // From corner to corner of the inner grid, in the direction of the side.
+  const int count = k % 2 == 0 ? nv - 1 : nu - 1;
+  const int corner[4] = {0, (nv - 2) * (nu - 1), (nv - 1) * (nu - 1) - 1, nu - 2};
+  const int step[4] = {nu - 1, 1, -(nu - 1), -1};
+  for (int i = 0; i < count; ++i) inner_.push_back(std::uint32_t(corner[k] + i * step[k]));
+  const float direction = k < 2 ? 1.f : -1.f;
+  const auto along = [&](std::uint32_t i) {
+    return direction * (k % 2 == 0 ? shape.vertices[i].v : shape.vertices[i].u);
+  };
+  add_strip(outer_, inner_, along, shape.triangles);
 }
 
 }  // namespace gradmesh

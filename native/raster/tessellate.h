@@ -1,51 +1,78 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <map>
 #include <vector>
 
-#include "mesh/mesh.h"
-#include "raster/frame.h"
+#include "raster/bicubic.h"
+#include "raster/outlines.h"
 
 namespace gradmesh {
 
-/// Vertices lie on a grid of 1/256 of a pixel, so that which pixels a triangle covers can be
-/// decided exactly.
-constexpr int subpixel_bits = 8;
-
+/// A grid point and where on the patch it lies.
 struct Vertex {
-  std::int64_t x, y;
+  std::int32_t x, y;
   float u, v;
 };
 
-using Triangle = std::array<Vertex, 3>;
+/// Indices of three vertices.
+using Triangle = std::array<std::uint32_t, 3>;
 
-/// Where the curves are cut into straight pieces. Both sides of a curve, and all the patches
-/// along it, share the same cuts, its T-junctions among them: so neighbours leave no gap.
-class Outlines {
- public:
-  Outlines(const Mesh& mesh, const Frame& frame) : mesh_(mesh), frame_(frame) {}
+/// Twice the area, in grid units; positive where the vertices run clockwise, y pointing down.
+std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex& c);
 
-  struct Cut {
-    double t;
-    glm::dvec2 position;
-  };
+/// First pixel whose centre is not left of (or above) the grid coordinate.
+constexpr int first_pixel(std::int32_t x) {
+  constexpr int unit = 1 << subpixel_bits;
+  return (x + unit / 2 - 1) >> subpixel_bits;
+}
 
-  /// Works out the cuts of the curve of `leaf`, once.
-  void prepare(Halfedge leaf);
-  /// The cuts along a leaf in its own direction and parameter, both ends among them. Its curve
-  /// must be prepared.
-  std::vector<Cut> along(Halfedge leaf) const;
-
- private:
-  const Mesh& mesh_;
-  const Frame& frame_;
-  std::map<Halfedge, std::vector<Cut>> cuts_;
+/// How to get from the parameters that triangles give to those of the surface, by Newton's method.
+struct Refinement {
+  bool needed = false;
+  /// The pixel from which `position` counts.
+  int x = 0, y = 0;
+  /// Position in pixels, coefficients of u^i v^j; the second x, the third y.
+  std::array<Bicubic<float>, 2> position;
+  /// Most that the second derivatives H_uu, H_uv, H_vv can be, in pixels.
+  float uu = 0, uv = 0, vv = 0;
 };
 
-/// Triangles that cover a patch, from its outlines to a grid inside, in the order in which they
-/// are to be painted. They are within a tenth of a pixel of the surface.
-std::vector<Triangle> tessellate(const Mesh& mesh, Face face, const Patch& patch,
-                                 const Frame& frame, const Outlines& outlines);
+/// A patch cut into triangles, in the order in which they are to be painted.
+struct FaceShape {
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;
+  /// The pixels that they may cover.
+  Window bounds;
+  Refinement refinement;
+};
+
+/// Cuts patches into triangles, from their outlines to a grid inside. The outlines are within
+/// `flatness` of the curves. Inside
+/// - a patch that does not fold has few triangles: they say which pixels it covers and about where
+///   on the patch, and a step of Newton's method then says it to a fraction of `flatness`;
+/// - any other has triangles within `flatness` of the surface, ordered so that the larger v, then
+///   the larger u, lies on top.
+class Tessellator {
+ public:
+  /// For the mesh as it is now.
+  void start(const Mesh& mesh, const Frame& frame);
+  /// `patch` is that of the face as it is to be painted. A shape without triangles where it meets
+  /// no pixel of `window`.
+  void tessellate(Face face, const Patch& patch, Window window, FaceShape& shape);
+
+ private:
+  struct Steps {
+    int u, v;
+  };
+
+  void cut(Face face, const Bicubic<glm::dvec2>& position, Steps steps, FaceShape& shape);
+  void add_side(int side, Halfedge leaf, Steps steps, FaceShape& shape);
+
+  const Mesh* mesh_ = nullptr;
+  const Frame* frame_ = nullptr;
+  Outlines outlines_;
+  std::vector<std::uint32_t> outer_, inner_;
+};
 
 }  // namespace gradmesh

@@ -24,31 +24,31 @@ Mesh random_mesh(unsigned seed, double noise, int steps = 25) {
   return test::changed_mesh(parts, seed, steps, 3);
 }
 
-struct Tessellation {
-  std::vector<Triangle> triangles;
-  std::vector<glm::dvec2> boundary;  ///< in subpixels
-};
+const Window everywhere{-100000, -100000, 100000, 100000};
 
-Tessellation tessellation(const Mesh& mesh, const Frame& frame) {
-  Tessellation t;
-  Outlines outlines(mesh, frame);
+std::vector<FaceShape> shapes_of(const Mesh& mesh, const Frame& frame) {
+  Tessellator tessellator;
+  tessellator.start(mesh, frame);
+  std::vector<FaceShape> shapes;
+  for (const Face f : mesh.faces())
+    tessellator.tessellate(f, mesh.patch(f), everywhere, shapes.emplace_back());
+  return shapes;
+}
+
+/// The boundary of a mesh as it is cut into straight pieces, in grid units.
+std::vector<glm::dvec2> boundary_of(const Mesh& mesh, const Frame& frame) {
+  std::vector<glm::dvec2> boundary;
+  Outlines outlines;
+  outlines.start(mesh, frame);
   Halfedge start;
   for (const Face f : mesh.faces())
-    for (const Halfedge h : mesh.sides(f)) {
-      outlines.prepare(h);
+    for (const Halfedge h : mesh.sides(f))
       if (!mesh.other_side(h).valid()) start = h;
-    }
-  for (const Face f : mesh.faces())
-    for (const Triangle& triangle : tessellate(mesh, f, mesh.patch(f), frame, outlines))
-      t.triangles.push_back(triangle);
   Halfedge h = start;
   do {
-    std::vector<Outlines::Cut> cuts = outlines.along(h);
-    cuts.pop_back();
-    for (const auto& cut : cuts) {
-      const glm::dvec2 p = frame.to_pixels.point(cut.position) * double(1 << subpixel_bits);
-      t.boundary.emplace_back(std::round(p.x), std::round(p.y));
-    }
+    const std::vector<Outlines::Cut>& cuts = outlines.along(h);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+      boundary.emplace_back(cuts[i].point.x, cuts[i].point.y);
     // The next boundary side round the same point.
     h = mesh.next(h);
     while (mesh.other_side(h).valid()) {
@@ -56,18 +56,29 @@ Tessellation tessellation(const Mesh& mesh, const Frame& frame) {
       h = mesh.next(mesh.last_leaf(side));
     }
   } while (h != start);
-  return t;
+  return boundary;
 }
 
 bool inside(const std::vector<glm::dvec2>& polygon, glm::dvec2 p) {
   bool in = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-    // A centre exactly on the line counts as right of it, as in fill_triangle.
+    // A centre exactly on the line counts as right of it, as in find_parameters.
     if ((a.y <= p.y) != (b.y <= p.y) && a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) <= p.x)
       in = !in;
   }
   return in;
+}
+
+/// Calls f(x, y, u, v).
+template <class F>
+void for_each_covered(const Parameters& parameters, const F& f) {
+  const Window window = parameters.window;
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x) {
+      const std::size_t at = parameters.offset(x, y);
+      if (parameters.u[at] != Parameters::not_covered) f(x, y, parameters.u[at], parameters.v[at]);
+    }
 }
 
 TEST(Raster, every_pixel_is_covered_exactly_once) {
@@ -75,23 +86,19 @@ TEST(Raster, every_pixel_is_covered_exactly_once) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const Mesh mesh = random_mesh(seed, 0.08);
     const Frame frame = fit_frame(mesh, {}, 157);
-    const Tessellation t = tessellation(mesh, frame);
+    const std::vector<glm::dvec2> boundary = boundary_of(mesh, frame);
     Raster<int, 1> count(frame.width, frame.height);
-    const PatchColor black(Patch{}, ColorModel::bilinear);
-    for (const Triangle& triangle : t.triangles) {
-      Painting one(frame.window());
-      Window box{frame.width, frame.height, 0, 0};
-      for (const Vertex& v : triangle)
-        box = {std::min<int>(box.x0, v.x / 256 - 1), std::min<int>(box.y0, v.y / 256 - 1),
-               std::max<int>(box.x1, v.x / 256 + 2), std::max<int>(box.y1, v.y / 256 + 2)};
-      box = box.clipped(frame.window());
-      fill_triangle(triangle, Face{0}, black, box, one);
-      for (int y = box.y0; y < box.y1; ++y)
-        for (int x = box.x0; x < box.x1; ++x) *count.at(x, y) += *one.top.at(x, y) != 0;
-    }
+    Parameters parameters;
+    for (const FaceShape& shape : shapes_of(mesh, frame))
+      for (const Triangle& triangle : shape.triangles) {
+        FaceShape one = shape;
+        one.triangles = {triangle};
+        find_parameters(one, frame.window(), parameters);
+        for_each_covered(parameters, [&](int x, int y, float, float) { ++*count.at(x, y); });
+      }
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x) {
-        const int expected = inside(t.boundary, glm::dvec2(256 * x + 128, 256 * y + 128)) ? 1 : 0;
+        const int expected = inside(boundary, glm::dvec2(256 * x + 128, 256 * y + 128)) ? 1 : 0;
         covered += expected;
         ASSERT_EQ(*count.at(x, y), expected) << "seed " << seed << " pixel " << x << ", " << y;
       }
@@ -99,38 +106,61 @@ TEST(Raster, every_pixel_is_covered_exactly_once) {
   EXPECT_GT(covered, 100000);
 }
 
-TEST(Raster, triangles_are_within_a_tenth_of_a_pixel_of_the_surface) {
+/// The largest distance, in pixels, between the points of a triangle and those of the surface with
+/// the same parameters: at its corners, the middles of its sides, and its centre.
+double distance_of(const std::array<Vertex, 3>& t, const Patch& patch, const Frame& frame) {
+  double most = 0;
+  for (const auto& w : {std::array{1., 0., 0.},
+                        {.5, .5, 0.},
+                        {0., .5, .5},
+                        {.5, 0., .5},
+                        {1 / 3., 1 / 3., 1 / 3.}}) {
+    double x = 0, y = 0, u = 0, v = 0;
+    for (int k = 0; k < 3; ++k) {
+      x += w[k] * double(t[k].x) / 256;
+      y += w[k] * double(t[k].y) / 256;
+      u += w[k] * t[k].u;
+      v += w[k] * t[k].v;
+    }
+    const glm::dvec2 p = frame.to_pixels.point(patch.at(u, v).position);
+    most = std::max(most, glm::length(p - glm::dvec2(x, y)));
+  }
+  return most;
+}
+
+TEST(Raster, everything_is_within_a_tenth_of_a_pixel_of_the_surface) {
+  int refined = 0, plain = 0;
   for (const int resolution : {60, 700, 4000})
     for (unsigned seed = 0; seed < 5; ++seed) {
-      const Mesh mesh = random_mesh(seed, 0.2, 10);
+      const Mesh mesh = random_mesh(seed, seed % 2 == 0 ? 0.2 : 0.6, 10);
       const Frame frame = fit_frame(mesh, {}, resolution);
-      Outlines outlines(mesh, frame);
-      for (const Face f : mesh.faces())
-        for (const Halfedge h : mesh.sides(f)) outlines.prepare(h);
+      const std::vector<FaceShape> shapes = shapes_of(mesh, frame);
       double most = 0;
+      std::size_t i = 0;
       for (const Face f : mesh.faces()) {
+        const FaceShape& shape = shapes[i++];
         const Patch patch = mesh.patch(f);
-        for (const Triangle& t : tessellate(mesh, f, patch, frame, outlines)) {
-          // Corners, middles of the sides, and the centre.
-          for (const auto& w : {std::array{1., 0., 0.},
-                                {.5, .5, 0.},
-                                {0., .5, .5},
-                                {.5, 0., .5},
-                                {1 / 3., 1 / 3., 1 / 3.}}) {
-            double x = 0, y = 0, u = 0, v = 0;
-            for (int k = 0; k < 3; ++k) {
-              x += w[k] * double(t[k].x) / 256;
-              y += w[k] * double(t[k].y) / 256;
-              u += w[k] * t[k].u;
-              v += w[k] * t[k].v;
-            }
-            const glm::dvec2 p = frame.to_pixels.point(patch.at(u, v).position);
-            most = std::max(most, glm::length(p - glm::dvec2(x, y)));
-          }
+        (shape.refinement.needed ? refined : plain) += 1;
+        for (const auto& [a, b, c] : shape.triangles) {
+          const Vertex va = shape.vertices[a], vb = shape.vertices[b], vc = shape.vertices[c];
+          // The outline's edges, and all of the triangle where that is what is painted.
+          if ((va.u == vb.u && (va.u == 0 || va.u == 1)) ||
+              (va.v == vb.v && (va.v == 0 || va.v == 1)))
+            most = std::max(most, distance_of({va, vb, vb}, patch, frame));
+          if (!shape.refinement.needed)
+            most = std::max(most, distance_of({va, vb, vc}, patch, frame));
         }
+        Parameters parameters;
+        find_parameters(shape, frame.window(), parameters);
+        for_each_covered(parameters, [&](int x, int y, float u, float v) {
+          const glm::dvec2 p = frame.to_pixels.point(patch.at(u, v).position);
+          most = std::max(most, glm::length(p - glm::dvec2(x + 0.5, y + 0.5)));
+        });
       }
       EXPECT_LE(most, 0.1) << "seed " << seed << " at " << resolution;
     }
+  EXPECT_GT(refined, 50);
+  EXPECT_GT(plain, 20);
 }
 
 /// A straight patch is its own inverse: (u, v) at each point is known.
@@ -210,12 +240,12 @@ TEST(CairoLike, patches_leave_no_holes) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Mesh mesh = random_mesh(seed, 0.08);
     const Frame frame = fit_frame(mesh, {}, 157);
-    const Tessellation t = tessellation(mesh, frame);
+    const std::vector<glm::dvec2> boundary = boundary_of(mesh, frame);
     const Image image = make_cairo_like_rasterizer()->paint(mesh, frame);
     int inside_pixels = 0;
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x) {
-        if (!inside(t.boundary, glm::dvec2(256 * x + 128, 256 * y + 128))) continue;
+        if (!inside(boundary, glm::dvec2(256 * x + 128, 256 * y + 128))) continue;
         ++inside_pixels;
         const std::array<std::uint8_t, 3> white{255, 255, 255};
         ASSERT_NE(image.pixel(x, y), white) << "seed " << seed << " pixel " << x << ", " << y;

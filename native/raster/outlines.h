@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "raster/frame.h"
+
+namespace gradmesh {
+
+/// Vertices lie on a grid of 1/256 of a pixel, so that which pixels a triangle covers can be
+/// decided exactly.
+constexpr int subpixel_bits = 8;
+
+/// A point of that grid.
+struct GridPoint {
+  std::int32_t x, y;
+  bool operator==(const GridPoint&) const = default;
+};
+
+/// The nearest one to a position in pixels. Far outside every frame it ends, so that products of
+/// two differences fit into 64 bits.
+GridPoint snap(glm::dvec2 pixels);
+
+/// How far straight pieces may be from a curve, and triangles from the surface, in pixels. Half of
+/// the tenth of a pixel that is promised: outlines and inside add up.
+constexpr double flatness = 0.05;
+
+/// Where the curves are cut into straight pieces. Both sides of a curve, and all the patches
+/// along it, share the same cuts, its T-junctions among them: so neighbours leave no gap.
+class Outlines {
+ public:
+  struct Cut {
+    double t;
+    GridPoint point;
+  };
+
+  /// For the mesh as it is now. Keeps the memory, but nothing that was worked out.
+  void start(const Mesh& mesh, const Frame& frame);
+  /// The cuts along a leaf in its own direction and parameter, both ends among them. They stay
+  /// until the next call.
+  const std::vector<Cut>& along(Halfedge leaf);
+
+ private:
+  struct Range {
+    std::uint32_t begin = 0, end = 0;
+  };
+
+  Range cuts_of(Halfedge curve);
+  void add_stems(Halfedge side, bool backwards);
+
+  const Mesh* mesh_ = nullptr;
+  const Frame* frame_ = nullptr;
+  /// The cuts of all curves so far, and which are those of a curve; an empty range: not yet made.
+  std::vector<Cut> cuts_;
+  std::vector<Range> ranges_;
+  std::vector<Cut> along_;
+};
+
+}  // namespace gradmesh

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "geom/patch.h"
+#include "mesh/mesh.h"
+#include "raster/bicubic.h"
+
+namespace gradmesh {
+
+/// The colour of a patch, ready to be worked out at many pixels.
+struct PatchColor {
+  PatchColor(const Patch& patch, ColorModel model, bool masked_opacity);
+
+  /// Then only the coefficients of 1, u, v and uv count.
+  bool bilinear;
+  bool opaque = true;
+  /// The picture under the mask, and the mask, have 8 bits each.
+  bool masked_opacity;
+  /// Of r, g, b and a: coefficients of u^i v^j; r, g and b in levels of 0..255.
+  std::array<Bicubic<float>, 4> channels;
+};
+
+}  // namespace gradmesh
