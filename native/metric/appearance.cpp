@@ -25,7 +25,7 @@ constexpr D d;
 using Rows = PaddedRows<float>;
 
 enum Opponent { luminance, red_green, blue_yellow, opponents };
-/// What the filters down the columns leave for those along the rows.
+/// What the filters down the columns leave to those along a row.
 enum Column {
   y_column,
   cx_column,
@@ -33,7 +33,8 @@ enum Column {
   cz_narrow_column,
   smooth_column,
   slope_column,
-  curvature_column
+  curvature_column,
+  all_columns
 };
 
 HWY_INLINE V product(const Linear& matrix, int row, V p, V q, V r) {
@@ -208,17 +209,15 @@ const std::array<float, 256>& linear_light() {
   return table;
 }
 
-constexpr int opponents = 3, columns = 7;
-
 }  // namespace
 
 void AppearanceFilter::read(const Image& image, Window frame, Window box) {
   const Window around = box.grown(appearance_reach), inside = around.clipped(frame);
   const Window one_row = {around.x0, 0, around.x1, 1};
   box_ = box;
-  opponent_.reset(around, opponents);
+  opponent_.reset(around, HWY_NAMESPACE::opponents);
   light_.reset(one_row, 3);
-  columns_.reset(one_row, columns);
+  columns_.reset(one_row, HWY_NAMESPACE::all_columns);
   for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_row)
   (image, linear_light(), y, inside.x0, inside.x1, light_, opponent_);
   extend(opponent_, inside);

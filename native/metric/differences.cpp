@@ -7,7 +7,7 @@
 namespace gradmesh {
 namespace {
 
-constexpr int largest_width = 256, largest_height = 64;
+constexpr int largest_width = 768, largest_height = 64;
 /// Up to so many columns between two tiles cost less than what a tile computes around itself.
 constexpr int smallest_gap = 16;
 

@@ -56,7 +56,7 @@ HWY_INLINE void filter_columns(const PaddedRows<T>& in, int y, PaddedRows<T>& co
 
 /// The planes that are filtered of a channel of the reference, in double, since variances are small
 /// differences of them.
-enum ReferencePlane { value, square };
+enum ReferencePlane { value, square, reference_planes };
 
 void read_reference(const std::uint8_t* y, int count, double* HWY_RESTRICT values,
                     double* HWY_RESTRICT squares) {
@@ -85,7 +85,7 @@ void moments_of_row(const PaddedRows<double>& in, int y, PaddedRows<double>& col
 }
 
 /// The planes that are filtered of a channel of the difference.
-enum DifferencePlane { difference, squared, times_reference };
+enum DifferencePlane { difference, squared, times_reference, difference_planes };
 
 void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count,
                      float* HWY_RESTRICT differences, float* HWY_RESTRICT squares,
@@ -118,12 +118,14 @@ void add_distances(const PaddedRows<float>& in, int y, PaddedRows<float>& column
     const auto m = hn::Add(my, hn::Set(d, float(byte_centre))), mx = hn::Add(m, md);
     const auto means = hn::Add(hn::Mul(m, m), hn::Mul(mx, mx));
     const auto md2 = hn::Mul(md, md);
-    const auto luminance = hn::Div(md2, hn::Add(means, hn::Set(d, c1)));
+    const auto p_below = hn::Add(means, hn::Set(d, c1));
     const auto vd = hn::Max(hn::Zero(d), hn::Sub(mdd, md2));
     const auto covariance = hn::Sub(myd, hn::Mul(my, md));
     const auto half = hn::Add(vy, covariance);
-    const auto structure = hn::Div(vd, hn::Add(hn::Add(hn::Add(half, half), vd), hn::Set(d, c2)));
-    const auto both = hn::Sub(hn::Add(luminance, structure), hn::Mul(luminance, structure));
+    const auto q_below = hn::Add(hn::Add(hn::Add(half, half), vd), hn::Set(d, c2));
+    // p + q - p q with p = md2 / p_below and q = vd / q_below, in one division.
+    const auto above = hn::Add(hn::Mul(md2, q_below), hn::Mul(vd, hn::Sub(p_below, md2)));
+    const auto both = hn::Div(above, hn::Mul(p_below, q_below));
     hn::StoreU(hn::Add(hn::LoadU(d, distance + i), both), d, distance + i);
   }
 }
@@ -141,7 +143,8 @@ HWY_EXPORT(moments_of_row);
 HWY_EXPORT(read_difference);
 HWY_EXPORT(add_distances);
 
-constexpr int channels = 3, radius = 5;
+constexpr int channels = 3;
+using HWY_NAMESPACE::radius;
 
 /// For one tile; kept by a thread, as there may be hundreds of thousands.
 template <class T>
@@ -167,12 +170,13 @@ Ssim::Ssim(Image image) : LocalMetric(std::move(image), radius) {
   moments_.reset(frame, 2 * channels);
   for_each_strip(frame, [&](Window strip) {
     auto& scratch = Scratch<double>::of_this_thread();
-    scratch.reset(strip, 2);
+    scratch.reset(strip, HWY_NAMESPACE::reference_planes);
     const Window inside = strip.grown(radius).clipped(frame);
     for (int c = 0; c < channels; ++c) {
       for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_reference)
-      (reference().at(inside.x0, y, c), inside.width(), scratch.planes.at(0, inside.x0, y),
-       scratch.planes.at(1, inside.x0, y));
+      (reference().at(inside.x0, y, c), inside.width(),
+       scratch.planes.at(HWY_NAMESPACE::value, inside.x0, y),
+       scratch.planes.at(HWY_NAMESPACE::square, inside.x0, y));
       extend(scratch.planes, inside);
       for (int y = strip.y0; y < strip.y1; ++y) HWY_DYNAMIC_DISPATCH(moments_of_row)
       (scratch.planes, y, scratch.columns, moments_.row(c, y), moments_.row(channels + c, y));
@@ -182,15 +186,16 @@ Ssim::Ssim(Image image) : LocalMetric(std::move(image), radius) {
 
 void Ssim::score(const Image& test, Window tile, Plane& map) const {
   auto& scratch = Scratch<float>::of_this_thread();
-  scratch.reset(tile, 3);
+  scratch.reset(tile, HWY_NAMESPACE::difference_planes);
   scratch.distance.reset(tile, 1);
   scratch.distance.clear();
   const Window inside = tile.grown(radius).clipped(reference().window());
   for (int c = 0; c < channels; ++c) {
     for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_difference)
     (test.at(inside.x0, y, c), reference().at(inside.x0, y, c), inside.width(),
-     scratch.planes.at(0, inside.x0, y), scratch.planes.at(1, inside.x0, y),
-     scratch.planes.at(2, inside.x0, y));
+     scratch.planes.at(HWY_NAMESPACE::difference, inside.x0, y),
+     scratch.planes.at(HWY_NAMESPACE::squared, inside.x0, y),
+     scratch.planes.at(HWY_NAMESPACE::times_reference, inside.x0, y));
     extend(scratch.planes, inside);
     for (int y = tile.y0; y < tile.y1; ++y) HWY_DYNAMIC_DISPATCH(add_distances)
     (scratch.planes, y, scratch.columns, moments_.at(c, tile.x0, y),
