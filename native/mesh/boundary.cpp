@@ -33,13 +33,15 @@ std::vector<int> face_components(const Mesh& mesh, const std::function<bool(Half
       for (const Halfedge h : mesh.sides(face)) {
         if (divides(h)) continue;
         const Halfedge side = mesh.curve_side(h), twin = mesh[side].twin;
-        for (const Halfedge s : {side, twin})
-          for (const Halfedge leaf : s.valid() ? mesh.leaves(s) : std::vector<Halfedge>{}) {
+        for (const Halfedge s : {side, twin}) {
+          if (!s.valid()) continue;
+          for (const Halfedge leaf : mesh.leaves(s)) {
             const Face beside = mesh.face(leaf);
             if (component[beside.value] >= 0) continue;
             component[beside.value] = count;
             waiting.push_back(beside);
           }
+        }
       }
     }
     ++count;

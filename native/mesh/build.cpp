@@ -141,7 +141,7 @@ class MeshBuilder {
       if (mesh_.is_bar(side)) continue;
       const Halfedge twin = at(side).twin;
       if (twin.valid()) join(mesh_.first_leaf(side), mesh_.next(mesh_.last_leaf(twin)));
-      const std::vector<Halfedge> bars = mesh_.leaves(side);
+      const std::vector<Halfedge> bars = mesh_.leaves(side).list();
       for (std::size_t k = 1; k < bars.size(); ++k) join(mesh_.next(bars[k - 1]), bars[k]);
     }
   }
@@ -166,7 +166,7 @@ class MeshBuilder {
 
   /// Hangs a stem between any two neighbouring bars of `parent`.
   void add_stems(Halfedge parent) {
-    const std::vector<Halfedge> bars = mesh_.leaves(parent);
+    const std::vector<Halfedge> bars = mesh_.leaves(parent).list();
     for (std::size_t k = 1; k < bars.size(); ++k) {
       const Halfedge before = bars[k - 1], after = bars[k];
       const Halfedge stem = mesh_.curve_side(mesh_.next(before));

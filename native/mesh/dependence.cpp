@@ -1,7 +1,6 @@
 #include "mesh/dependence.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace gradmesh {
 
@@ -12,35 +11,32 @@ std::vector<Halfedge> supports(const Mesh& mesh, Halfedge curve) {
   return result;
 }
 
-std::vector<Halfedge> dependents(const Mesh& mesh, Halfedge curve) {
-  std::vector<Halfedge> result;
-  const Halfedge side = mesh.curve_side(curve);
-  for (const Halfedge s : {side, mesh[side].twin})
-    if (s.valid())
-      for (const Halfedge stem : mesh.stems(s)) result.push_back(mesh.curve(stem));
-  return result;
-}
-
-std::vector<Halfedge> in_order_of_dependence(const Mesh& mesh,
-                                             const std::vector<Halfedge>& curves) {
+std::vector<Halfedge> in_order_of_dependence(const Mesh& mesh, std::span<const Halfedge> curves) {
   // Depth first; a curve is listed once all that hangs on it is, and the list is turned round.
   struct Visit {
     Halfedge curve;
-    std::vector<Halfedge> dependents;
-    std::size_t done = 0;
+    /// The side of the curve whose stems are next, and the first child there not seen yet.
+    Halfedge side, child;
   };
   std::vector<Halfedge> order;
-  std::unordered_set<int> seen;
+  std::vector<bool> seen(mesh.halfedge_slots());
   std::vector<Visit> path;
   const auto enter = [&](Halfedge curve) {
-    if (seen.insert(curve.value).second) path.push_back({curve, dependents(mesh, curve)});
+    if (seen[curve.value]) return;
+    seen[curve.value] = true;
+    path.push_back({curve, curve, mesh[curve].first_child});
   };
   for (const Halfedge start : curves) {
     enter(start);
     while (!path.empty()) {
       Visit& top = path.back();
-      if (top.done < top.dependents.size()) {
-        enter(top.dependents[top.done++]);
+      if (top.child.valid()) {
+        const Halfedge child = top.child;
+        top.child = mesh[child].next_sibling;
+        if (mesh.is_stem(child)) enter(mesh.curve(child));
+      } else if (const Halfedge twin = mesh[top.curve].twin; top.side != twin && twin.valid()) {
+        top.side = twin;
+        top.child = mesh[twin].first_child;
       } else {
         order.push_back(top.curve);
         path.pop_back();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -12,13 +13,10 @@ namespace gradmesh {
 /// The curves on which `curve` hangs directly: none, one or two.
 std::vector<Halfedge> supports(const Mesh& mesh, Halfedge curve);
 
-/// The curves that hang on `curve` directly.
-std::vector<Halfedge> dependents(const Mesh& mesh, Halfedge curve);
-
 /// `curves` and all that hangs on them, directly or not, each after those it hangs on. Curves
 /// are given and returned as Mesh::curve names them. Where the mesh has a cycle, its curves come
 /// in no useful order.
-std::vector<Halfedge> in_order_of_dependence(const Mesh& mesh, const std::vector<Halfedge>& curves);
+std::vector<Halfedge> in_order_of_dependence(const Mesh& mesh, std::span<const Halfedge> curves);
 
 /// Whether some curve hangs on itself.
 bool has_cycle(const Mesh& mesh);

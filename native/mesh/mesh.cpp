@@ -5,32 +5,6 @@
 
 namespace gradmesh {
 
-std::vector<Halfedge> Mesh::children(Halfedge parent) const {
-  std::vector<Halfedge> result;
-  for (Halfedge c = (*this)[parent].first_child; c.valid(); c = (*this)[c].next_sibling)
-    result.push_back(c);
-  return result;
-}
-
-std::vector<Halfedge> Mesh::leaves(Halfedge side) const {
-  if (is_leaf(side)) return {side};
-  std::vector<Halfedge> result;
-  for (Halfedge c = (*this)[side].first_child; c.valid(); c = (*this)[c].next_sibling)
-    if (is_bar(c)) result.push_back(c);
-  return result;
-}
-
-std::vector<Halfedge> Mesh::stems(Halfedge side) const {
-  std::vector<Halfedge> result;
-  for (Halfedge c = (*this)[side].first_child; c.valid(); c = (*this)[c].next_sibling)
-    if (!is_bar(c)) result.push_back(c);
-  return result;
-}
-
-Halfedge Mesh::first_leaf(Halfedge side) const {
-  return is_leaf(side) ? side : (*this)[side].first_child;
-}
-
 Halfedge Mesh::last_leaf(Halfedge side) const {
   Halfedge last = side;
   for (Halfedge c = (*this)[side].first_child; c.valid(); c = (*this)[c].next_sibling) last = c;

@@ -6,6 +6,7 @@
 #include "mesh/alive_range.h"
 #include "mesh/elements.h"
 #include "mesh/parts.h"
+#include "mesh/sibling_range.h"
 
 namespace gradmesh {
 
@@ -55,11 +56,17 @@ class Mesh {
     return twin.valid() && twin < side ? twin : side;
   }
 
-  std::vector<Halfedge> children(Halfedge parent) const;
+  /// Bars and stems by turns, in the parent's direction.
+  SiblingRange children(Halfedge parent) const { return range(parent, SiblingRange::children); }
   /// The leaves along a curve side, in its direction: its bars, or itself.
-  std::vector<Halfedge> leaves(Halfedge side) const;
-  std::vector<Halfedge> stems(Halfedge side) const;
-  Halfedge first_leaf(Halfedge side) const;
+  SiblingRange leaves(Halfedge side) const {
+    return is_leaf(side) ? SiblingRange(halfedges_, side, SiblingRange::alone)
+                         : range(side, SiblingRange::bars);
+  }
+  SiblingRange stems(Halfedge side) const { return range(side, SiblingRange::stems); }
+  Halfedge first_leaf(Halfedge side) const {
+    return is_leaf(side) ? side : (*this)[side].first_child;
+  }
   Halfedge last_leaf(Halfedge side) const;
 
   // --- faces ---
@@ -84,6 +91,10 @@ class Mesh {
  private:
   friend class Journal;
   friend class MeshBuilder;
+
+  SiblingRange range(Halfedge parent, SiblingRange::Kind kind) const {
+    return {halfedges_, (*this)[parent].first_child, kind};
+  }
 
   std::vector<PointRecord> points_;
   std::vector<HandleRecord> handles_;

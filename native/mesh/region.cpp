@@ -34,12 +34,12 @@ Region region_at(const Mesh& mesh, Halfedge top, int rows, int columns) {
 std::vector<Halfedge> region_tops(const Mesh& mesh, const Region& region) {
   std::vector<Halfedge> tops;
   tops.reserve(region.size());
+  std::vector<bool> seen(mesh.face_slots());
   const Halfedge first = mesh.sides(region.face)[region.top];
   const auto add = [&](Halfedge top) {
-    if (!top.valid()) return false;
     // The same patch twice: the region goes round a ring.
-    for (const Halfedge known : tops)
-      if (mesh.face(known) == mesh.face(top)) return false;
+    if (!top.valid() || seen[mesh.face(top).value]) return false;
+    seen[mesh.face(top).value] = true;
     tops.push_back(top);
     return true;
   };

@@ -114,7 +114,7 @@ class Validator {
   }
 
   void check_children(Halfedge parent) {
-    const std::vector<Halfedge> children = mesh_.children(parent);
+    const std::vector<Halfedge> children = mesh_.children(parent).list();
     bool good = children.size() >= 3 && children.size() % 2 == 1;
     double at = 0;
     for (std::size_t i = 0; good && i < children.size(); ++i) {

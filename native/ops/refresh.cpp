@@ -15,7 +15,7 @@ void refresh_junction(Journal& journal, Halfedge stem) {
 
 }  // namespace
 
-void refresh(Journal& journal, const std::vector<Halfedge>& changed_curves) {
+void refresh(Journal& journal, std::span<const Halfedge> changed_curves) {
   const Mesh& mesh = journal.mesh();
   for (const Halfedge curve : in_order_of_dependence(mesh, changed_curves)) {
     for (const Halfedge side : {curve, mesh[curve].twin})

@@ -52,7 +52,7 @@ class Split {
     journal_.edit(second).halfedge = second_loop[top];
     journal_.touch(first);
     journal_.touch(second);
-    refresh(journal_, {mesh_.curve(side_), mesh_.curve(bottom), mesh_.curve(edge)});
+    refresh(journal_, std::array{mesh_.curve(side_), mesh_.curve(bottom), mesh_.curve(edge)});
     return edge;
   }
 

@@ -126,7 +126,7 @@ TEST(Fig4a, an_edge_inside_the_mesh_gets_a_junction_at_both_ends) {
        {std::tuple(std::vector{1, 0}, 0.5 / 0.7, 0), std::tuple(std::vector{6, 7}, 0.2 / 0.7, 7)}) {
     const Halfedge parent = grid.parent_of(faces);
     ASSERT_TRUE(parent.valid());
-    const std::vector<Halfedge> children = mesh.children(parent);
+    const std::vector<Halfedge> children = mesh.children(parent).list();
     ASSERT_EQ(children.size(), 3u);
     EXPECT_TRUE(mesh.is_stem(children[1]));
     EXPECT_NEAR(mesh[children[0]].interval.second, t, 1e-9);
@@ -166,7 +166,7 @@ TEST(Fig4b, with_more_bars_two_become_one) {
   const Halfedge parent = grid.parent_of({3, 4, 5});
   ASSERT_TRUE(parent.valid());
   const Cubic<Value> curve = grid.mesh().curve_of(parent);
-  const auto bars = [&] { return grid.mesh().leaves(parent); };
+  const auto bars = [&] { return grid.mesh().leaves(parent).list(); };
   const double end = grid.mesh()[bars()[1]].interval.second;
   EXPECT_NEAR(end, 0.7, 1e-9);
   grid.merge(3, 4);
@@ -221,7 +221,7 @@ TEST(Fig4c, both_sides_are_bars_of_different_parents) {
   grid.merge(0, 1);
   grid.merge(2, 3);
   expect_combined(grid, 0.4, 5, 6, 0.3 / 0.5, 0.3 / 0.5, 0.5);
-  EXPECT_EQ(grid.mesh().leaves(grid.parent_of({4, 5, 7})).size(), 3u);
+  EXPECT_EQ(grid.mesh().leaves(grid.parent_of({4, 5, 7})).list().size(), 3u);
 }
 
 TEST(Fig4c, both_sides_are_whole_curves_that_are_divided_on_the_far_side) {
@@ -230,7 +230,7 @@ TEST(Fig4c, both_sides_are_whole_curves_that_are_divided_on_the_far_side) {
   grid.merge(4, 5);
   grid.merge(6, 7);
   expect_combined(grid, 0.3, 4, 6, 1, 1, 0.5);
-  EXPECT_EQ(grid.mesh().leaves(grid.parent_of({3, 2, 1, 0})).size(), 4u);
+  EXPECT_EQ(grid.mesh().leaves(grid.parent_of({3, 2, 1, 0})).list().size(), 4u);
 }
 
 // --- Fig. 5: cycles ---
