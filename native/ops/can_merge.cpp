@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <set>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "ops/merge.h"
@@ -15,13 +16,13 @@ class CycleSearch {
   CycleSearch(const Mesh& mesh, const MergeEnd& tail, const MergeEnd& head) : mesh_(mesh) {
     for (const MergeEnd& end : {tail, head})
       if (end.kind == MergeEnd::interior)
-        combined_.push_back({mesh.curve_side(end.in), mesh.curve_side(end.out), end.across});
+        combined_[count_++] = {mesh.curve_side(end.in), mesh.curve_side(end.out), end.across};
   }
 
   MergeObstacle run() {
-    for (const Combined& c : combined_)
+    for (const Combined& c : all_combined())
       for (const Halfedge start : {c.in, other(c.in)}) {
-        std::set<Halfedge> seen;
+        std::vector<Halfedge> seen;
         const MergeObstacle found = follow(start, start, seen, true);
         if (found != MergeObstacle::none) return found;
       }
@@ -34,15 +35,17 @@ class CycleSearch {
     Halfedge in, out, across;
   };
 
+  std::span<const Combined> all_combined() const { return {combined_.data(), count_}; }
+
   Halfedge name(Halfedge side) const {
-    for (const Combined& c : combined_) {
+    for (const Combined& c : all_combined()) {
       if (side == c.out) return c.in;
       if (side == mesh_[c.in].twin) return mesh_[c.out].twin;
     }
     return side;
   }
   const Combined* combined(Halfedge side) const {
-    for (const Combined& c : combined_)
+    for (const Combined& c : all_combined())
       if (side == c.in || side == mesh_[c.out].twin) return &c;
     return nullptr;
   }
@@ -54,7 +57,7 @@ class CycleSearch {
 
   /// The side on which the curve starts as a stem, seen from `side`; invalid where it does not.
   Halfedge support(Halfedge side) const {
-    for (const Combined& c : combined_)
+    for (const Combined& c : all_combined())
       if (side == name(c.across)) return mesh_[c.out].twin;
     // A combined side starts where its own half-edge or, for the other side, `out`'s twin starts.
     return mesh_.is_stem(side) ? name(mesh_[side].parent) : Halfedge{};
@@ -63,38 +66,45 @@ class CycleSearch {
   /// Follows from the start of `side` what it hangs on, and on, until that is the curve of
   /// `start`. `by_starts`: each step so far went from the start of a side to the side on which it
   /// is, and from there to that same side's start.
-  MergeObstacle follow(Halfedge side, Halfedge start, std::set<Halfedge>& seen,
+  MergeObstacle follow(Halfedge side, Halfedge start, std::vector<Halfedge>& seen,
                        bool by_starts) const {
     const Halfedge parent = support(side);
     if (!parent.valid()) return MergeObstacle::none;
     const Halfedge back = other(parent);
     if (parent == start || back == start)
       return by_starts && parent == start ? MergeObstacle::origin_cycle : MergeObstacle::next_cycle;
-    if (!seen.insert(std::min(parent, back)).second) return MergeObstacle::none;
+    const Halfedge curve = std::min(parent, back);
+    if (std::ranges::find(seen, curve) != seen.end()) return MergeObstacle::none;
+    seen.push_back(curve);
     const MergeObstacle found = follow(parent, start, seen, by_starts);
     return found != MergeObstacle::none ? found : follow(back, start, seen, false);
   }
 
   const Mesh& mesh_;
-  std::vector<Combined> combined_;
+  std::array<Combined, 2> combined_;
+  std::size_t count_ = 0;
 };
 
 /// Whether the sides that the merge joins or keeps are not all on curves of their own.
 bool meets_itself(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const MergeEnd& head) {
   const Halfedge twin = mesh[edge].twin;
   if (mesh.face(edge) == mesh.face(twin) || mesh.origin(edge) == mesh.origin(twin)) return true;
-  std::vector<Halfedge> joined;
-  for (const MergeEnd& end : {tail, head}) {
-    joined.push_back(mesh.curve(end.in));
-    if (end.kind != MergeEnd::stem) joined.push_back(mesh.curve(end.out));
-  }
-  std::ranges::sort(joined);
-  if (std::ranges::adjacent_find(joined) != joined.end()) return true;
-  std::vector<Halfedge> kept{edge, mesh.next(head.out), mesh.next(tail.out)};
-  for (const MergeEnd& end : {tail, head})
-    if (end.kind == MergeEnd::interior) kept.push_back(end.across);
-  return std::ranges::any_of(
-      kept, [&](Halfedge h) { return std::ranges::binary_search(joined, mesh.curve(h)); });
+  std::array<Halfedge, 4> joined;
+  std::size_t count = 0;
+  const auto is_joined = [&](Halfedge h) {
+    const auto end = joined.begin() + count;
+    return std::find(joined.begin(), end, mesh.curve(h)) != end;
+  };
+  const auto join = [&](Halfedge h) {
+    if (is_joined(h)) return false;
+    joined[count++] = mesh.curve(h);
+    return true;
+  };
+  for (const MergeEnd* end : {&tail, &head})
+    if (!join(end->in) || (end->kind != MergeEnd::stem && !join(end->out))) return true;
+  for (const MergeEnd* end : {&tail, &head})
+    if (end->kind == MergeEnd::interior && is_joined(end->across)) return true;
+  return is_joined(edge) || is_joined(mesh.next(head.out)) || is_joined(mesh.next(tail.out));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace gradmesh {
 
 /// The only way to change a mesh. An operation edits records through the journal, which keeps
 /// each as it was, so that operations can be undone, the last first, at the cost of what they
-/// touched.
+/// touched. What is kept lies on stacks whose memory is used again after an undo.
 class Journal {
  public:
   explicit Journal(Mesh& mesh) : mesh_(mesh) {}
@@ -26,7 +26,7 @@ class Journal {
   /// How many operations can be undone.
   std::size_t depth() const { return operations_.size(); }
   /// Keeps all that was done for good.
-  void forget() { operations_.clear(); }
+  void forget();
 
   /// Faces whose patch, or whose neighbours along a side, changed in the operations after the
   /// first `depth`, those they removed among them; each once, in rising order.
@@ -35,11 +35,11 @@ class Journal {
   // --- for operations ---
   template <class Record>
   Record& edit(Index<Record> element) {
-    Before<Record>& before = std::get<Before<Record>>(operations_.back().before);
     const std::size_t i = std::size_t(element.value);
     Record& record = records<Record>()[i];
-    if (i < before.size && mark(std::get<Stamps<Record>>(saved_in_).stamps, i))
-      before.saved.emplace_back(element, record);
+    Saved<Record>& saved = std::get<Saved<Record>>(saved_);
+    const bool is_new = i >= std::get<Before<Record>>(operations_.back().before).size;
+    if (!is_new && mark(saved.stamps, i)) saved.records.emplace_back(element, record);
     return record;
   }
   template <class Record>
@@ -65,19 +65,17 @@ class Journal {
   void touch_curve(Halfedge curve);
 
  private:
+  /// Records of a kind as the operations that edited them found them.
   template <class Record>
-  using Saved = std::vector<std::pair<Index<Record>, Record>>;
-
-  /// What an operation found: how many records of a kind, and those that it edited.
+  struct Saved {
+    std::vector<std::pair<Index<Record>, Record>> records;
+    /// For each slot, the last operation that saved it.
+    std::vector<std::uint64_t> stamps;
+  };
+  /// How many records of a kind an operation found, in the mesh and saved by those before it.
   template <class Record>
   struct Before {
-    std::size_t size = 0;
-    Saved<Record> saved;
-  };
-  /// For each slot of a kind of record, the last operation that saved it.
-  template <class Record>
-  struct Stamps {
-    std::vector<std::uint64_t> stamps;
+    std::size_t size = 0, saved = 0;
   };
   template <template <class> class Of>
   using ForEachKind =
@@ -86,7 +84,7 @@ class Journal {
   struct Operation {
     ForEachKind<Before> before;
     int face_count;
-    std::vector<Face> touched;
+    std::size_t touched;
   };
 
   template <class Record>
@@ -98,12 +96,20 @@ class Journal {
   }
 
   /// True the first time that slot i is marked in this operation.
-  bool mark(std::vector<std::uint64_t>& stamps, std::size_t i);
+  bool mark(std::vector<std::uint64_t>& stamps, std::size_t i) {
+    if (i >= stamps.size()) stamps.resize(i + 1, 0);
+    if (stamps[i] == stamp_) return false;
+    stamps[i] = stamp_;
+    return true;
+  }
 
   Mesh& mesh_;
   std::vector<Operation> operations_;
   std::uint64_t stamp_ = 0;
-  ForEachKind<Stamps> saved_in_;
+  ForEachKind<Saved> saved_;
+  /// Faces that the operations touched, each once for an operation, and the last operation that
+  /// did.
+  std::vector<Face> touched_;
   std::vector<std::uint64_t> touched_in_;
 };
 

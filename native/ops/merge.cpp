@@ -16,7 +16,7 @@ class Merge {
 
   void run() {
     const MergeEnd tail = merge_end(mesh_, edge_), head = merge_end(mesh_, twin_);
-    const double r = split_factor(mesh_, edge_);
+    const double r = split_factor(mesh_, edge_, tail, head);
     const double r_tail = split_share(mesh_, tail, r);
     const double r_head = split_share(mesh_, head, 1 - r);
     const Face kept = mesh_.face(edge_), gone = mesh_.face(twin_);
@@ -36,7 +36,7 @@ class Merge {
     remove_curve(edge_);
     journal_.remove_face(gone);
     journal_.touch(kept);
-    refresh(journal_, changed_);
+    refresh(journal_, std::array{mesh_.curve(tail_side), mesh_.curve(head_side)});
   }
 
  private:
@@ -65,7 +65,6 @@ class Merge {
     const Halfedge parent = mesh_[end.in].parent;
     const Halfedge after = mesh_[end.out].next_sibling;
     journal_.remove(mesh_.origin(end.out));
-    changed_.push_back(mesh_.curve(parent));
     if (mesh_[parent].first_child == end.in && !after.valid()) {
       take_corner(parent, end.in);
       edit(parent).first_child = {};
@@ -83,7 +82,6 @@ class Merge {
     journal_.remove(mesh_.origin(end.out));
     join_handles(end.in, end.out, r);
     journal_.remove(end.out);
-    changed_.push_back(mesh_.curve(end.in));
     return end.in;
   }
 
@@ -98,15 +96,13 @@ class Merge {
     edit(in).twin = out_twin;
     edit(out_twin).twin = in;
 
-    std::vector<Halfedge> far_side = children_over(out_twin, {0, 1 - t});
-    far_side.push_back(end.across);
-    const std::vector<Halfedge> rest = children_over(in_twin, {1 - t, 1});
-    far_side.insert(far_side.end(), rest.begin(), rest.end());
-    hang_stem(end.across, out_twin, 1 - t, rest.front());
+    const Children before = children_over(out_twin, {0, 1 - t}, out_twin);
+    const Children after = children_over(in_twin, {1 - t, 1}, out_twin);
+    edit(out_twin).first_child = before.first;
+    edit(before.last).next_sibling = end.across;
+    hang_stem(end.across, out_twin, 1 - t, after.first);
     const Halfedge side = near_side(end, in, out, t);
-    set_children(out_twin, far_side);
-    if (in_twin != rest.front()) journal_.remove(in_twin);
-    changed_.push_back(mesh_.curve(in));
+    if (in_twin != after.first) journal_.remove(in_twin);
     return side;
   }
 
@@ -118,32 +114,43 @@ class Merge {
     }
     const double first = end.in == in ? 0.0 : t * mesh_[end.in].interval.first;
     const double second = end.out == out ? 1.0 : t + (1 - t) * mesh_[end.out].interval.second;
-    std::vector<Halfedge> before = children_over(in, {0, t}), after = children_over(out, {t, 1});
-    const Halfedge bar = before.back();
+    const Children before = children_over(in, {0, t}, in), after = children_over(out, {t, 1}, in);
+    const Halfedge bar = before.last;
     edit(bar).interval = {first, second};
-    before.insert(before.end(), after.begin() + 1, after.end());
-    set_children(in, before);
+    edit(bar).next_sibling = mesh_[after.first].next_sibling;
+    edit(in).first_child = before.first;
     journal_.remove(end.out);
     if (out != end.out) journal_.remove(out);
     return bar;
   }
 
+  /// Some children of one parent, each naming the next.
+  struct Children {
+    Halfedge first, last;
+  };
+
   /// The children of a side whose curve becomes the part `part` of a longer one, with their new
-  /// intervals. A leaf is its own only bar, a new one if its half-edge starts the longer curve.
-  std::vector<Halfedge> children_over(Halfedge side, Interval part) {
+  /// intervals and parent. A leaf is its own only bar, a new one if its half-edge starts the longer
+  /// curve.
+  Children children_over(Halfedge side, Interval part, Halfedge parent) {
     if (mesh_.is_leaf(side)) {
       const Halfedge bar = part.first == 0 ? bar_instead_of(side) : side;
-      edit(bar).interval = part;
       if (bar == side) clear_curve(bar);
-      return {bar};
+      HalfedgeRecord& record = edit(bar);
+      record.interval = part;
+      record.parent = parent;
+      record.next_sibling = {};
+      return {bar, bar};
     }
-    const std::vector<Halfedge> children = mesh_.children(side);
-    for (const Halfedge child : children) {
-      Interval& interval = edit(child).interval;
-      interval = {part.first + part.length() * interval.first,
-                  part.first + part.length() * interval.second};
+    Children children{mesh_[side].first_child, {}};
+    for (const Halfedge child : mesh_.children(side)) {
+      HalfedgeRecord& record = edit(child);
+      record.interval = {part.first + part.length() * record.interval.first,
+                         part.first + part.length() * record.interval.second};
+      record.parent = parent;
+      children.last = child;
     }
-    edit(children.back()).interval.second = part.second;
+    edit(children.last).interval.second = part.second;
     return children;
   }
 
@@ -172,20 +179,13 @@ class Merge {
     record.handles = {};
   }
 
-  void set_children(Halfedge parent, const std::vector<Halfedge>& children) {
-    edit(parent).first_child = children.front();
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      HalfedgeRecord& child = edit(children[i]);
-      child.parent = parent;
-      child.next_sibling = i + 1 < children.size() ? children[i + 1] : Halfedge{};
-    }
-  }
-
   void hang_stem(Halfedge stem, Halfedge parent, double t, Halfedge bar_after) {
     PointRecord& p = journal_.edit(mesh_.origin(stem));
     p.stem = p.halfedge = stem;
-    edit(stem).parent = parent;
-    edit(stem).interval = {t, t};
+    HalfedgeRecord& record = edit(stem);
+    record.parent = parent;
+    record.interval = {t, t};
+    record.next_sibling = bar_after;
     // In `bicubic` the patches at the stem keep their colours there, as in the authors' program;
     // the colour of the parent's curve, whose tangents say little of it, could be anywhere.
     if (mesh_.color_model() == ColorModel::bicubic) return;
@@ -231,7 +231,6 @@ class Merge {
   Journal& journal_;
   const Mesh& mesh_;
   const Halfedge edge_, twin_;
-  std::vector<Halfedge> changed_;
 };
 
 }  // namespace

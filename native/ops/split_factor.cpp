@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "ops/merge.h"
 #include "ops/merge_end.h"
@@ -17,11 +18,11 @@ double dot(const Value& a, const Value& b, ColorModel model) {
   return glm::dot(a.position, b.position) + color;
 }
 
-/// |m| / |m + n| of Eq. 4, or `otherwise` where m and n do not point the same way.
-double share(const Value& m, const Value& n, double otherwise, ColorModel model) {
+/// |m| / |m + n| of Eq. 4, unless m and n do not point the same way.
+std::optional<double> share(const Value& m, const Value& n, ColorModel model) {
   const double mm = dot(m, m, model), nn = dot(n, n, model), mn = dot(m, n, model);
   const double smallest = 1e-12 * std::max(mm, nn);
-  if (mn <= 0 || mm <= smallest || nn <= smallest) return otherwise;
+  if (mn <= 0 || mm <= smallest || nn <= smallest) return std::nullopt;
   return std::sqrt(mm / (mm + 2 * mn + nn));
 }
 
@@ -29,21 +30,25 @@ double share(const Value& m, const Value& n, double otherwise, ColorModel model)
 /// are r4 and r3, as shares of the other patch.
 double share_at_tail(const Mesh& mesh, Halfedge edge, const MergeEnd& tail) {
   const Cubic<Value> in = mesh.side_of(tail.in), out = mesh.side_of(tail.out);
-  const double by_length = share_by_length(in, out);
   // Tangents across the edge at its inner Bezier point; the local axes of the twist at the start
   // of `edge` are (along the edge, against `in`), hence the sign.
   const Value inner_in = in.m1 - mesh[edge].twist * (1.0 / 3.0);
   const Value inner_out = out.m0 + mesh[tail.out].twist * (1.0 / 3.0);
   const ColorModel model = mesh.color_model();
-  return 0.5 *
-         (share(in.m1, out.m0, by_length, model) + share(inner_in, inner_out, by_length, model));
+  const std::optional<double> outer = share(in.m1, out.m0, model);
+  const std::optional<double> inner = share(inner_in, inner_out, model);
+  const double by_length = outer && inner ? 0.0 : share_by_length(in, out);
+  return 0.5 * (outer.value_or(by_length) + inner.value_or(by_length));
 }
 
 }  // namespace
 
 double split_factor(const Mesh& mesh, Halfedge edge) {
+  return split_factor(mesh, edge, merge_end(mesh, edge), merge_end(mesh, mesh[edge].twin));
+}
+
+double split_factor(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const MergeEnd& head) {
   const Halfedge twin = mesh[edge].twin;
-  const MergeEnd tail = merge_end(mesh, edge), head = merge_end(mesh, twin);
   double sum = 0;
   int ends = 0;
   // A stem stands where its parent was split, so only the other end is estimated; between two
