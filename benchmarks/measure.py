@@ -55,10 +55,14 @@ def cache(build):
 
 
 def run_to_end(command, what):
-    done = subprocess.run([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    """What the command prints; where it fails that is shown."""
+    done = subprocess.run(
+        [str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
     if done.returncode != 0:
-        say(done.stdout.decode(errors="replace"))
+        say(done.stdout)
         raise BenchError(f"{what} has failed.")
+    return done.stdout
 
 
 def build(source, folder, targets=("gradmesh", "gradmesh_bench"), options=()):
@@ -72,33 +76,41 @@ def build(source, folder, targets=("gradmesh", "gradmesh_bench"), options=()):
             options += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
     benchmarks = "ON" if "gradmesh_bench" in targets else "OFF"
     configure = ["cmake", "-S", source, "-B", folder, f"-DGRADMESH_BENCHMARKS={benchmarks}"]
-    run_to_end([*configure, *options], f"Configuring {source}")
+    try:
+        run_to_end([*configure, *options], f"Configuring {source}")
+    except BenchError:
+        if cache(folder).get("benchmark_DIR", "").endswith("-NOTFOUND"):
+            raise BenchError("Google Benchmark (libbenchmark-dev) is absent.") from None
+        raise
     run_to_end(["cmake", "--build", folder, "--target", *targets], f"Building {source}")
 
 
 # --- Google Benchmark ---
 
 
+#: How Google Benchmark ends the names of what is timed by the clock.
+SEVERAL_THREADS = "/process_time/real_time"
+
+
 def line_name(benchmark):
-    return benchmark.removesuffix("/real_time")
+    return benchmark.removesuffix(SEVERAL_THREADS)
 
 
 def native_names(program):
-    listed = subprocess.run([program, "--benchmark_list_tests"], capture_output=True, text=True, check=True)
-    return listed.stdout.split()
+    return run_to_end([program, "--benchmark_list_tests"], f"Listing {program}").split()
 
 
 def native_line(entry):
     """One repetition as Google Benchmark writes it."""
     if entry.get("error_occurred"):
         return {"left_out": entry["error_message"]}
-    clock = "wall" if entry["name"].endswith("/real_time") else "cpu"
-    if "items_per_second" in entry:
-        seconds = 1 / entry["items_per_second"]
+    wall, cpu = entry["real_time"] / 1e3, entry["cpu_time"] / 1e3
+    if entry["run_name"].endswith(SEVERAL_THREADS):
+        line = {"seconds": wall, "clock": "wall", "cpu_seconds": cpu}
     else:
-        seconds = entry["real_time" if clock == "wall" else "cpu_time"] / 1e3
+        line = {"seconds": 1 / entry["items_per_second"] if "items_per_second" in entry else cpu, "clock": "cpu"}
     counted = ("patches", "left", "evaluations", "error")
-    return {"seconds": seconds, "clock": clock, **{k: entry[k] for k in counted if k in entry}}
+    return line | {key: entry[key] for key in counted if key in entry}
 
 
 def keep_fastest(lines, name, line):
@@ -118,7 +130,8 @@ def run_native(program, names, repetitions, min_time):
         command += [f"--benchmark_min_time={min_time}", f"--benchmark_repetitions={repetitions}"]
         if repetitions > 1:
             command.append("--benchmark_enable_random_interleaving=true")
-        subprocess.run(command, stdout=sys.stderr.fileno(), check=True)
+        if subprocess.run(command, stdout=sys.stderr.fileno()).returncode != 0:
+            raise BenchError(f"{program} has failed.")
         entries = json.loads(out.read_text())["benchmarks"]
     lines = {}
     for name in names:  # in their order, which the mixing lost
@@ -152,11 +165,17 @@ def skimage(program, selects, repetitions):
     if found.returncode != 0:
         return {SKIMAGE: {"left_out": "scikit-image (python3-skimage) is absent"}}
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([program, "--image-pair", folder], check=True)
-        command = [PYTHON, str(HERE / "skimage_ssim.py"), folder, str(repetitions)]
-        found = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
-    line = {"seconds": found["cpu_seconds"], "clock": "cpu", "wall_seconds": found["seconds"]}
-    return {SKIMAGE: {**line, "error": found["error"]}}
+        run_to_end([program, "--image-pair", folder], "Writing the images")
+        script = [PYTHON, "-W", "ignore", HERE / "skimage_ssim.py"]
+        found = json.loads(run_to_end([*script, folder, repetitions], "scikit-image's SSIM"))
+    return {
+        SKIMAGE: {
+            "seconds": found["cpu_seconds"],
+            "clock": "cpu",
+            "wall_seconds": found["seconds"],
+            "error": found["error"],
+        }
+    }
 
 
 # --- the command line ---
@@ -211,6 +230,7 @@ def run_cli(program, file, options):
     return {
         "seconds": seconds,
         "clock": "wall",
+        "cpu_seconds": usage.ru_utime + usage.ru_stime,
         "patches": sum(mesh["patches_before"] for mesh in meshes),
         "left": sum(mesh["patches_after"] for mesh in meshes),
         "evaluations": sum(mesh["evaluations"] for mesh in meshes),

@@ -31,13 +31,15 @@ def _count(value):
 
 
 def lines_table(lines):
-    """What was measured, in seconds of the processor (one thread) or of the clock (several)."""
+    """What was measured. Work of one thread is timed by the processor alone; of several by the clock
+    on the wall, with the processor's time in all threads beside it."""
     rows = []
     for name, line in lines.items():
         if "seconds" in line:
-            counted = [_count(line.get(key)) for key in COUNTED]
-            rows.append([name, seconds_text(line["seconds"]), line["clock"], *counted])
-    return table(["", "time", "clock", "patches", "left", "evaluations", "error", "MB"], rows)
+            wall = seconds_text(line["seconds"]) if line["clock"] == "wall" else ""
+            cpu = seconds_text(line.get("cpu_seconds", line["seconds"]))
+            rows.append([name, wall, cpu, *(_count(line.get(key)) for key in COUNTED)])
+    return table(["", "clock", "processor", "patches", "left", "evaluations", "error", "MB"], rows)
 
 
 def growth_table(growth):
