@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "metric/color_matrices.h"
+#include "metric/colour_matrices.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "metric/appearance.cpp"
@@ -214,12 +214,12 @@ const std::array<float, 256>& linear_light() {
 void AppearanceFilter::read(const Image& image, Window frame, Window box) {
   const Window around = box.grown(appearance_reach), inside = around.clipped(frame);
   const Window one_row = {around.x0, 0, around.x1, 1};
-  box_ = box;
   opponent_.reset(around, HWY_NAMESPACE::opponents);
   light_.reset(one_row, 3);
   columns_.reset(one_row, HWY_NAMESPACE::all_columns);
-  for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_row)
-  (image, linear_light(), y, inside.x0, inside.x1, light_, opponent_);
+  const auto read_one = HWY_DYNAMIC_DISPATCH(read_row);
+  for (int y = inside.y0; y < inside.y1; ++y)
+    read_one(image, linear_light(), y, inside.x0, inside.x1, light_, opponent_);
   extend(opponent_, inside);
 }
 

@@ -44,7 +44,7 @@ class AppearanceFilter {
   void row(int y, const AppearanceRow<float>& out);
 
  private:
-  Window box_;
+  /// CIE XYZ over white: y, x - y and y - z, which are FLIP's YCxCz but for constant factors.
   PaddedRows<float> opponent_;
   PaddedRows<float> light_, columns_;  ///< One row each.
 };

@@ -96,10 +96,11 @@ void Flip::score(const Image& test, Window tile, Plane& map) const {
   scratch.distance.reset(one_row, 1);
   const AppearanceRow<float> seen = scratch.row.row(tile.x0, 0);
   float* distance = scratch.distance.row(0, 0);
+  const auto compare_row = HWY_DYNAMIC_DISPATCH(compare);
   scratch.filter.read(test, reference().window(), tile);
   for (int y = tile.y0; y < tile.y1; ++y) {
     scratch.filter.row(y, seen);
-    HWY_DYNAMIC_DISPATCH(compare)(appearance_.row(tile.x0, y), seen, tile.width(), distance);
+    compare_row(appearance_.row(tile.x0, y), seen, tile.width(), distance);
     std::copy_n(distance, tile.width(), map.at(tile.x0, y));
   }
 }

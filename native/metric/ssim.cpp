@@ -143,67 +143,68 @@ HWY_EXPORT(moments_of_row);
 HWY_EXPORT(read_difference);
 HWY_EXPORT(add_distances);
 
+namespace simd = HWY_NAMESPACE;
+using simd::radius;
 constexpr int channels = 3;
-using HWY_NAMESPACE::radius;
 
-/// For one tile; kept by a thread, as there may be hundreds of thousands.
+/// What is filtered for one tile. Kept by a thread, as there may be hundreds of thousands.
 template <class T>
 struct Scratch {
   PaddedRows<T> planes, columns;
-  PaddedRows<float> distance;
 
-  static Scratch& of_this_thread() {
+  static Scratch& of_this_thread(Window tile, int count) {
     static thread_local Scratch scratch;
-    return scratch;
-  }
-  void reset(Window tile, int count) {
     const Window around = tile.grown(radius);
-    planes.reset(around, count);
-    columns.reset({around.x0, 0, around.x1, 1}, count);
+    scratch.planes.reset(around, count);
+    scratch.columns.reset({around.x0, 0, around.x1, 1}, count);
+    return scratch;
   }
 };
 
 }  // namespace
 
 Ssim::Ssim(Image image) : LocalMetric(std::move(image), radius) {
+  const auto read = HWY_DYNAMIC_DISPATCH(read_reference);
+  const auto filter = HWY_DYNAMIC_DISPATCH(moments_of_row);
   const Window frame = reference().window();
   moments_.reset(frame, 2 * channels);
   for_each_strip(frame, [&](Window strip) {
-    auto& scratch = Scratch<double>::of_this_thread();
-    scratch.reset(strip, HWY_NAMESPACE::reference_planes);
+    auto& [planes, columns] = Scratch<double>::of_this_thread(strip, simd::reference_planes);
     const Window inside = strip.grown(radius).clipped(frame);
     for (int c = 0; c < channels; ++c) {
-      for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_reference)
-      (reference().at(inside.x0, y, c), inside.width(),
-       scratch.planes.at(HWY_NAMESPACE::value, inside.x0, y),
-       scratch.planes.at(HWY_NAMESPACE::square, inside.x0, y));
-      extend(scratch.planes, inside);
-      for (int y = strip.y0; y < strip.y1; ++y) HWY_DYNAMIC_DISPATCH(moments_of_row)
-      (scratch.planes, y, scratch.columns, moments_.row(c, y), moments_.row(channels + c, y));
+      for (int y = inside.y0; y < inside.y1; ++y)
+        read(reference().at(inside.x0, y, c), inside.width(), planes.at(simd::value, inside.x0, y),
+             planes.at(simd::square, inside.x0, y));
+      extend(planes, inside);
+      for (int y = strip.y0; y < strip.y1; ++y)
+        filter(planes, y, columns, moments_.row(c, y), moments_.row(channels + c, y));
     }
   });
 }
 
 void Ssim::score(const Image& test, Window tile, Plane& map) const {
-  auto& scratch = Scratch<float>::of_this_thread();
-  scratch.reset(tile, HWY_NAMESPACE::difference_planes);
-  scratch.distance.reset(tile, 1);
-  scratch.distance.clear();
+  const auto read = HWY_DYNAMIC_DISPATCH(read_difference);
+  const auto add = HWY_DYNAMIC_DISPATCH(add_distances);
+  auto& [planes, columns] = Scratch<float>::of_this_thread(tile, simd::difference_planes);
+  static thread_local PaddedRows<float> distances;
+  distances.reset(tile, 1);
+  distances.clear();
   const Window inside = tile.grown(radius).clipped(reference().window());
   for (int c = 0; c < channels; ++c) {
-    for (int y = inside.y0; y < inside.y1; ++y) HWY_DYNAMIC_DISPATCH(read_difference)
-    (test.at(inside.x0, y, c), reference().at(inside.x0, y, c), inside.width(),
-     scratch.planes.at(HWY_NAMESPACE::difference, inside.x0, y),
-     scratch.planes.at(HWY_NAMESPACE::squared, inside.x0, y),
-     scratch.planes.at(HWY_NAMESPACE::times_reference, inside.x0, y));
-    extend(scratch.planes, inside);
-    for (int y = tile.y0; y < tile.y1; ++y) HWY_DYNAMIC_DISPATCH(add_distances)
-    (scratch.planes, y, scratch.columns, moments_.at(c, tile.x0, y),
-     moments_.at(channels + c, tile.x0, y), scratch.distance.row(0, y));
+    for (int y = inside.y0; y < inside.y1; ++y)
+      read(test.at(inside.x0, y, c), reference().at(inside.x0, y, c), inside.width(),
+           planes.at(simd::difference, inside.x0, y), planes.at(simd::squared, inside.x0, y),
+           planes.at(simd::times_reference, inside.x0, y));
+    extend(planes, inside);
+    for (int y = tile.y0; y < tile.y1; ++y)
+      add(planes, y, columns, moments_.at(c, tile.x0, y), moments_.at(channels + c, tile.x0, y),
+          distances.row(0, y));
   }
-  for (int y = tile.y0; y < tile.y1; ++y)
-    std::transform(scratch.distance.row(0, y), scratch.distance.row(0, y) + tile.width(),
-                   map.at(tile.x0, y), [](float total) { return total * (1.0F / channels); });
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const float* sums = distances.row(0, y);
+    std::transform(sums, sums + tile.width(), map.at(tile.x0, y),
+                   [](float sum) { return sum * (1.0F / channels); });
+  }
 }
 
 }  // namespace gradmesh

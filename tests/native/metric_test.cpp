@@ -266,7 +266,7 @@ TEST(Metric, AnUpdatedMapHoldsTheBitsOfANewOne) {
     Random random(seed);
     const MetricKind kind = all_kinds[seed % 2];
     // Some frames hold more than one tile along both axes.
-    Update update(random, kind, random.from(1, seed % 9 == 0 ? 700 : 90), random.from(1, 150));
+    Update update(random, kind, random.from(1, seed % 9 == 0 ? 1700 : 90), random.from(1, 150));
     const double change =
         update.metric->update_map(update.before, update.test, update.changed, update.map);
     EXPECT_NEAR(change, update.rise, 1e-9);
