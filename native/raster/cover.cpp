@@ -1,7 +1,7 @@
 #include "raster/cover.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/cover.cpp"
@@ -16,8 +16,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int unit = 1 << subpixel_bits;
 constexpr int half = unit / 2;
-/// Up to this size in grid units, edge functions fit into 32 bits wherever they are looked at.
-constexpr int most_extent = 96 * unit;
+/// Whether the edge functions of a triangle of that size, in grid units, fit into 32 bits at all
+/// pixels of its box and a vector beyond.
+bool is_small(std::int64_t width, std::int64_t height) {
+  constexpr int beyond = (int(row_padding) + 1) * unit;
+  return 2 * (width + beyond) * (height + beyond) < INT32_MAX;
+}
 
 /// Twice the area, in grid units, of the triangle between an edge and a pixel's centre: positive
 /// inside. A centre on an edge belongs to the triangle on its right, or below it; so the function
@@ -34,12 +38,11 @@ struct Edge {
   }
 };
 
-/// Triangle a, b, c, clockwise, of at most `most_extent`, over the pixels of `box`.
-void cover_small(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area, Window box,
-                 Parameters& parameters) {
-  const hn::CappedTag<float, 8> d;
-  const hn::RebindToSigned<decltype(d)> di;
-  static_assert(row_padding >= 8);
+/// Triangle a, b, c, clockwise and small, over the pixels of `box`.
+template <class D>
+void cover_small(D d, const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area,
+                 Window box, Parameters& parameters) {
+  const hn::RebindToSigned<D> di;
   const Edge ab(a, b, box.x0, box.y0), bc(b, c, box.x0, box.y0), ca(c, a, box.x0, box.y0);
 
   // The share of a corner is the function of the edge opposite, over the triangle's area.
@@ -109,28 +112,40 @@ void cover_large(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t
                  (to_c * (b.x - a.x) - to_b * (c.x - a.x)) / double(area)};
   };
   const Slope du = slope(a.u, b.u, c.u), dv = slope(a.v, b.v, c.v);
+  const hn::CappedTag<float, row_padding> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const auto u_step = hn::Set(d, float(du.along_x * unit));
+  const auto v_step = hn::Set(d, float(dv.along_x * unit));
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0F);
   const std::array<std::array<const Vertex*, 2>, 3> edges{{{&a, &b}, {&b, &c}, {&c, &a}}};
   for (int y = box.y0; y < box.y1; ++y) {
-    int x0 = box.x0, x1 = box.x1;
+    const int centre = y * unit + half;
+    int first = INT32_MIN, last = INT32_MAX;
     for (const auto& [from, to] : edges) {
-      const int centre = y * unit + half;
       if (from->y == to->y || centre < std::min(from->y, to->y) ||
           centre >= std::max(from->y, to->y))
         continue;
       // Clockwise: edges that run upwards have the triangle on their right.
       const int x = first_pixel_on(*from, *to, y);
       if (to->y < from->y)
-        x0 = std::max(x0, x);
+        first = std::max(first, x);
       else
-        x1 = std::min(x1, x);
+        last = std::min(last, x);
     }
-    const double dy = double(y * unit + half - a.y);
-    for (int x = x0; x < x1; ++x) {
-      const double dx = double(x * unit + half - a.x);
-      const std::size_t at = parameters.offset(x, y);
-      // Clamped, since in a sliver rounding could leave the patch.
-      parameters.u[at] = float(std::clamp(a.u + du.along_x * dx + du.along_y * dy, 0.0, 1.0));
-      parameters.v[at] = float(std::clamp(a.v + dv.along_x * dx + dv.along_y * dy, 0.0, 1.0));
+    const int x0 = std::max(first, box.x0), x1 = std::min(last, box.x1);
+    if (x0 >= x1) continue;
+    // From the first pixel of the row, whether or not it lies in the box: what a pixel gets must
+    // not depend on the window. In a sliver rounding could leave the patch.
+    const double dx = double(std::int64_t(first) * unit + half - a.x), dy = centre - a.y;
+    const auto u0 = hn::Set(d, float(a.u + du.along_x * dx + du.along_y * dy));
+    const auto v0 = hn::Set(d, float(a.v + dv.along_x * dx + dv.along_y * dy));
+    const std::size_t at = parameters.offset(x0, y);
+    for (int i = 0; i < x1 - x0; i += int(hn::Lanes(d))) {
+      const auto right = hn::ConvertTo(d, hn::Iota(di, x0 + i - first));
+      const auto u = hn::Add(u0, hn::Mul(right, u_step)), v = hn::Add(v0, hn::Mul(right, v_step));
+      const auto covered = hn::FirstN(d, std::size_t(x1 - x0 - i));
+      hn::BlendedStore(hn::Min(hn::Max(u, zero), one), covered, d, parameters.u.data() + at + i);
+      hn::BlendedStore(hn::Min(hn::Max(v, zero), one), covered, d, parameters.v.data() + at + i);
     }
   }
 }
@@ -152,10 +167,12 @@ void cover_all(const FaceShape& shape, Parameters& parameters) {
       std::swap(b, c);
       area = -area;
     }
-    if (std::max(right - left, bottom - top) <= most_extent)
-      cover_small(a, *b, *c, area, box, parameters);
-    else
+    if (!is_small(right - left, bottom - top))
       cover_large(a, *b, *c, area, box, parameters);
+    else if (box.width() <= 8)
+      cover_small(hn::CappedTag<float, 8>(), a, *b, *c, area, box, parameters);
+    else
+      cover_small(hn::CappedTag<float, row_padding>(), a, *b, *c, area, box, parameters);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <hwy/cache_control.h>
+
 #include "raster/cover.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -87,7 +89,8 @@ HWY_INLINE Step<V> approach(D d, const Refinement& refinement, V x, V y, M activ
 /// Newton's method, pixel by pixel until what is left is less than `flatness`: after a step of
 /// (du, dv) that is at most (uu du^2 + 2 uv du dv + vv dv^2) / 2. One step nearly always does.
 void refine(const Refinement& refinement, Parameters& parameters) {
-  const hn::CappedTag<float, row_padding> d;
+  // Longer vectors would be filled less well.
+  const hn::CappedTag<float, 8> d;
   const hn::RebindToSigned<decltype(d)> di;
   using V = hn::Vec<decltype(d)>;
   constexpr int most_steps = 4;
@@ -103,6 +106,11 @@ void refine(const Refinement& refinement, Parameters& parameters) {
       V u = hn::LoadU(d, u_row + i), v = hn::LoadU(d, v_row + i);
       auto active = hn::Gt(u, hn::Set(d, Parameters::not_covered / 2));
       if (hn::AllFalse(d, active)) continue;
+      if (const int before = int(hn::FindFirstTrue(d, active)); before > 0) {
+        // Starts afresh where the patch does.
+        i += before - int(hn::Lanes(d));
+        continue;
+      }
       const V x = hn::Add(hn::ConvertTo(d, hn::Iota(di, window.x0 + i - refinement.x)), half);
       for (int n = 0; n < most_steps; ++n) {
         const Step<V> step = approach(d, refinement, x, y, active, u, v);
@@ -161,53 +169,66 @@ HWY_INLINE void levels(D d, const PatchColor& color, V u, V v,
   }
 }
 
-/// Paints a row of `width` pixels, which is at least as many as the vectors of D have lanes. The
-/// last vector may overlap the one before: painting a pixel twice changes nothing.
+/// Painted pixels of one row, as pointers to the first.
+struct Row {
+  const float *u, *v;
+  std::uint32_t* top;
+  std::array<std::uint8_t*, 3> rgb;
+};
+
+/// Paints as many pixels of a row as D has lanes.
 template <class D>
-HWY_INLINE void shade_row(D d, const PatchColor& color, Face face, const float* u, const float* v,
-                          int width, std::uint32_t* top, const std::array<std::uint8_t*, 3>& rgb) {
+HWY_INLINE void shade_pixels(D d, const PatchColor& color, Face face, const Row& row) {
   const hn::RebindToUnsigned<D> du;
   const hn::RebindToSigned<D> di;
   const hn::Rebind<std::uint8_t, D> bytes;
-  const int lanes = int(hn::Lanes(d));
+  const auto u = hn::LoadU(d, row.u);
+  const auto covered = hn::Gt(u, hn::Set(d, Parameters::not_covered / 2));
+  if (hn::AllFalse(d, covered)) return;
+
   // As TopFace::with.
   const auto alone = hn::Set(du, TopFace().with(face).sample());
   const auto face_on_top = hn::ShiftRight<1>(hn::BitCast(di, alone));
-  for (int next = 0; next < width; next += lanes) {
-    const int x = std::min(next, width - lanes);
-    const auto at_u = hn::LoadU(d, u + x);
-    const auto covered = hn::Gt(at_u, hn::Set(d, Parameters::not_covered / 2));
-    if (hn::AllFalse(d, covered)) continue;
+  const auto before = hn::LoadU(du, row.top);
+  const auto face_before = hn::ShiftRight<1>(hn::BitCast(di, before));
+  const auto same = hn::Or(hn::Eq(face_before, face_on_top), hn::Eq(face_before, hn::Zero(di)));
+  const auto both = hn::Or(hn::Max(alone, before), hn::Set(du, 1u));
+  const auto after = hn::IfThenElse(hn::RebindMask(du, same), hn::Or(before, alone), both);
+  hn::StoreU(hn::IfThenElse(hn::RebindMask(du, covered), after, before), du, row.top);
 
-    const auto before = hn::LoadU(du, top + x);
-    const auto face_before = hn::ShiftRight<1>(hn::BitCast(di, before));
-    const auto same = hn::Or(hn::Eq(face_before, face_on_top), hn::Eq(face_before, hn::Zero(di)));
-    const auto above = hn::Not(hn::Gt(face_before, face_on_top));
-    const auto both = hn::Or(hn::Max(alone, before), hn::Set(du, 1u));
-    const auto after = hn::IfThenElse(hn::RebindMask(du, same), hn::Or(before, alone), both);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(du, covered), after, before), du, top + x);
-
-    hn::Vec<decltype(di)> level[3];
-    levels(d, color, at_u, hn::LoadU(d, v + x), level);
-    const auto painted = hn::And(hn::RebindMask(di, covered), above);
-    for (int n = 0; n < 3; ++n) {
-      const auto old = hn::PromoteTo(di, hn::LoadU(bytes, rgb[n] + x));
-      hn::StoreU(hn::DemoteTo(bytes, hn::IfThenElse(painted, level[n], old)), bytes, rgb[n] + x);
-    }
+  hn::Vec<decltype(di)> level[3];
+  levels(d, color, u, hn::LoadU(d, row.v), level);
+  const auto below = hn::Gt(face_before, face_on_top);
+  const auto painted = hn::AndNot(below, hn::RebindMask(di, covered));
+  for (int n = 0; n < 3; ++n) {
+    const auto old = hn::PromoteTo(di, hn::LoadU(bytes, row.rgb[n]));
+    hn::StoreU(hn::DemoteTo(bytes, hn::IfThenElse(painted, level[n], old)), bytes, row.rgb[n]);
   }
 }
 
+/// Paints column after column, each as wide as the vectors of D, to which the window's width is at
+/// least equal. The last may overlap the one before: painting a pixel twice changes nothing. (In
+/// rows, a vector would have to wait for what it shares with the one just stored.)
 template <class D>
-void shade_rows(D d, const PatchColor& color, Face face, const Parameters& parameters,
-                Painting& painting) {
+void shade_columns(D d, const PatchColor& color, Face face, const Parameters& parameters,
+                   Painting& painting) {
   const Window window = parameters.window;
-  for (int y = window.y0; y < window.y1; ++y) {
-    const std::size_t at = parameters.offset(window.x0, y);
-    const std::array<std::uint8_t*, 3> rgb{painting.image.at(window.x0, y, 0),
-                                           painting.image.at(window.x0, y, 1),
-                                           painting.image.at(window.x0, y, 2)};
-    shade_row(d, color, face, parameters.u.data() + at, parameters.v.data() + at, window.width(),
-              painting.top.at(window.x0, y), rgb);
+  const int lanes = int(hn::Lanes(d));
+  const std::size_t step = std::size_t(painting.image.width);
+  for (int next = window.x0; next < window.x1; next += lanes) {
+    const int x = std::min(next, window.x1 - lanes), y = window.y0;
+    const std::size_t at = parameters.offset(x, y);
+    Row row{parameters.u.data() + at,
+            parameters.v.data() + at,
+            painting.top.at(x, y),
+            {painting.image.at(x, y, 0), painting.image.at(x, y, 1), painting.image.at(x, y, 2)}};
+    for (int i = 0; i < window.height(); ++i) {
+      shade_pixels(d, color, face, row);
+      row.u += parameters.stride;
+      row.v += parameters.stride;
+      row.top += step;
+      for (std::uint8_t*& channel : row.rgb) channel += step;
+    }
   }
 }
 
@@ -217,11 +238,11 @@ void shade(const PatchColor& color, Face face, const Parameters& parameters, Pai
   const hn::CappedTag<float, 1> single;
   const std::size_t width = std::size_t(parameters.window.width());
   if (width >= hn::Lanes(full))
-    shade_rows(full, color, face, parameters, painting);
+    shade_columns(full, color, face, parameters, painting);
   else if (width >= hn::Lanes(quarter))
-    shade_rows(quarter, color, face, parameters, painting);
+    shade_columns(quarter, color, face, parameters, painting);
   else
-    shade_rows(single, color, face, parameters, painting);
+    shade_columns(single, color, face, parameters, painting);
 }
 
 }  // namespace
@@ -248,8 +269,24 @@ void find_parameters(const FaceShape& shape, Window window, Parameters& paramete
   if (shape.refinement.needed) HWY_DYNAMIC_DISPATCH(refine)(shape.refinement, parameters);
 }
 
+/// Asks for the pixels that are about to be painted, which come while their parameters are found.
+void prefetch(const Painting& painting, Window window) {
+  constexpr int line = 64, most_pixels = 1 << 14;
+  if (window.width() * window.height() > most_pixels) return;
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; x += line / int(sizeof(std::uint32_t)))
+      hwy::Prefetch(painting.top.at(x, y));
+    hwy::Prefetch(painting.top.at(window.x1 - 1, y));
+    for (int c = 0; c < 3; ++c) {
+      for (int x = window.x0; x < window.x1; x += line) hwy::Prefetch(painting.image.at(x, y, c));
+      hwy::Prefetch(painting.image.at(window.x1 - 1, y, c));
+    }
+  }
+}
+
 void fill_face(const FaceShape& shape, Face face, const PatchColor& color, Window window,
                Parameters& parameters, Painting& painting) {
+  prefetch(painting, window.clipped(shape.bounds));
   find_parameters(shape, window, parameters);
   if (!parameters.window.empty()) HWY_DYNAMIC_DISPATCH(shade)(color, face, parameters, painting);
 }

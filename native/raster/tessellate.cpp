@@ -12,6 +12,9 @@ using Points = Bicubic<glm::dvec2>;
 
 /// How far the few triangles of a patch that does not fold may be from the surface, in pixels.
 constexpr double coarseness = 0.7;
+/// How far the triangles of any other patch may be; outlines and inside do not add up where the
+/// patch bends most.
+constexpr double fineness = 0.08;
 /// How small the Jacobian may be against its largest value for Newton's method to be used.
 constexpr double least_jacobian = 1e-3;
 constexpr int most_steps = 2048;
@@ -130,11 +133,20 @@ bool is_folded(const FaceShape& shape) {
 /// Where a patch folds over itself, the larger v and then the larger u lies on top, as the
 /// documentation of cairo's mesh patterns and PDF 32000-1, 8.7.4.5.7, have it.
 void order_folded(FaceShape& shape) {
-  const auto key = [&](const Triangle& t) {
-    const Vertex &a = shape.vertices[t[0]], &b = shape.vertices[t[1]], &c = shape.vertices[t[2]];
-    return std::pair(a.v + b.v + c.v, a.u + b.u + c.u);
+  struct Keyed {
+    float v, u;
+    std::size_t index;
+    auto operator<=>(const Keyed&) const = default;
   };
-  std::ranges::stable_sort(shape.triangles, {}, key);
+  std::vector<Keyed> order;
+  order.reserve(shape.triangles.size());
+  for (const auto& [a, b, c] : shape.triangles) {
+    const Vertex &p = shape.vertices[a], &q = shape.vertices[b], &r = shape.vertices[c];
+    order.push_back({p.v + q.v + r.v, p.u + q.u + r.u, order.size()});
+  }
+  std::ranges::sort(order);
+  const std::vector<Triangle> before = shape.triangles;
+  for (std::size_t i = 0; i < order.size(); ++i) shape.triangles[i] = before[order[i].index];
 }
 
 void set_bounds(FaceShape& shape) {
@@ -189,13 +201,13 @@ void Tessellator::tessellate(Face face, const Patch& patch, Window window, FaceS
     cut(face, powers, coarse, shape);
     if (!is_folded(shape)) {
       const double hu = 1.0 / coarse.u, hv = 1.0 / coarse.v;
-      if (bends.uu * hu * hu + 2 * bends.uv * hu * hv + bends.vv * hv * hv > 8 * flatness)
+      if (bends.uu * hu * hu + 2 * bends.uv * hu * hv + bends.vv * hv * hv > 8 * fineness)
         shape.refinement = refinement_of(powers, bends);
       set_bounds(shape);
       return;
     }
   }
-  cut(face, powers, steps(flatness), shape);
+  cut(face, powers, steps(fineness), shape);
   if (is_folded(shape)) order_folded(shape);
   set_bounds(shape);
 }
