@@ -1,7 +1,6 @@
 #include "error/merge_trial.h"
 
 #include "ops/merge.h"
-#include "ops/merge_region.h"
 
 namespace gradmesh {
 
@@ -40,13 +39,10 @@ bool MergeTrial::keep_if_cheap(std::size_t depth) {
   return false;
 }
 
-double MergeTrial::price(const Region& region, const std::vector<Halfedge>& tops, double limit) {
-  const std::size_t depth = journal_.depth();
-  if (!merge_region(journal_, region, tops)) return std::numeric_limits<double>::infinity();
-  const double before = error_.error();
-  const double after = error_.after_edits(journal_, depth, before + limit);
-  while (journal_.depth() > depth) journal_.undo();
-  return after - before;
+double RegionTrial::price(const Region& region, double limit) {
+  if (!merger_.merge(region)) return std::numeric_limits<double>::infinity();
+  const double before = trial_.error();
+  return trial_.error_.after_edits(trial_.journal_, depth_, before + limit) - before;
 }
 
 void MergeTrial::undo_all() {

@@ -6,6 +6,7 @@
 #include "error/edit_error.h"
 #include "mesh/region.h"
 #include "ops/journal.h"
+#include "ops/merge_region.h"
 
 namespace gradmesh {
 
@@ -26,12 +27,6 @@ class MergeTrial {
   /// Merges the regions whatever the error is.
   void merge(const std::vector<Region>& regions);
 
-  /// By how much merging the region alone would raise the error of the mesh as it is; some number
-  /// above `limit` where it is certain to be above that; infinity where it cannot be merged.
-  /// Changes nothing. `tops` as of region_tops.
-  double price(const Region& region, const std::vector<Halfedge>& tops,
-               double limit = std::numeric_limits<double>::infinity());
-
   /// Takes everything back.
   void undo_all();
   /// Takes the last merge back without a look at the error: nothing may be tried afterwards.
@@ -51,6 +46,8 @@ class MergeTrial {
   std::unique_ptr<Fork> fork();
 
  private:
+  friend class RegionTrial;
+
   /// Merges those of the regions that can be merged after the ones before them.
   void merge_possible(const std::vector<Region>& regions);
   /// Keeps the operations after the first `depth`, or takes them back if they cost too much.
@@ -60,6 +57,27 @@ class MergeTrial {
   EditError error_;
   std::shared_ptr<const EditError::State> start_;
   double epsilon_;
+};
+
+/// Works out what merging single regions would cost, and leaves the trial as it was when it goes.
+/// Regions that grow by rows share the merges of the rows they share (RegionMerger).
+class RegionTrial {
+ public:
+  /// `start` is the trial's mesh as it is now, and stays so.
+  RegionTrial(MergeTrial& trial, const Mesh& start)
+      : trial_(trial), merger_(trial.journal_, start), depth_(trial.depth()) {}
+  ~RegionTrial() { merger_.undo(); }
+  RegionTrial(const RegionTrial&) = delete;
+  RegionTrial& operator=(const RegionTrial&) = delete;
+
+  /// By how much merging the region alone would raise the error; some number above `limit` where
+  /// it is certain to be above that; infinity where it cannot be merged.
+  double price(const Region& region, double limit = std::numeric_limits<double>::infinity());
+
+ private:
+  MergeTrial& trial_;
+  RegionMerger merger_;
+  const std::size_t depth_;
 };
 
 struct MergeTrial::Fork {

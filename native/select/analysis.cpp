@@ -36,8 +36,8 @@ AnalysisKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& fr
   return {picture.value(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
 }
 
-Price find_price(MergeTrial& trial, const Region& name, double limit) {
-  const double error = trial.price(name, region_tops(trial.mesh(), name), limit);
+Price find_price(RegionTrial& trial, const Region& region, double limit) {
+  const double error = trial.price(region, limit);
   return {error, error <= limit || std::isinf(error)};
 }
 

@@ -40,9 +40,8 @@ struct Price {
   bool operator==(const Price&) const = default;
 };
 
-/// The price of a region of the trial's mesh as it is, by its name; exact up to `limit`. Changes
-/// nothing in the end.
-Price find_price(MergeTrial& trial, const Region& name,
+/// The price that a trial of the region finds; exact up to `limit`.
+Price find_price(RegionTrial& trial, const Region& region,
                  double limit = std::numeric_limits<double>::infinity());
 
 /// What merging single regions of a mesh costs: the preprocessing of the paper's 6.2 and 6.3 (B.3).

@@ -32,7 +32,8 @@ std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWa
     return watch.should_stop({done, unknown.size(), mesh.face_count(), trial.error()});
   };
   ParallelTrials(trial).for_each(unknown.size(), stop, [&](MergeTrial& own, std::size_t i) {
-    found[i] = find_price(own, unknown[i]);
+    RegionTrial region_trial(own, own.mesh());
+    found[i] = find_price(region_trial, unknown[i]);
   });
   for (std::size_t i = 0; i < unknown.size(); ++i)
     if (found[i]) analysis.prices[unknown[i]] = *found[i];

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "error/parallel_trials.h"
 #include "select/edges.h"
@@ -10,85 +13,123 @@
 namespace gradmesh {
 namespace {
 
-/// The names of the regions with one row or column more than this one.
-void add_larger(const Mesh& mesh, const Region& region, std::vector<Region>& names) {
-  const std::vector<Halfedge> tops = region_tops(mesh, region);
-  for (Region view : region_views(mesh, region, tops)) {
-    ++view.columns;
-    if (const auto larger = region_tops(mesh, view); !larger.empty())
-      names.push_back(region_name(mesh, view, larger));
-  }
-}
-
-void sort_each_once(std::vector<Region>& names) {
-  std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-}
+/// Regions of as many columns that start at the same patch and grow by rows, as they are merged
+/// (merging_view): one more row costs the merges of that row only.
+struct Chain {
+  /// Views of the wanted regions, by rising number of rows.
+  std::vector<Region> wanted;
+  /// Names of the regions that were tried, and their prices.
+  std::vector<std::pair<Region, Price>> found;
+};
 
 class Growth {
  public:
   Growth(MergeTrial& trial, Analysis& analysis, double limit, StopWatch& watch)
-      : trial_(trial), analysis_(analysis), limit_(limit), watch_(watch), trials_(trial) {}
+      : mesh_(trial.mesh()),
+        analysis_(analysis),
+        limit_(limit),
+        watch_(watch),
+        error_(trial.error()),
+        trials_(trial) {}
 
   std::vector<RegionPrice> run() {
-    const Mesh& mesh = trial_.mesh();
-    std::vector<Region> wave;
-    for (const Halfedge edge : inner_edges(mesh))
-      if (mesh.is_leaf(edge) && leaf_across(mesh, edge).valid())
-        wave.push_back(region_of_edge(mesh, edge));
-    sort_each_once(wave);
-    // Regions of one wave have as many rows and columns together, those that lead to them one less.
-    while (!wave.empty()) wave = price(wave) ? larger_than(keep(wave)) : (keep(wave), Wave());
-    std::ranges::stable_sort(
-        regions_, {}, [](const RegionPrice& r) { return std::pair(r.region.size(), r.region); });
+    for (const Halfedge edge : inner_edges(mesh_))
+      if (mesh_.is_leaf(edge) && leaf_across(mesh_, edge).valid())
+        reach(region_of_edge(mesh_, edge));
+    for (bool in_time = true; in_time && !reached_.empty();) {
+      const std::vector<Region> wave = std::exchange(reached_, {});
+      in_time = try_chains(chains_of(wave));
+      for (const Region& name : wave) keep(name);
+    }
+    std::ranges::sort(regions_, {},
+                      [](const RegionPrice& r) { return std::pair(r.region.size(), r.region); });
     return std::move(regions_);
   }
 
  private:
-  using Wave = std::vector<Region>;
+  void reach(const Region& name) {
+    if (seen_.insert(name).second) reached_.push_back(name);
+  }
 
-  /// Finds the prices that are not known yet; whether there was time for all of them.
-  bool price(const Wave& wave) {
-    Wave unknown;
-    std::ranges::copy_if(wave, std::back_inserter(unknown),
-                         [&](const Region& r) { return !analysis_.known(r, limit_); });
-    std::vector<std::optional<Price>> found(unknown.size());
+  /// Takes the region if it keeps to the limit, and reaches those with one row or column more.
+  void keep(const Region& name) {
+    const Price* price = analysis_.known(name, limit_);
+    if (!price || price->error > limit_) return;
+    regions_.push_back({name, price->error});
+    for (Region view : region_views(mesh_, name, region_tops(mesh_, name))) {
+      ++view.columns;
+      if (const auto larger = region_tops(mesh_, view); !larger.empty())
+        reach(region_name(mesh_, view, larger));
+    }
+  }
+
+  std::vector<Chain> chains_of(const std::vector<Region>& wave) const {
+    std::map<std::tuple<Face, int, int>, Chain> chains;
+    for (const Region& name : wave)
+      if (!analysis_.known(name, limit_)) {
+        const Region view = merging_view(mesh_, name, region_tops(mesh_, name));
+        chains[{view.face, view.top, view.columns}].wanted.push_back(view);
+      }
+    std::vector<Chain> list;
+    for (auto& [start, chain] : chains) {
+      std::ranges::sort(chain.wanted);
+      list.push_back(std::move(chain));
+    }
+    return list;
+  }
+
+  /// Finds the prices; whether there was time for all of them.
+  bool try_chains(std::vector<Chain> chains) {
     const auto stop = [&](std::size_t done) {
-      return watch_.should_stop(
-          {done_ + done, done_ + unknown.size(), trial_.mesh().face_count(), trial_.error()});
+      return watch_.should_stop({done_ + done, done_ + chains.size(), mesh_.face_count(), error_});
     };
-    const bool all = trials_.for_each(unknown.size(), stop, [&](MergeTrial& own, std::size_t i) {
-      found[i] = find_price(own, unknown[i], limit_);
-    });
-    for (std::size_t i = 0; i < unknown.size(); ++i)
-      if (found[i]) analysis_.prices[unknown[i]] = *found[i];
-    done_ += unknown.size();
+    const bool all = trials_.for_each(
+        chains.size(), stop, [&](MergeTrial& own, std::size_t i) { try_chain(own, chains[i]); });
+    done_ += chains.size();
+    for (const Chain& chain : chains)
+      for (const auto& [name, price] : chain.found) analysis_.prices[name] = price;
+    // What the chains went on to is reached from the regions before.
+    for (const Chain& chain : chains)
+      for (const auto& [name, price] : chain.found)
+        if (seen_.insert(name).second) keep(name);
     return all;
   }
 
-  /// Takes those of the wave that keep to the limit; returns them.
-  Wave keep(const Wave& wave) {
-    Wave kept;
-    for (const Region& region : wave)
-      if (const Price* price = analysis_.known(region, limit_); price && price->error <= limit_) {
-        regions_.push_back({region, price->error});
-        kept.push_back(region);
-      }
-    return kept;
+  void try_chain(MergeTrial& own, Chain& chain) const {
+    RegionTrial trial(own, mesh_);
+    auto wanted = chain.wanted.begin();
+    for (Region view = *wanted;;) {
+      const Price price = find_price(trial, view, limit_);
+      chain.found.emplace_back(region_name(mesh_, view, region_tops(mesh_, view)), price);
+      if (wanted != chain.wanted.end() && *wanted == view) ++wanted;
+      ++view.rows;
+      if (price.error <= limit_ && goes_on_to(view)) continue;
+      if (wanted == chain.wanted.end()) return;
+      view = *wanted;
+    }
   }
 
-  Wave larger_than(const Wave& kept) const {
-    Wave larger;
-    for (const Region& region : kept) add_larger(trial_.mesh(), region, larger);
-    sort_each_once(larger);
-    return larger;
+  /// Whether a region that comes next in a chain, after one that keeps to the limit, has to be
+  /// tried and is merged in that view.
+  bool goes_on_to(const Region& view) const {
+    if (view.rows > view.columns) return false;
+    const std::vector<Halfedge> tops = region_tops(mesh_, view);
+    if (tops.empty()) return false;
+    const Region name = region_name(mesh_, view, tops);
+    return !analysis_.known(name, limit_) &&
+           merging_view(mesh_, name, region_tops(mesh_, name)) == view;
   }
 
-  MergeTrial& trial_;
+  /// As it is before anything is tried.
+  const Mesh mesh_;
   Analysis& analysis_;
   const double limit_;
   StopWatch& watch_;
+  const double error_;
   ParallelTrials trials_;
+  std::set<Region> seen_;
+  /// Seen, but not tried yet.
+  std::vector<Region> reached_;
   std::size_t done_ = 0;
   std::vector<RegionPrice> regions_;
 };
