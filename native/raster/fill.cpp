@@ -106,11 +106,6 @@ void refine(const Refinement& refinement, Parameters& parameters) {
       V u = hn::LoadU(d, u_row + i), v = hn::LoadU(d, v_row + i);
       auto active = hn::Gt(u, hn::Set(d, Parameters::not_covered / 2));
       if (hn::AllFalse(d, active)) continue;
-      if (const int before = int(hn::FindFirstTrue(d, active)); before > 0) {
-        // Starts afresh where the patch does.
-        i += before - int(hn::Lanes(d));
-        continue;
-      }
       const V x = hn::Add(hn::ConvertTo(d, hn::Iota(di, window.x0 + i - refinement.x)), half);
       for (int n = 0; n < most_steps; ++n) {
         const Step<V> step = approach(d, refinement, x, y, active, u, v);

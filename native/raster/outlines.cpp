@@ -25,14 +25,7 @@ PixelCurve in_pixels(const Cubic<Value>& curve, const Affine& to_pixels) {
           to_pixels.vector(curve.m1.position), to_pixels.point(curve.p1.position)};
 }
 
-std::int32_t to_grid(double pixels) {
-  const double units = std::clamp(pixels, -1e6, 1e6) * (1 << subpixel_bits);
-  return std::int32_t(units < 0 ? units - 0.5 : units + 0.5);
-}
-
 }  // namespace
-
-GridPoint snap(glm::dvec2 pixels) { return {to_grid(pixels.x), to_grid(pixels.y)}; }
 
 void Outlines::start(const Mesh& mesh, const Frame& frame) {
   mesh_ = &mesh;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,13 @@ struct GridPoint {
 
 /// The nearest one to a position in pixels. Far outside every frame it ends, so that products of
 /// two differences fit into 64 bits.
-GridPoint snap(glm::dvec2 pixels);
+inline GridPoint snap(glm::dvec2 pixels) {
+  const auto to_grid = [](double x) {
+    const double units = std::clamp(x, -1e6, 1e6) * (1 << subpixel_bits);
+    return std::int32_t(units < 0 ? units - 0.5 : units + 0.5);
+  };
+  return {to_grid(pixels.x), to_grid(pixels.y)};
+}
 
 /// How far straight pieces may be from a curve, and triangles from the surface, in pixels. Half of
 /// the tenth of a pixel that is promised: outlines and inside add up.

@@ -61,15 +61,19 @@ Window Painter::clear(const std::vector<Face>& touched, Window within, Painting&
   is_touched_.assign(std::size_t(touched.back().value) + 1, false);
   for (const Face f : touched) is_touched_[f.value] = true;
   Window uncovered;
-  for (int y = within.y0; y < within.y1; ++y)
-    for (int x = within.x0; x < within.x1; ++x) {
-      std::uint32_t& sample = *painting.top.at(x, y);
-      const TopFace top(sample);
+  for (int y = within.y0; y < within.y1; ++y) {
+    std::uint32_t* const tops = painting.top.at(within.x0, y);
+    // From pixels of one face to the next.
+    for (int end, begin = 0; begin < within.width(); begin = end) {
+      const TopFace top(tops[begin]);
+      for (end = begin + 1; end < within.width() && tops[end] == top.sample();) ++end;
       if (!top.face().valid() || !is_touched(top.face())) continue;
-      if (top.covers_others()) uncovered = uncovered.united({x, y, x + 1, y + 1});
-      sample = TopFace().sample();
-      painting.image.set_pixel(x, y, {white, white, white});
+      const Window run{within.x0 + begin, y, within.x0 + end, y + 1};
+      if (top.covers_others()) uncovered = uncovered.united(run);
+      fill(painting.top, run, TopFace().sample());
+      fill(painting.image, run, white);
     }
+  }
   return uncovered;
 }
 

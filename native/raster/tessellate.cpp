@@ -161,10 +161,6 @@ void set_bounds(FaceShape& shape) {
 
 }  // namespace
 
-std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex& c) {
-  return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
-}
-
 void Tessellator::start(const Mesh& mesh, const Frame& frame) {
   mesh_ = &mesh;
   frame_ = &frame;
@@ -216,6 +212,8 @@ void Tessellator::cut(Face face, const Points& powers, Steps steps, FaceShape& s
   const int nu = steps.u, nv = steps.v;
   shape.vertices.clear();
   shape.triangles.clear();
+  shape.vertices.reserve(std::size_t(nu) * nv);
+  shape.triangles.reserve(2 * std::size_t(nu) * nv);
   for (int j = 1; j < nv; ++j) {
     const double v = double(j) / nv;
     std::array<glm::dvec2, 4> row;

@@ -19,7 +19,9 @@ struct Vertex {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Twice the area, in grid units; positive where the vertices run clockwise, y pointing down.
-std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex& c);
+inline std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex& c) {
+  return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+}
 
 /// First pixel whose centre is not left of (or above) the grid coordinate.
 constexpr int first_pixel(std::int32_t x) {
@@ -51,7 +53,8 @@ struct FaceShape {
 /// `flatness` of the curves. Inside
 /// - a patch that does not fold has few triangles: they say which pixels it covers and about where
 ///   on the patch, and a step of Newton's method then says it to a fraction of `flatness`;
-/// - any other has triangles within `flatness` of the surface, ordered so that the larger v, then
+/// - any other has triangles within a tenth of a pixel of the surface, ordered so that the larger
+/// v, then
 ///   the larger u, lies on top.
 class Tessellator {
  public:
