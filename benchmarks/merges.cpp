@@ -53,9 +53,7 @@ void merge_and_undo(benchmark::State& state, const MeshFile& file, int rows, int
 void price(benchmark::State& state, const MeshFile& file, MetricKind metric) {
   Input input(file);
   const auto regions = candidates(input.mesh, 2, 2);
-  EditError error(input.mesh, input.mesh, input.frame(700), metric);
-  Journal journal(input.mesh);
-  MergeTrial trial(journal, error, 1);
+  MergeTrial trial(input.mesh, EditError(input.mesh, input.mesh, input.frame(700), metric), 1);
   for (auto _ : state)
     for (const Candidate& c : regions) benchmark::DoNotOptimize(trial.price(c.region, c.tops));
   state.SetItemsProcessed(state.iterations() * int(regions.size()));
