@@ -12,8 +12,8 @@ using Points = Bicubic<glm::dvec2>;
 
 /// How far the few triangles of a patch that does not fold may be from the surface, in pixels.
 constexpr double coarseness = 0.7;
-/// How far the triangles of any other patch may be; outlines and inside do not add up where the
-/// patch bends most.
+/// How far the cells of the grid of any other patch may be. Triangles along the outline can be
+/// longer than a cell; they take the rest of the tenth of a pixel that is promised.
 constexpr double fineness = 0.08;
 /// How small the Jacobian may be against its largest value for Newton's method to be used.
 constexpr double least_jacobian = 1e-3;

@@ -34,7 +34,7 @@ struct Refinement {
   bool needed = false;
   /// The pixel from which `position` counts.
   int x = 0, y = 0;
-  /// Position in pixels, coefficients of u^i v^j; the second x, the third y.
+  /// Position in pixels, coefficients of u^i v^j; first x, then y.
   std::array<Bicubic<float>, 2> position;
   /// Most that the second derivatives H_uu, H_uv, H_vv can be, in pixels.
   float uu = 0, uv = 0, vv = 0;
@@ -53,9 +53,8 @@ struct FaceShape {
 /// `flatness` of the curves. Inside
 /// - a patch that does not fold has few triangles: they say which pixels it covers and about where
 ///   on the patch, and a step of Newton's method then says it to a fraction of `flatness`;
-/// - any other has triangles within a tenth of a pixel of the surface, ordered so that the larger
-/// v, then
-///   the larger u, lies on top.
+/// - any other has triangles within a tenth of a pixel of the surface, in such an order that the
+///   larger v, then the larger u, lies on top.
 class Tessellator {
  public:
   /// For the mesh as it is now.

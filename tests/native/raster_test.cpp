@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -254,9 +255,8 @@ TEST(CairoLike, patches_leave_no_holes) {
   }
 }
 
-TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
-  const Mesh mesh = random_mesh(3, 0.3);
-  const Frame frame = fit_frame(mesh, {}, 211);
+void expect_same_in_windows(const Mesh& mesh, int resolution) {
+  const Frame frame = fit_frame(mesh, {}, resolution);
   const auto rasterizer = make_software_rasterizer();
   Image whole;
   {
@@ -267,7 +267,8 @@ TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
   std::mt19937 random(1);
   for (int round = 0; round < 50; ++round) {
     const auto in = [&](int n) { return int(random() % unsigned(n)); };
-    const Window window{in(211), in(frame.height), in(230), in(frame.height + 20)};
+    const Window window{in(frame.width), in(frame.height), in(frame.width + 20),
+                        in(frame.height + 20)};
     Image part(frame.width, frame.height, 9);
     rasterizer->paint(mesh, frame, window, part);
     const Window seen = window.clipped(frame.window());
@@ -277,6 +278,29 @@ TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
         for (int k = 0; k < 3; ++k)
           ASSERT_EQ(*part.at(x, y, k), in_window ? *whole.at(x, y, k) : 9);
       }
+  }
+}
+
+TEST(Raster, windows_and_threads_do_not_change_a_pixel) {
+  expect_same_in_windows(random_mesh(3, 0.3), 211);
+  // With triangles that are too large for 32 bits.
+  expect_same_in_windows(build_mesh({{inverse_patch()}, {}, ColorModel::bicubic}), 700);
+}
+
+/// Each kind of vectors that the program has and this processor can, down to none.
+TEST(Raster, vectors_do_not_change_a_pixel) {
+  const std::array meshes{random_mesh(3, 0.3), random_mesh(4, 0.8),
+                          build_mesh({{inverse_patch()}, {}, ColorModel::bicubic})};
+  for (const Mesh& mesh : meshes) {
+    const Frame frame = fit_frame(mesh, {}, 500);
+    const Painting expected = paint_whole(mesh, frame);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      hwy::SetSupportedTargetsForTest(target);
+      const Painting painting = paint_whole(mesh, frame);
+      hwy::SetSupportedTargetsForTest(0);
+      EXPECT_EQ(painting.image, expected.image) << hwy::TargetName(target);
+      EXPECT_EQ(painting.top, expected.top) << hwy::TargetName(target);
+    }
   }
 }
 
