@@ -1,65 +1,44 @@
 #include "io/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
+#include <dlfcn.h>
 
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/image_codec.h"
 
 namespace gradmesh {
 namespace {
 
-std::string one_line(const std::string& message) { return message.substr(0, message.find('\n')); }
-
-/// Sample times alpha over white, rounded; both 0..255.
-std::uint8_t over_white(int sample, int alpha) {
-  return std::uint8_t((sample * alpha + 255 * (255 - alpha) + 127) / 255);
+/// Opens the module when it is first asked for: OpenImageIO brings hundreds of libraries, and
+/// loading them takes longer than many a mesh.
+const ImageCodec& codec() {
+  static const ImageCodec& opened = []() -> const ImageCodec& {
+    // Looked for in the RUNPATH of the program or library that this is linked into.
+    void* module = dlopen("gradmesh_images.so", RTLD_LAZY | RTLD_LOCAL);
+    void* symbol = module ? dlsym(module, "gradmesh_image_codec") : nullptr;
+    if (!symbol)
+      throw InputError(std::string("images can be neither read nor written here: ") + dlerror() +
+                       ".");
+    return *static_cast<const ImageCodec*>(symbol);
+  }();
+  return opened;
 }
 
 }  // namespace
 
 Image read_image(const std::filesystem::path& path) {
-  const std::string complaint = path.string() + " is not a readable image: ";
-  // OpenImageIO gives colour multiplied by alpha unless told otherwise.
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::open(path.string(), &config);
-  if (!input) throw InputError(complaint + one_line(OIIO::geterror()) + ".");
-  const OIIO::ImageSpec& spec = input->spec();
-  const int channels = spec.nchannels;
-  Image image(spec.width, spec.height);
-  std::vector<std::uint8_t> samples(std::size_t(spec.width) * std::size_t(spec.height) *
-                                    std::size_t(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, samples.data()))
-    throw InputError(complaint + one_line(input->geterror()) + ".");
-
-  const bool is_grey = channels < 3;
-  const int alpha_channel = is_grey ? (channels == 2 ? 1 : -1) : (channels > 3 ? 3 : -1);
-  const std::size_t pixels = std::size_t(spec.width) * std::size_t(spec.height);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const std::uint8_t* from = samples.data() + i * std::size_t(channels);
-    const int alpha = alpha_channel < 0 ? 255 : from[alpha_channel];
-    for (std::size_t k = 0; k < 3; ++k)
-      image.samples[k * pixels + i] = over_white(from[is_grey ? 0 : k], alpha);
-  }
+  Image image;
+  const std::string wrong = codec().read(path.string(), image);
+  if (!wrong.empty()) throw InputError(path.string() + " is not a readable image: " + wrong + ".");
   return image;
 }
 
 std::string png_bytes(const Image& image) {
   if (image.width <= 0 || image.height <= 0) throw InputError("the image is empty.");
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto output = OIIO::ImageOutput::create("png", &memory);
-  if (!output) throw InputError(one_line(OIIO::geterror()) + ".");
-  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-  if (!output->open("image.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, interleaved(image).data()) || !output->close())
-    throw InputError(one_line(output->geterror()) + ".");
-  return {bytes.begin(), bytes.end()};
+  std::string bytes;
+  const std::string wrong = codec().encode_png(image, bytes);
+  if (!wrong.empty()) throw InputError(wrong + ".");
+  return bytes;
 }
 
 void write_png(const Image& image, const std::filesystem::path& path) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "base/image.h"
+
+namespace gradmesh {
+
+/// What the module `gradmesh_images` offers to image_file.cpp. Both functions return what is wrong,
+/// in one line, or nothing: errors do not cross the border of a module as exceptions.
+struct ImageCodec {
+  /// Any file that OpenImageIO reads, as read_image gives it.
+  std::string (*read)(const std::string& path, Image& image);
+  /// `bytes` becomes a PNG file. The image has pixels.
+  std::string (*encode_png)(const Image& image, std::string& bytes);
+};
+
+}  // namespace gradmesh
+
+/// The one symbol of the module.
+extern "C" __attribute__((visibility("default"))) const gradmesh::ImageCodec gradmesh_image_codec;

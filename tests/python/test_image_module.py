@@ -1,0 +1,40 @@
+"""OpenImageIO is loaded only where images are read or written, from a module of its own."""
+
+import os
+import shutil
+import subprocess
+
+import pytest
+
+from built import BUILD, PROGRAM, SAMPLES
+
+ELLIPSE = SAMPLES / "ellipse.svg"
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+def test_the_program_alone_does_all_but_images(tmp_path):
+    alone = shutil.copy(PROGRAM, tmp_path)
+    assert run(alone, "info", ELLIPSE).returncode == 0
+    out = tmp_path / "out.svg"
+    assert run(alone, "simplify", ELLIPSE, "-o", out, "--method", "grid").returncode == 0
+    picture = tmp_path / "a.png"
+    refused = run(alone, "render", ELLIPSE, "-o", picture)
+    assert refused.returncode == 1 and not picture.exists()
+    (line,) = refused.stderr.splitlines()
+    assert "images can be neither read nor written here: gradmesh_images.so: " in line
+
+
+@pytest.mark.skipif(not (BUILD / "python").exists(), reason="the Python package was not built")
+def test_an_installed_program_finds_the_module(tmp_path):
+    subprocess.run(
+        ["cmake", "--install", str(BUILD), "--prefix", "/prefix"],
+        env={**os.environ, "DESTDIR": str(tmp_path)},
+        check=True,
+        capture_output=True,
+    )
+    program, picture = tmp_path / "prefix" / "bin" / "gradmesh", tmp_path / "a.png"
+    assert run(program, "render", ELLIPSE, "-o", picture).returncode == 0
+    assert run(program, "compare", picture, picture).stdout == "0.000000\n"
