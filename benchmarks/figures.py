@@ -16,7 +16,8 @@ SKIMAGE = "skimage/ssim"
 
 @dataclass(frozen=True)
 class RatioGoal:
-    """How many times as fast a line is to be as a peer."""
+    """How many times as fast a line is to be as a peer, whose one thread is timed by the processor.
+    So where a busy machine slows down lines that are timed by the clock, that counts against us."""
 
     work: str
     ours: str
@@ -30,8 +31,7 @@ class RatioGoal:
         ours, peer = lines.get(self.ours, {}), lines.get(self.peer, {})
         if "seconds" not in ours or "seconds" not in peer:
             return None
-        key = "wall_seconds" if ours["clock"] == "wall" and "wall_seconds" in peer else "seconds"
-        ratio = peer[key] / ours["seconds"]
+        ratio = peer["seconds"] / ours["seconds"]
         return ratio if self.bridged is None else ratio * self.bridged / SKIMAGE_SECONDS
 
     def reached(self, value):

@@ -172,7 +172,6 @@ def skimage(program, selects, repetitions):
         SKIMAGE: {
             "seconds": found["cpu_seconds"],
             "clock": "cpu",
-            "wall_seconds": found["seconds"],
             "error": found["error"],
         }
     }

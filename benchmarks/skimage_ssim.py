@@ -28,13 +28,12 @@ def ssim(a, b):
 
 def main(folder, repetitions):
     a, b = (np.asarray(Image.open(folder / f"{name}.png")) for name in ("reference", "test"))
-    walls, times = [], []
+    times = []
     for _ in range(repetitions):
-        wall, start = time.perf_counter(), time.process_time()
+        start = time.process_time()
         value = ssim(a, b)
-        walls.append(time.perf_counter() - wall)
         times.append(time.process_time() - start)
-    print(json.dumps({"seconds": min(walls), "cpu_seconds": min(times), "error": 1 - value}))
+    print(json.dumps({"cpu_seconds": min(times), "error": 1 - value}))
 
 
 if __name__ == "__main__":

@@ -27,7 +27,9 @@ def table(header, rows):
 
 
 def _count(value):
-    return "" if value is None else f"{value:.5f}".rstrip("0").rstrip(".")
+    if value is None:
+        return ""
+    return f"{value:.0f}" if value >= 1 else f"{value:.5f}"
 
 
 def lines_table(lines):
