@@ -22,6 +22,11 @@ struct Chain {
   std::vector<std::pair<Region, Price>> found;
 };
 
+/// As long as fewer regions than that for each patch of the mesh have been tried, all grow. Beyond,
+/// only those that are the best for one of their patches in their wave: a large smooth mesh has
+/// hundreds of rectangles at every patch, nearly all of them parts of others that are as good.
+constexpr std::size_t tried_freely = 24;
+
 class Growth {
  public:
   Growth(MergeTrial& trial, Analysis& analysis, double limit, StopWatch& watch)
@@ -38,8 +43,12 @@ class Growth {
         reach(region_of_edge(mesh_, edge));
     for (bool in_time = true; in_time && !reached_.empty();) {
       const std::vector<Region> wave = std::exchange(reached_, {});
+      const std::size_t kept = regions_.size();
       in_time = try_chains(chains_of(wave));
       for (const Region& name : wave) keep(name);
+      std::vector<RegionPrice> growing(regions_.begin() + kept, regions_.end());
+      if (seen_.size() > most_freely()) keep_best_for_a_patch(growing);
+      for (const RegionPrice& r : growing) reach_larger(r.region);
     }
     std::ranges::sort(regions_, {},
                       [](const RegionPrice& r) { return std::pair(r.region.size(), r.region); });
@@ -51,11 +60,34 @@ class Growth {
     if (seen_.insert(name).second) reached_.push_back(name);
   }
 
-  /// Takes the region if it keeps to the limit, and reaches those with one row or column more.
+  /// Takes the region if it keeps to the limit.
   void keep(const Region& name) {
     const Price* price = analysis_.known(name, limit_);
-    if (!price || price->error > limit_) return;
-    regions_.push_back({name, price->error});
+    if (price && price->error <= limit_) regions_.push_back({name, price->error});
+  }
+
+  std::size_t most_freely() const { return tried_freely * std::size_t(mesh_.face_count()); }
+
+  /// Leaves those that save the most patches for their error among all that hold one of the
+  /// patches.
+  void keep_best_for_a_patch(std::vector<RegionPrice>& regions) const {
+    std::ranges::sort(regions, {}, [](const RegionPrice& r) {
+      return std::tuple(r.error / (r.region.size() - 1), -r.region.size(), r.region);
+    });
+    std::vector<bool> has_better(mesh_.face_slots(), false);
+    std::erase_if(regions, [&](const RegionPrice& r) {
+      bool is_best = false;
+      for (const Halfedge top : region_tops(mesh_, r.region)) {
+        const int patch = mesh_.face(top).value;
+        is_best = is_best || !has_better[patch];
+        has_better[patch] = true;
+      }
+      return !is_best;
+    });
+  }
+
+  /// Reaches the regions with one row or column more.
+  void reach_larger(const Region& name) {
     for (Region view : region_views(mesh_, name, region_tops(mesh_, name))) {
       ++view.columns;
       if (const auto larger = region_tops(mesh_, view); !larger.empty())
@@ -88,10 +120,6 @@ class Growth {
     done_ += chains.size();
     for (const Chain& chain : chains)
       for (const auto& [name, price] : chain.found) analysis_.prices[name] = price;
-    // What the chains went on to is reached from the regions before.
-    for (const Chain& chain : chains)
-      for (const auto& [name, price] : chain.found)
-        if (seen_.insert(name).second) keep(name);
     return all;
   }
 
@@ -109,10 +137,10 @@ class Growth {
     }
   }
 
-  /// Whether a region that comes next in a chain, after one that keeps to the limit, has to be
-  /// tried and is merged in that view.
+  /// Whether the region that comes next in a chain, after one that keeps to the limit, is merged in
+  /// that view. Its turn will come in a later wave; now it costs less.
   bool goes_on_to(const Region& view) const {
-    if (view.rows > view.columns) return false;
+    if (view.rows > view.columns || 2 * seen_.size() > most_freely()) return false;
     const std::vector<Halfedge> tops = region_tops(mesh_, view);
     if (tops.empty()) return false;
     const Region name = region_name(mesh_, view, tops);
