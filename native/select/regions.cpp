@@ -25,7 +25,7 @@ struct Chain {
 /// As long as fewer regions than that for each patch of the mesh have been tried, all grow. Beyond,
 /// only those that are the best for one of their patches in their wave: a large smooth mesh has
 /// hundreds of rectangles at every patch, nearly all of them parts of others that are as good.
-constexpr std::size_t tried_freely = 24;
+constexpr std::size_t tried_freely = 12;
 
 class Growth {
  public:
