@@ -138,6 +138,7 @@ class Run {
       throw;
     }
     result.evaluations = trial_.evaluations();
+    result.error_added_up = trial_.error();
     result.seconds.select = watch_.seconds() - result.seconds.rasterize;
 
     verify(trial_, options_, result);

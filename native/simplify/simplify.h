@@ -75,6 +75,9 @@ struct SimplifyResult {
   int patches_before = 0, patches_after = 0;
   /// Error of the surface that will be written, measured on the whole frame.
   double error = 0;
+  /// Error of the mesh as selected, added up from what single merges changed. That of the whole
+  /// frame but for roundings, unless the mesh is written in another way or with fewer merges.
+  double error_added_up = 0;
   /// Which of the ways to write it has this error.
   int way = 0;
   int evaluations = 0;

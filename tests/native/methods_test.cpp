@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "branch_meshes.h"
+#include "document/document.h"
 #include "io/hemesh_reader.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
@@ -35,6 +36,8 @@ const std::vector<std::string> shared_meshes{"L",
                                              "save_1",
                                              "local-refinement",
                                              "sharp-color-transition"};
+const std::vector<std::string> samples{"ellipse", "face",   "fruit", "opacity",    "photo",
+                                       "stroke",  "tensor", "two",   "transformed"};
 const std::vector<std::string> own_meshes{"l_branch", "u_branch",       "cross",     "ring",
                                           "dumbbell", "two_components", "junctions", "bicubic"};
 
@@ -124,6 +127,7 @@ void run_all(const Mesh& original, bool price_again) {
       const SimplifyResult result = simplify(mesh, options);
       EXPECT_EQ(validate(mesh), std::vector<std::string>{});
       EXPECT_LE(result.error, options.epsilon);
+      EXPECT_NEAR(result.error, result.error_added_up, 1e-6);
       EXPECT_EQ(result.patches_after, mesh.face_count());
       for (const Point p : branches) EXPECT_TRUE(mesh[p].alive);
       if (price_again) options.analysis = nullptr;
@@ -150,6 +154,17 @@ TEST_P(SharedMeshes, are_simplified_by_every_method) {
   run_all(shared_mesh(GetParam()), false);
 }
 
+class Samples : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Samples, are_simplified_by_every_method) {
+  const auto document = Document::read_file(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" /
+                                            (GetParam() + ".svg"));
+  for (const MeshEntry& entry : document->selected({})) {
+    SCOPED_TRACE(entry.id);
+    run_all(document->mesh(entry), false);
+  }
+}
+
 class OwnMeshes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(OwnMeshes, are_simplified_by_every_method) { run_all(own_mesh(GetParam()), true); }
@@ -161,6 +176,7 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, SharedMeshes, ::testing::ValuesIn(shared_meshes), test_name);
+INSTANTIATE_TEST_SUITE_P(Methods, Samples, ::testing::ValuesIn(samples), test_name);
 INSTANTIATE_TEST_SUITE_P(Methods, OwnMeshes, ::testing::ValuesIn(own_meshes), test_name);
 
 TEST(Methods, leave_few_patches_where_all_could_go) {
