@@ -38,8 +38,21 @@ struct Edge {
   }
 };
 
+/// Stores the parameters of a vector of covered pixels. Where patches may fold the larger v, then
+/// the larger u, stays.
+template <bool folds, class D, class V, class M>
+HWY_INLINE void store(D d, V u, V v, M covered, float* u_at, float* v_at) {
+  if constexpr (folds) {
+    const V u_before = hn::LoadU(d, u_at), v_before = hn::LoadU(d, v_at);
+    const M above = hn::Or(hn::Gt(v, v_before), hn::And(hn::Eq(v, v_before), hn::Gt(u, u_before)));
+    covered = hn::And(covered, above);
+  }
+  hn::BlendedStore(u, covered, d, u_at);
+  hn::BlendedStore(v, covered, d, v_at);
+}
+
 /// Triangle a, b, c, clockwise and small, over the pixels of `box`.
-template <class D>
+template <bool folds, class D>
 void cover_small(D d, const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area,
                  Window box, Parameters& parameters) {
   const hn::RebindToSigned<D> di;
@@ -77,8 +90,7 @@ void cover_small(D d, const Vertex& a, const Vertex& b, const Vertex& c, std::in
       const auto to_b = hn::ConvertTo(d, on_ca), to_c = hn::ConvertTo(d, on_ab);
       const auto u = hn::Add(u0, hn::Add(hn::Mul(to_b, per_b_u), hn::Mul(to_c, per_c_u)));
       const auto v = hn::Add(v0, hn::Add(hn::Mul(to_b, per_b_v), hn::Mul(to_c, per_c_v)));
-      hn::BlendedStore(u, covered, d, u_row + x);
-      hn::BlendedStore(v, covered, d, v_row + x);
+      store<folds>(d, u, v, covered, u_row + x, v_row + x);
       on_ab = hn::Add(on_ab, right_ab);
       on_bc = hn::Add(on_bc, right_bc);
       on_ca = hn::Add(on_ca, right_ca);
@@ -101,6 +113,7 @@ int first_pixel_on(const Vertex& a, const Vertex& b, int row) {
 }
 
 /// As cover_small for triangles of any size.
+template <bool folds>
 void cover_large(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area, Window box,
                  Parameters& parameters) {
   struct Slope {
@@ -144,13 +157,14 @@ void cover_large(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t
       const auto right = hn::ConvertTo(d, hn::Iota(di, x0 + i - first));
       const auto u = hn::Add(u0, hn::Mul(right, u_step)), v = hn::Add(v0, hn::Mul(right, v_step));
       const auto covered = hn::FirstN(d, std::size_t(x1 - x0 - i));
-      hn::BlendedStore(hn::Min(hn::Max(u, zero), one), covered, d, parameters.u.data() + at + i);
-      hn::BlendedStore(hn::Min(hn::Max(v, zero), one), covered, d, parameters.v.data() + at + i);
+      store<folds>(d, hn::Min(hn::Max(u, zero), one), hn::Min(hn::Max(v, zero), one), covered,
+                   parameters.u.data() + at + i, parameters.v.data() + at + i);
     }
   }
 }
 
-void cover_all(const FaceShape& shape, Parameters& parameters) {
+template <bool folds>
+void cover_each(const FaceShape& shape, Parameters& parameters) {
   for (const Triangle& triangle : shape.triangles) {
     const Vertex& a = shape.vertices[triangle[0]];
     const Vertex* b = &shape.vertices[triangle[1]];
@@ -168,12 +182,19 @@ void cover_all(const FaceShape& shape, Parameters& parameters) {
       area = -area;
     }
     if (!is_small(right - left, bottom - top))
-      cover_large(a, *b, *c, area, box, parameters);
+      cover_large<folds>(a, *b, *c, area, box, parameters);
     else if (box.width() <= 8)
-      cover_small(hn::CappedTag<float, 8>(), a, *b, *c, area, box, parameters);
+      cover_small<folds>(hn::CappedTag<float, 8>(), a, *b, *c, area, box, parameters);
     else
-      cover_small(hn::CappedTag<float, row_padding>(), a, *b, *c, area, box, parameters);
+      cover_small<folds>(hn::CappedTag<float, row_padding>(), a, *b, *c, area, box, parameters);
   }
+}
+
+void cover_all(const FaceShape& shape, Parameters& parameters) {
+  if (shape.may_fold)
+    cover_each<true>(shape, parameters);
+  else
+    cover_each<false>(shape, parameters);
 }
 
 }  // namespace

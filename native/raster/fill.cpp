@@ -86,6 +86,18 @@ HWY_INLINE Step<V> approach(D d, const Refinement& refinement, V x, V y, M activ
   return step;
 }
 
+/// Whether Newton's method is to be used at each of these parameters.
+template <class D, class V>
+HWY_INLINE hn::Mask<D> is_refined(D d, const Refinement& refinement, V u, V v) {
+  const hn::RebindToSigned<D> di;
+  const auto cell = [&](V t) {
+    const auto index = hn::ConvertTo(di, hn::Mul(t, hn::Set(d, float(Folds::cells))));
+    return hn::Min(hn::Max(index, hn::Zero(di)), hn::Set(di, Folds::cells - 1));
+  };
+  const auto row = hn::GatherIndex(di, refinement.cells.data(), cell(u));
+  return hn::RebindMask(d, hn::TestBit(row, hn::Shl(hn::Set(di, 1), cell(v))));
+}
+
 /// Newton's method, pixel by pixel until what is left is less than `flatness`: after a step of
 /// (du, dv) that is at most (uu du^2 + 2 uv du dv + vv dv^2) / 2. One step nearly always does.
 void refine(const Refinement& refinement, Parameters& parameters) {
@@ -105,6 +117,7 @@ void refine(const Refinement& refinement, Parameters& parameters) {
     for (int i = 0; i < window.width(); i += int(hn::Lanes(d))) {
       V u = hn::LoadU(d, u_row + i), v = hn::LoadU(d, v_row + i);
       auto active = hn::Gt(u, hn::Set(d, Parameters::not_covered / 2));
+      if (!refinement.everywhere) active = hn::And(active, is_refined(d, refinement, u, v));
       if (hn::AllFalse(d, active)) continue;
       const V x = hn::Add(hn::ConvertTo(d, hn::Iota(di, window.x0 + i - refinement.x)), half);
       for (int n = 0; n < most_steps; ++n) {
@@ -260,6 +273,7 @@ void find_parameters(const FaceShape& shape, Window window, Parameters& paramete
     parameters.v.resize(size);
   }
   std::fill_n(parameters.u.begin(), size, Parameters::not_covered);
+  if (shape.may_fold) std::fill_n(parameters.v.begin(), size, Parameters::not_covered);
   cover(shape, parameters);
   if (shape.refinement.needed) HWY_DYNAMIC_DISPATCH(refine)(shape.refinement, parameters);
 }

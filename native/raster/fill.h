@@ -11,7 +11,7 @@ namespace gradmesh {
 struct Parameters {
   Window window;
   std::size_t stride = 0;
-  /// `not_covered` where the patch does not cover the pixel; then v may be anything.
+  /// u is `not_covered` where the patch does not cover the pixel; then v may be anything.
   std::vector<float> u, v;
 
   static constexpr float not_covered = -1;
@@ -22,8 +22,10 @@ struct Parameters {
 };
 
 /// Works out where on its patch each pixel of `window` lies that the shape covers: those whose
-/// centres its triangles cover, of which the last counts. A centre on an edge belongs to exactly
-/// one of the two triangles beside it. What a pixel gets does not depend on the window.
+/// centres its triangles cover. A centre on an edge belongs to exactly one of the two triangles
+/// beside it. Where a patch folds over itself the larger v, then the larger u, lies on top, as the
+/// documentation of cairo's mesh patterns and PDF 32000-1, 8.7.4.5.7, have it. What a pixel gets
+/// does not depend on the window.
 void find_parameters(const FaceShape& shape, Window window, Parameters& parameters);
 
 /// Paints a face over `window`, which lies inside the painting's. `parameters` is memory for it.

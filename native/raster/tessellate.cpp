@@ -10,13 +10,11 @@ namespace {
 
 using Points = Bicubic<glm::dvec2>;
 
-/// How far the few triangles of a patch that does not fold may be from the surface, in pixels.
+/// How far triangles may be from the surface, in pixels, where the patch does not fold.
 constexpr double coarseness = 0.7;
-/// How far the cells of the grid of any other patch may be. Triangles along the outline can be
+/// How far the cells of the grid may be elsewhere. Triangles along the outline can be
 /// longer than a cell; they take the rest of the tenth of a pixel that is promised.
 constexpr double fineness = 0.08;
-/// How small the Jacobian may be against its largest value for Newton's method to be used.
-constexpr double least_jacobian = 1e-3;
 constexpr int most_steps = 2048;
 
 Points hermite_in_pixels(const Patch& patch, const Affine& to_pixels) {
@@ -48,30 +46,6 @@ Bends bends_of(const Points& p) {
   return {6 * std::sqrt(most.uu), 9 * std::sqrt(most.uv), 6 * std::sqrt(most.vv)};
 }
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-/// Whether the Jacobian keeps its sign and stays away from zero. It is a polynomial of degree 5 in
-/// u and in v, which lies between its Bezier coefficients.
-bool surely_does_not_fold(const Points& p) {
-  constexpr double two[3] = {1, 2, 1}, three[4] = {1, 3, 3, 1}, five[6] = {1, 5, 10, 10, 5, 1};
-  double jacobian[6][6] = {};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 4; ++j) {
-      const glm::dvec2 along_u = (two[i] * three[j]) * (p[i + 1][j] - p[i][j]);
-      for (int k = 0; k < 4; ++k)
-        for (int l = 0; l < 3; ++l)
-          jacobian[i + k][j + l] += (three[k] * two[l]) * cross(along_u, p[k][l + 1] - p[k][l]);
-    }
-  double least = INFINITY, most = -INFINITY;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) {
-      const double coefficient = jacobian[i][j] / (five[i] * five[j]);
-      least = std::min(least, coefficient);
-      most = std::max(most, coefficient);
-    }
-  return least > least_jacobian * most || most < least_jacobian * least;
-}
-
 Window pixels_of(const Points& bezier) {
   glm::dvec2 low = bezier[0][0], high = low;
   for (const auto& row : bezier)
@@ -83,9 +57,15 @@ Window pixels_of(const Points& bezier) {
   return {first_pixel(first.x), first_pixel(first.y), first_pixel(last.x), first_pixel(last.y)};
 }
 
-Refinement refinement_of(const Points& powers, const Bends& bends) {
-  Refinement refinement;
+void set_refinement(const Points& powers, const Bends& bends, const Folds& folds,
+                    FaceShape& shape) {
+  Refinement& refinement = shape.refinement;
   refinement.needed = true;
+  refinement.everywhere = !shape.may_fold;
+  for (int i = 0; i < Folds::cells; ++i) {
+    refinement.cells[i] = 0;
+    for (int j = 0; j < Folds::cells; ++j) refinement.cells[i] |= (folds.sign[i][j] != 0) << j;
+  }
   const glm::dvec2 corner = glm::floor(glm::clamp(powers[0][0], -1e6, 1e6));
   refinement.x = int(corner.x);
   refinement.y = int(corner.y);
@@ -96,7 +76,6 @@ Refinement refinement_of(const Points& powers, const Bends& bends) {
   refinement.uu = float(bends.uu);
   refinement.uv = float(bends.uv);
   refinement.vv = float(bends.vv);
-  return refinement;
 }
 
 /// Fills the strip between two rows of vertices that run the same way, `outer` to their left.
@@ -119,34 +98,50 @@ void add_strip(const std::vector<std::uint32_t>& outer, const std::vector<std::u
   }
 }
 
-/// Whether some triangles are turned over and some are not.
-bool is_folded(const FaceShape& shape) {
-  bool left = false, right = false;
-  for (const auto& [a, b, c] : shape.triangles) {
-    const auto area = doubled_area(shape.vertices[a], shape.vertices[b], shape.vertices[c]);
-    left = left || area > 0;
-    right = right || area < 0;
-  }
-  return left && right;
+double widest_gap(const std::vector<double>& lines) {
+  double widest = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) widest = std::max(widest, lines[i] - lines[i - 1]);
+  return widest;
 }
 
-/// Where a patch folds over itself, the larger v and then the larger u lies on top, as the
-/// documentation of cairo's mesh patterns and PDF 32000-1, 8.7.4.5.7, have it.
-void order_folded(FaceShape& shape) {
-  struct Keyed {
-    float v, u;
-    std::size_t index;
-    auto operator<=>(const Keyed&) const = default;
-  };
-  std::vector<Keyed> order;
-  order.reserve(shape.triangles.size());
+/// How many cells of the grid are needed along u and v.
+struct Steps {
+  double u, v;
+};
+
+/// Linear interpolation over a cell of hu x hv is off by at most (uu hu^2 + 2 uv hu hv + vv hv^2)
+/// / 8. Steps in the ratio of a to b share that well between the two directions.
+Steps steps_for(const Bends& bends, double tolerance) {
+  const double a = std::sqrt(bends.uu + bends.uv + 1e-9), b = std::sqrt(bends.vv + bends.uv + 1e-9);
+  const double bend = bends.uu / (a * a) + 2 * bends.uv / (a * b) + bends.vv / (b * b);
+  const double scale = std::sqrt(bend / (8 * tolerance));
+  return {a * scale, b * scale};
+}
+
+/// Lines at equal distances in each run of cells that are `fine` or not. A grid needs a vertex
+/// inside.
+void set_lines(const std::array<bool, Folds::cells>& fine, double fine_steps, double coarse_steps,
+               std::vector<double>& lines) {
+  lines.assign(1, 0);
+  for (int end, begin = 0; begin < Folds::cells; begin = end) {
+    for (end = begin + 1; end < Folds::cells && fine[end] == fine[begin];) ++end;
+    const double first = double(begin) / Folds::cells, length = double(end - begin) / Folds::cells;
+    const double wanted = std::ceil(length * (fine[begin] ? fine_steps : coarse_steps));
+    const int count = int(std::clamp(wanted, length < 1 ? 1. : 2., double(most_steps)));
+    for (int i = 1; i <= count; ++i) lines.push_back(first + length * (double(i) / count));
+  }
+}
+
+/// Whether all triangles lie as the patch does, where that is known.
+bool agrees(const FaceShape& shape, const Folds& folds) {
   for (const auto& [a, b, c] : shape.triangles) {
     const Vertex &p = shape.vertices[a], &q = shape.vertices[b], &r = shape.vertices[c];
-    order.push_back({p.v + q.v + r.v, p.u + q.u + r.u, order.size()});
+    const int sign = folds.sign_at((p.u + q.u + r.u) / 3, (p.v + q.v + r.v) / 3);
+    const std::int64_t area = doubled_area(p, q, r);
+    // They run from v to u.
+    if (sign > 0 ? area > 0 : sign < 0 && area < 0) return false;
   }
-  std::ranges::sort(order);
-  const std::vector<Triangle> before = shape.triangles;
-  for (std::size_t i = 0; i < order.size(); ++i) shape.triangles[i] = before[order[i].index];
+  return true;
 }
 
 void set_bounds(FaceShape& shape) {
@@ -179,54 +174,50 @@ void Tessellator::tessellate(Face face, const Patch& patch, Window window, FaceS
 
   const Points powers = change_form(hermite, powers_of_hermite);
   const Bends bends = bends_of(bezier);
-  // Linear interpolation over a cell of hu x hv is off by at most (uu hu^2 + 2 uv hu hv + vv hv^2)
-  // / 8. Steps in the ratio of a to b share that well between the two directions.
-  const double a = std::sqrt(bends.uu + bends.uv + 1e-9), b = std::sqrt(bends.vv + bends.uv + 1e-9);
-  const double bend = bends.uu / (a * a) + 2 * bends.uv / (a * b) + bends.vv / (b * b);
-  const auto steps = [&](double tolerance) {
-    const double scale = std::sqrt(bend / (8 * tolerance));
-    // A grid needs a vertex inside.
-    const auto count = [](double n) {
-      return int(std::clamp(std::ceil(n), 2., double(most_steps)));
-    };
-    return Steps{count(a * scale), count(b * scale)};
-  };
-
-  if (surely_does_not_fold(bezier)) {
-    const Steps coarse = steps(coarseness);
-    cut(face, powers, coarse, shape);
-    if (!is_folded(shape)) {
-      const double hu = 1.0 / coarse.u, hv = 1.0 / coarse.v;
-      if (bends.uu * hu * hu + 2 * bends.uv * hu * hv + bends.vv * hv * hv > 8 * fineness)
-        shape.refinement = refinement_of(powers, bends);
-      set_bounds(shape);
-      return;
-    }
+  const Steps coarse = steps_for(bends, coarseness), fine = steps_for(bends, fineness);
+  const Folds folds = folds_of(bezier);
+  std::array<bool, Folds::cells> fine_u = {}, fine_v = {};
+  shape.may_fold = false;
+  for (int i = 0; i < Folds::cells; ++i)
+    for (int j = 0; j < Folds::cells; ++j)
+      if (folds.sign[i][j] == 0) fine_u[i] = fine_v[j] = shape.may_fold = true;
+  set_lines(fine_u, fine.u, coarse.u, lines_u_);
+  set_lines(fine_v, fine.v, coarse.v, lines_v_);
+  cut(face, powers, shape);
+  if (agrees(shape, folds)) {
+    const double hu = widest_gap(lines_u_), hv = widest_gap(lines_v_);
+    if (bends.uu * hu * hu + 2 * bends.uv * hu * hv + bends.vv * hv * hv > 8 * fineness)
+      set_refinement(powers, bends, folds, shape);
+  } else {
+    shape.may_fold = true;
+    fine_u.fill(true);
+    fine_v.fill(true);
+    set_lines(fine_u, fine.u, coarse.u, lines_u_);
+    set_lines(fine_v, fine.v, coarse.v, lines_v_);
+    cut(face, powers, shape);
   }
-  cut(face, powers, steps(fineness), shape);
-  if (is_folded(shape)) order_folded(shape);
   set_bounds(shape);
 }
 
-void Tessellator::cut(Face face, const Points& powers, Steps steps, FaceShape& shape) {
-  const int nu = steps.u, nv = steps.v;
+void Tessellator::cut(Face face, const Points& powers, FaceShape& shape) {
+  const int nu = int(lines_u_.size()) - 1, nv = int(lines_v_.size()) - 1;
   shape.vertices.clear();
   shape.triangles.clear();
   shape.vertices.reserve(std::size_t(nu) * nv);
   shape.triangles.reserve(2 * std::size_t(nu) * nv);
   for (int j = 1; j < nv; ++j) {
-    const double v = double(j) / nv;
+    const double v = lines_v_[j];
     std::array<glm::dvec2, 4> row;
     for (int i = 0; i < 4; ++i)
       row[i] = powers[i][0] + v * (powers[i][1] + v * (powers[i][2] + v * powers[i][3]));
     for (int i = 1; i < nu; ++i) {
-      const double u = double(i) / nu;
+      const double u = lines_u_[i];
       const GridPoint p = snap(row[0] + u * (row[1] + u * (row[2] + u * row[3])));
       shape.vertices.push_back({p.x, p.y, float(u), float(v)});
     }
   }
   const std::array<Halfedge, 4> sides = mesh_->sides(face);
-  for (int k = 0; k < 4; ++k) add_side(k, sides[k], steps, shape);
+  for (int k = 0; k < 4; ++k) add_side(k, sides[k], shape);
   const auto inside = [&](int i, int j) { return std::uint32_t((j - 1) * (nu - 1) + (i - 1)); };
   for (int j = 1; j + 1 < nv; ++j)
     for (int i = 1; i + 1 < nu; ++i) {
@@ -235,8 +226,8 @@ void Tessellator::cut(Face face, const Points& powers, Steps steps, FaceShape& s
     }
 }
 
-void Tessellator::add_side(int k, Halfedge leaf, Steps steps, FaceShape& shape) {
-  const int nu = steps.u, nv = steps.v;
+void Tessellator::add_side(int k, Halfedge leaf, FaceShape& shape) {
+  const int nu = int(lines_u_.size()) - 1, nv = int(lines_v_.size()) - 1;
   outer_.clear();
   inner_.clear();
   for (const Outlines::Cut& cut : outlines_.along(leaf)) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "raster/bicubic.h"
+#include "raster/folds.h"
 #include "raster/outlines.h"
 
 namespace gradmesh {
@@ -32,6 +33,9 @@ constexpr int first_pixel(std::int32_t x) {
 /// How to get from the parameters that triangles give to those of the surface, by Newton's method.
 struct Refinement {
   bool needed = false;
+  /// Where not `everywhere`, bit j of cells[i] tells whether in cell (i, j) of Folds.
+  bool everywhere = true;
+  std::array<std::int32_t, Folds::cells> cells;
   /// The pixel from which `position` counts.
   int x = 0, y = 0;
   /// Position in pixels, coefficients of u^i v^j; first x, then y.
@@ -40,10 +44,12 @@ struct Refinement {
   float uu = 0, uv = 0, vv = 0;
 };
 
-/// A patch cut into triangles, in the order in which they are to be painted.
+/// A patch cut into triangles.
 struct FaceShape {
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
+  /// Whether triangles may overlap.
+  bool may_fold = false;
   /// The pixels that they may cover.
   Window bounds;
   Refinement refinement;
@@ -51,10 +57,10 @@ struct FaceShape {
 
 /// Cuts patches into triangles, from their outlines to a grid inside. The outlines are within
 /// `flatness` of the curves. Inside
-/// - a patch that does not fold has few triangles: they say which pixels it covers and about where
-///   on the patch, and a step of Newton's method then says it to a fraction of `flatness`;
-/// - any other has triangles within a tenth of a pixel of the surface, in such an order that the
-///   larger v, then the larger u, lies on top.
+/// - where the patch surely does not fold triangles are few: they say which pixels it covers and
+///   about where on the patch, and a step of Newton's method then says it to a fraction of
+///   `flatness`;
+/// - elsewhere they are within a tenth of a pixel of the surface.
 class Tessellator {
  public:
   /// For the mesh as it is now.
@@ -64,16 +70,14 @@ class Tessellator {
   void tessellate(Face face, const Patch& patch, Window window, FaceShape& shape);
 
  private:
-  struct Steps {
-    int u, v;
-  };
-
-  void cut(Face face, const Bicubic<glm::dvec2>& position, Steps steps, FaceShape& shape);
-  void add_side(int side, Halfedge leaf, Steps steps, FaceShape& shape);
+  void cut(Face face, const Bicubic<glm::dvec2>& position, FaceShape& shape);
+  void add_side(int side, Halfedge leaf, FaceShape& shape);
 
   const Mesh* mesh_ = nullptr;
   const Frame* frame_ = nullptr;
   Outlines outlines_;
+  /// Parameters of the grid's lines, from 0 to 1.
+  std::vector<double> lines_u_, lines_v_;
   std::vector<std::uint32_t> outer_, inner_;
 };
 

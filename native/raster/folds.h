@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+#include "raster/bicubic.h"
+
+namespace gradmesh {
+
+/// Where a patch surely does not fold: its parameters in 8 x 8 cells, for each the sign of the
+/// Jacobian H_u x H_v, or 0 where that may change or come close to zero.
+struct Folds {
+  static constexpr int cells = 8;
+
+  /// The first index along u.
+  std::array<std::array<std::int8_t, cells>, cells> sign;
+
+  int sign_at(double u, double v) const { return sign[cell(u)][cell(v)]; }
+  /// The cell of a parameter in [0, 1].
+  static int cell(double t) { return t < 1 ? int(t * cells) : cells - 1; }
+};
+
+/// `bezier` holds the Bezier points of the position.
+Folds folds_of(const Bicubic<glm::dvec2>& bezier);
+
+}  // namespace gradmesh
