@@ -93,6 +93,7 @@ Painting paint_whole(const Mesh& mesh, const Frame& frame) {
 }
 
 void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
+  if (thread_count() == 1) return Painter().paint(mesh, frame, painting);
   const Window window = painting.window();
   clear_all(painting);
   std::vector<ReadyFace> faces;
