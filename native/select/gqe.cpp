@@ -64,10 +64,12 @@ class Choice {
 /// Ranks the candidates for one gamma and picks the set.
 class Planner {
  public:
-  Planner(const std::vector<Candidate>& candidates, const Mesh& mesh, double omega, double gamma)
+  /// `patches` and `face_slots` of the mesh before anything is merged.
+  Planner(const std::vector<Candidate>& candidates, int patches, std::size_t face_slots,
+          double omega, double gamma)
       : candidates_(candidates),
-        slots_(mesh.face_slots()),
-        patches_(mesh.face_count()),
+        slots_(face_slots),
+        patches_(patches),
         omega_(omega),
         gamma_(gamma) {
     // Eq. 7, with size and error as shares of the whole mesh and of gamma.
@@ -147,14 +149,18 @@ class Gqe {
  public:
   Gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions, const GqeOptions& options,
       StopWatch& watch)
-      : trial_(trial), options_(options), watch_(watch) {
+      : trial_(trial),
+        options_(options),
+        watch_(watch),
+        patches_(trial.mesh().face_count()),
+        slots_(trial.mesh().face_slots()) {
     for (const RegionPrice& r : regions) {
-      Candidate& candidate = candidates_.emplace_back(
-          Candidate{r.region, PatchSet(trial.mesh().face_slots()), r.error});
+      Candidate& candidate =
+          candidates_.emplace_back(Candidate{r.region, PatchSet(slots_), r.error});
       for (const Halfedge top : region_tops(trial.mesh(), r.region))
         candidate.patches.add(trial.mesh().face(top));
     }
-    best_.patches = trial.mesh().face_count();
+    best_.patches = patches_;
   }
 
   void run() {
@@ -196,7 +202,7 @@ class Gqe {
   }
 
   Planner planner_for(double gamma) const {
-    return {candidates_, trial_.mesh(), options_.omega, gamma};
+    return {candidates_, patches_, slots_, options_.omega, gamma};
   }
 
   /// The paper's search for gamma. One after the other, as each halving follows from the last.
@@ -254,6 +260,9 @@ class Gqe {
   MergeTrial& trial_;
   const GqeOptions options_;
   StopWatch& watch_;
+  /// Of the mesh as it is at first: while trials run, each changes its own.
+  const int patches_;
+  const std::size_t slots_;
   std::vector<Candidate> candidates_;
   std::mutex shown_;
   std::atomic<bool> stopped_ = false;
