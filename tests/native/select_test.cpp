@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "branch_meshes.h"
+#include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "ops/merge_region.h"
@@ -181,6 +182,19 @@ TEST(Regions, grow_only_from_those_within_the_limit) {
     EXPECT_EQ(same[i].error, some[i].error);
   }
   EXPECT_LT(afresh.trial.evaluations(), priced);
+}
+
+// A mesh of n x n parts of one patch has about n^4 / 4 rectangles, all of them as good as free.
+TEST(Regions, of_a_large_smooth_mesh_are_not_all_tried_and_the_largest_is_found) {
+  const Mesh one = grid_mesh(
+      {.rows = 1, .columns = 1, .position_noise = 0.2, .color_model = ColorModel::bicubic}, 4);
+  for (const int n : {10, 16, 20}) {
+    Bench b(build_mesh(subdivided(one, n)));
+    const auto regions = price_regions(b.trial, b.analysis, 0.01, b.watch);
+    ASSERT_FALSE(regions.empty());
+    EXPECT_EQ(regions.back().region.size(), n * n);
+    EXPECT_LT(b.trial.evaluations(), 32 * n * n);
+  }
 }
 
 TEST(Regions, hold_no_junctions_and_do_not_go_round_a_ring) {
