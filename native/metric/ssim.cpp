@@ -5,6 +5,40 @@
 #include <cstdint>
 #include <utility>
 
+#include "metric/padded_rows.h"
+#include "metric/taps.h"
+
+// What every target shares, read once.
+#ifndef GRADMESH_METRIC_SSIM_SHARED
+#define GRADMESH_METRIC_SSIM_SHARED
+namespace gradmesh {
+namespace {
+
+constexpr int channels = 3;
+constexpr int radius = 5;
+/// Bytes are taken less this, as small numbers and their squares round less.
+constexpr int byte_centre = 128;
+/// Columns are filtered for so many rows at a time, which share most of what they read.
+constexpr int rows_at_once = 4;
+
+/// What is filtered for one tile.
+struct Scratch {
+  PaddedRows<float> planes, columns;
+
+  /// The planes reach beyond the tile as far as the filter, and further down for the rows that are
+  /// filtered with the last one; what is found of those is not used.
+  void reset(Window tile, int plane_count, int column_count) {
+    Window around = tile.grown(radius);
+    columns.reset({around.x0, 0, around.x1, rows_at_once}, column_count);
+    around.y1 += rows_at_once - 1;
+    planes.reset(around, plane_count);
+  }
+};
+
+}  // namespace
+}  // namespace gradmesh
+#endif
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "metric/ssim.cpp"
 #include <hwy/foreach_target.h>
@@ -24,63 +58,87 @@ HWY_BEFORE_NAMESPACE();
 namespace gradmesh::HWY_NAMESPACE {
 namespace {
 
-constexpr int radius = 5;
-/// Variances are taken of bytes less this, as squares of small numbers round less.
-constexpr int byte_centre = 128;
-
-template <class T>
-const Taps<T, radius>& gaussian() {
+const Taps<float, radius>& gaussian() {
   static const auto taps = [] {
     constexpr double sigma = 1.5;
     const auto exact =
         sample_taps<radius>([](int k) { return std::exp(-k * k / (2 * sigma * sigma)); });
-    return scaled<T>(exact, 1 / sum(exact));
+    return scaled<float>(exact, 1 / sum(exact));
   }();
   return taps;
 }
 
-/// Filters every plane down the columns, with the centres in row y.
-template <class T>
-HWY_INLINE void filter_columns(const PaddedRows<T>& in, int y, PaddedRows<T>& columns) {
-  const Lanes<T> d;
-  const Taps<T, radius>& taps = gaussian<T>();
-  const int count = in.window().width();
-  const std::ptrdiff_t stride = in.stride();
-  for (int plane = 0; plane < in.planes(); ++plane) {
-    const T* row = in.row(plane, y);
-    T* out = columns.row(plane, 0);
-    for (int i = 0; i < count; i += hn::Lanes(d))
-      hn::Store(filter_unit_sum(d, taps, row + i, stride), d, out + i);
-  }
+using Rows = PaddedRows<float>;
+using D = Lanes<float>;
+using V = hn::Vec<D>;
+constexpr D d;
+
+// The reference's variance is the mean of the columns' variances plus the variance of their means.
+// Both are taken about the sample at the centre, where nothing large cancels: as the centre has
+// 0.27 of the weight, at least so much of the mean square about it is left. A float's rounding
+// then moves the variance by some millionths of itself, however bright and flat the image is.
+
+enum ReferenceColumn { column_mean, column_variance, reference_columns };
+
+void read_reference(const std::uint8_t* y, int count, float* HWY_RESTRICT values) {
+  for (int i = 0; i < count; ++i) values[i] = float(y[i] - byte_centre);
 }
 
-/// The planes that are filtered of a channel of the reference, in double, since variances are small
-/// differences of them.
-enum ReferencePlane { value, square, reference_planes };
-
-void read_reference(const std::uint8_t* y, int count, double* HWY_RESTRICT values,
-                    double* HWY_RESTRICT squares) {
-  for (int i = 0; i < count; ++i) {
-    const double centred = y[i] - byte_centre;
-    values[i] = centred;
-    squares[i] = centred * centred;
+HWY_INLINE void moments_of_column(const float* in, std::ptrdiff_t stride, float* mean,
+                                  float* variance) {
+  const Taps<float, radius>& taps = gaussian();
+  const V centre = hn::Load(d, in);
+  V shift = hn::Zero(d), squares = shift;
+  for (int k = radius; k > 0; --k) {
+    const V above = hn::Sub(hn::Load(d, in - k * stride), centre);
+    const V below = hn::Sub(hn::Load(d, in + k * stride), centre);
+    const V tap = hn::Set(d, taps.at[k]);
+    shift = hn::Add(shift, hn::Mul(tap, hn::Add(above, below)));
+    squares = hn::Add(squares, hn::Mul(tap, hn::Add(hn::Mul(above, above), hn::Mul(below, below))));
   }
+  hn::Store(hn::Add(centre, shift), d, mean);
+  hn::Store(hn::Sub(squares, hn::Mul(shift, shift)), d, variance);
 }
 
-void moments_of_row(const PaddedRows<double>& in, int y, PaddedRows<double>& columns, float* mean,
-                    float* variance) {
-  filter_columns(in, y, columns);
-  const Lanes<double> d;
-  const hn::Rebind<float, Lanes<double>> df;
-  const Taps<double, radius>& taps = gaussian<double>();
-  const double* values = columns.row(value, 0) + radius;
-  const double* squares = columns.row(square, 0) + radius;
-  const int count = in.window().width() - 2 * radius;
+void moments_of_row(const float* column_means, const float* column_variances, int count,
+                    float* mean, float* variance) {
+  const Taps<float, radius>& taps = gaussian();
   for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const auto m = filter_unit_sum(d, taps, values + i, 1);
-    const auto v = hn::Sub(filter_unit_sum(d, taps, squares + i, 1), hn::Mul(m, m));
-    hn::StoreU(hn::DemoteTo(df, m), df, mean + i);
-    hn::StoreU(hn::DemoteTo(df, v), df, variance + i);
+    const float *means = column_means + i, *variances = column_variances + i;
+    const V centre = hn::LoadU(d, means);
+    V shift = hn::Zero(d), squares = shift;
+    for (int k = radius; k > 0; --k) {
+      const V before = hn::Sub(hn::LoadU(d, means - k), centre);
+      const V after = hn::Sub(hn::LoadU(d, means + k), centre);
+      const V tap = hn::Set(d, taps.at[k]);
+      const V between = hn::Add(hn::Mul(before, before), hn::Mul(after, after));
+      const V within = hn::Add(hn::LoadU(d, variances - k), hn::LoadU(d, variances + k));
+      shift = hn::Add(shift, hn::Mul(tap, hn::Add(before, after)));
+      squares = hn::Add(squares, hn::Mul(tap, hn::Add(between, within)));
+    }
+    squares = hn::Add(squares, hn::Mul(hn::Set(d, taps.at[0]), hn::LoadU(d, variances)));
+    hn::StoreU(hn::Add(centre, shift), d, mean + i);
+    hn::StoreU(hn::Sub(squares, hn::Mul(shift, shift)), d, variance + i);
+  }
+}
+
+/// Fills the rows of a strip in `moments`.
+void find_moments(const Image& reference, Window strip, Scratch& scratch, Rows& moments) {
+  const Window inside = strip.grown(radius).clipped(reference.window());
+  scratch.reset(strip, 1, reference_columns);
+  auto& [planes, columns] = scratch;
+  const int width = columns.window().width();
+  for (int c = 0; c < channels; ++c) {
+    for (int y = inside.y0; y < inside.y1; ++y)
+      read_reference(reference.at(inside.x0, y, c), inside.width(), planes.at(0, inside.x0, y));
+    extend(planes, inside);
+    for (int y = strip.y0; y < strip.y1; ++y) {
+      float *means = columns.row(column_mean, 0), *variances = columns.row(column_variance, 0);
+      for (int i = 0; i < width; i += hn::Lanes(d))
+        moments_of_column(planes.row(0, y) + i, planes.stride(), means + i, variances + i);
+      moments_of_row(means + radius, variances + radius, strip.width(), moments.at(c, strip.x0, y),
+                     moments.at(channels + c, strip.x0, y));
+    }
   }
 }
 
@@ -91,42 +149,84 @@ void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count,
                      float* HWY_RESTRICT differences, float* HWY_RESTRICT squares,
                      float* HWY_RESTRICT products) {
   for (int i = 0; i < count; ++i) {
-    const int d = x[i] - y[i];
-    differences[i] = float(d);
-    squares[i] = float(d * d);
-    products[i] = float(d * (y[i] - byte_centre));
+    const int difference_here = x[i] - y[i];
+    differences[i] = float(difference_here);
+    squares[i] = float(difference_here * difference_here);
+    products[i] = float(difference_here * (y[i] - byte_centre));
+  }
+}
+
+/// Filters every plane down the columns, with the centres in the rows from y on.
+void filter_columns(const Rows& in, int y, Rows& columns) {
+  static_assert(rows_at_once == 4);
+  const Taps<float, radius>& taps = gaussian();
+  const int count = in.window().width();
+  const std::ptrdiff_t stride = in.stride(), out_stride = columns.stride();
+  for (int plane = 0; plane < difference_planes; ++plane) {
+    const float* row = in.row(plane, y);
+    float* out = columns.row(plane, 0);
+    for (int i = 0; i < count; i += hn::Lanes(d)) {
+      const V first = filter_unit_sum(d, taps, row + i, stride);
+      const V second = filter_unit_sum(d, taps, row + i + stride, stride);
+      const V third = filter_unit_sum(d, taps, row + i + 2 * stride, stride);
+      const V fourth = filter_unit_sum(d, taps, row + i + 3 * stride, stride);
+      hn::Store(first, d, out + i);
+      hn::Store(second, d, out + i + out_stride);
+      hn::Store(third, d, out + i + 2 * out_stride);
+      hn::Store(fourth, d, out + i + 3 * out_stride);
+    }
   }
 }
 
 /// Adds the distances in one channel to `distance`.
-void add_distances(const PaddedRows<float>& in, int y, PaddedRows<float>& columns,
-                   const float* mean_y, const float* variance_y, float* distance) {
+void add_distances(const Rows& columns, int row, int count, const float* mean_y,
+                   const float* variance_y, float* distance) {
   constexpr float c1 = 6.5025F;   // (0.01 * 255)^2
   constexpr float c2 = 58.5225F;  // (0.03 * 255)^2
-  filter_columns(in, y, columns);
-  const Lanes<float> d;
-  const Taps<float, radius>& taps = gaussian<float>();
-  const float* differences = columns.row(difference, 0) + radius;
-  const float* squares = columns.row(squared, 0) + radius;
-  const float* products = columns.row(times_reference, 0) + radius;
-  const int count = in.window().width() - 2 * radius;
+  const Taps<float, radius>& taps = gaussian();
+  const float* differences = columns.row(difference, row) + radius;
+  const float* squares = columns.row(squared, row) + radius;
+  const float* products = columns.row(times_reference, row) + radius;
   for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const auto md = filter_unit_sum(d, taps, differences + i, 1);
-    const auto mdd = filter_unit_sum(d, taps, squares + i, 1);
-    const auto myd = filter_unit_sum(d, taps, products + i, 1);
-    const auto my = hn::LoadU(d, mean_y + i), vy = hn::LoadU(d, variance_y + i);
-    const auto m = hn::Add(my, hn::Set(d, float(byte_centre))), mx = hn::Add(m, md);
-    const auto means = hn::Add(hn::Mul(m, m), hn::Mul(mx, mx));
-    const auto md2 = hn::Mul(md, md);
-    const auto p_below = hn::Add(means, hn::Set(d, c1));
-    const auto vd = hn::Max(hn::Zero(d), hn::Sub(mdd, md2));
-    const auto covariance = hn::Sub(myd, hn::Mul(my, md));
-    const auto half = hn::Add(vy, covariance);
-    const auto q_below = hn::Add(hn::Add(hn::Add(half, half), vd), hn::Set(d, c2));
+    const V md = filter_unit_sum(d, taps, differences + i, 1);
+    const V mdd = filter_unit_sum(d, taps, squares + i, 1);
+    const V myd = filter_unit_sum(d, taps, products + i, 1);
+    const V my = hn::LoadU(d, mean_y + i), vy = hn::LoadU(d, variance_y + i);
+    const V m = hn::Add(my, hn::Set(d, float(byte_centre))), mx = hn::Add(m, md);
+    const V means = hn::Add(hn::Mul(m, m), hn::Mul(mx, mx));
+    const V md2 = hn::Mul(md, md);
+    const V p_below = hn::Add(means, hn::Set(d, c1));
+    const V vd = hn::Max(hn::Zero(d), hn::Sub(mdd, md2));
+    const V covariance = hn::Sub(myd, hn::Mul(my, md));
+    const V half = hn::Add(vy, covariance);
+    const V q_below = hn::Add(hn::Add(hn::Add(half, half), vd), hn::Set(d, c2));
     // p + q - p q with p = md2 / p_below and q = vd / q_below, in one division.
-    const auto above = hn::Add(hn::Mul(md2, q_below), hn::Mul(vd, hn::Sub(p_below, md2)));
-    const auto both = hn::Div(above, hn::Mul(p_below, q_below));
+    const V above = hn::Add(hn::Mul(md2, q_below), hn::Mul(vd, hn::Sub(p_below, md2)));
+    const V both = hn::Div(above, hn::Mul(p_below, q_below));
     hn::StoreU(hn::Add(hn::LoadU(d, distance + i), both), d, distance + i);
+  }
+}
+
+/// Sums the distances in the three channels for the pixels of a tile.
+void add_channels(const Image& test, const Image& reference, const Rows& moments, Window tile,
+                  Scratch& scratch, Rows& distances) {
+  distances.reset(tile, 1);
+  distances.clear();
+  const Window inside = tile.grown(radius).clipped(reference.window());
+  scratch.reset(tile, difference_planes, difference_planes);
+  auto& [planes, columns] = scratch;
+  for (int c = 0; c < channels; ++c) {
+    for (int y = inside.y0; y < inside.y1; ++y)
+      read_difference(test.at(inside.x0, y, c), reference.at(inside.x0, y, c), inside.width(),
+                      planes.at(difference, inside.x0, y), planes.at(squared, inside.x0, y),
+                      planes.at(times_reference, inside.x0, y));
+    extend(planes, inside);
+    for (int first = tile.y0; first < tile.y1; first += rows_at_once) {
+      filter_columns(planes, first, columns);
+      for (int y = first; y < std::min(first + rows_at_once, tile.y1); ++y)
+        add_distances(columns, y - first, tile.width(), moments.at(c, tile.x0, y),
+                      moments.at(channels + c, tile.x0, y), distances.row(0, y));
+    }
   }
 }
 
@@ -138,68 +238,28 @@ HWY_AFTER_NAMESPACE();
 namespace gradmesh {
 namespace {
 
-HWY_EXPORT(read_reference);
-HWY_EXPORT(moments_of_row);
-HWY_EXPORT(read_difference);
-HWY_EXPORT(add_distances);
+HWY_EXPORT(find_moments);
+HWY_EXPORT(add_channels);
 
-namespace simd = HWY_NAMESPACE;
-using simd::radius;
-constexpr int channels = 3;
-
-/// What is filtered for one tile. Kept by a thread, as there may be hundreds of thousands.
-template <class T>
-struct Scratch {
-  PaddedRows<T> planes, columns;
-
-  static Scratch& of_this_thread(Window tile, int count) {
-    static thread_local Scratch scratch;
-    const Window around = tile.grown(radius);
-    scratch.planes.reset(around, count);
-    scratch.columns.reset({around.x0, 0, around.x1, 1}, count);
-    return scratch;
-  }
-};
+/// Kept by a thread, as there may be hundreds of thousands of tiles.
+Scratch& scratch_of_this_thread() {
+  static thread_local Scratch scratch;
+  return scratch;
+}
 
 }  // namespace
 
 Ssim::Ssim(Image image) : LocalMetric(std::move(image), radius) {
-  const auto read = HWY_DYNAMIC_DISPATCH(read_reference);
-  const auto filter = HWY_DYNAMIC_DISPATCH(moments_of_row);
-  const Window frame = reference().window();
-  moments_.reset(frame, 2 * channels);
-  for_each_strip(frame, [&](Window strip) {
-    auto& [planes, columns] = Scratch<double>::of_this_thread(strip, simd::reference_planes);
-    const Window inside = strip.grown(radius).clipped(frame);
-    for (int c = 0; c < channels; ++c) {
-      for (int y = inside.y0; y < inside.y1; ++y)
-        read(reference().at(inside.x0, y, c), inside.width(), planes.at(simd::value, inside.x0, y),
-             planes.at(simd::square, inside.x0, y));
-      extend(planes, inside);
-      for (int y = strip.y0; y < strip.y1; ++y)
-        filter(planes, y, columns, moments_.row(c, y), moments_.row(channels + c, y));
-    }
+  moments_.reset(reference().window(), 2 * channels);
+  for_each_strip(reference().window(), [&](Window strip) {
+    HWY_DYNAMIC_DISPATCH(find_moments)(reference(), strip, scratch_of_this_thread(), moments_);
   });
 }
 
 void Ssim::score(const Image& test, Window tile, Plane& map) const {
-  const auto read = HWY_DYNAMIC_DISPATCH(read_difference);
-  const auto add = HWY_DYNAMIC_DISPATCH(add_distances);
-  auto& [planes, columns] = Scratch<float>::of_this_thread(tile, simd::difference_planes);
   static thread_local PaddedRows<float> distances;
-  distances.reset(tile, 1);
-  distances.clear();
-  const Window inside = tile.grown(radius).clipped(reference().window());
-  for (int c = 0; c < channels; ++c) {
-    for (int y = inside.y0; y < inside.y1; ++y)
-      read(test.at(inside.x0, y, c), reference().at(inside.x0, y, c), inside.width(),
-           planes.at(simd::difference, inside.x0, y), planes.at(simd::squared, inside.x0, y),
-           planes.at(simd::times_reference, inside.x0, y));
-    extend(planes, inside);
-    for (int y = tile.y0; y < tile.y1; ++y)
-      add(planes, y, columns, moments_.at(c, tile.x0, y), moments_.at(channels + c, tile.x0, y),
-          distances.row(0, y));
-  }
+  HWY_DYNAMIC_DISPATCH(add_channels)
+  (test, reference(), moments_, tile, scratch_of_this_thread(), distances);
   for (int y = tile.y0; y < tile.y1; ++y) {
     const float* sums = distances.row(0, y);
     std::transform(sums, sums + tile.width(), map.at(tile.x0, y),
