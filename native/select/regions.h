@@ -15,8 +15,9 @@ struct RegionPrice {
 
 /// The tensor product regions (paper 6.3) with a price of at most `limit`, by rising size and name.
 /// They grow from single edges, by one row or column at a time, wherever the smaller one keeps to
-/// the limit; each is priced once, from whichever side it is reached. Fewer where `watch` says to
-/// stop.
+/// the limit; each is priced once, from whichever side it is reached. On large smooth meshes, where
+/// that would be hundreds for each patch, only the best go on growing after some time. Fewer where
+/// `watch` says to stop.
 std::vector<RegionPrice> price_regions(MergeTrial& trial, Analysis& analysis, double limit,
                                        StopWatch& watch);
 
