@@ -98,18 +98,20 @@ void filter_luminance_down(const float* in, std::ptrdiff_t stride, int count, Ro
         *curvature_out = columns.row(curvature_column, 0);
   for (int i = 0; i < count; i += hn::Lanes(d)) {
     const V centre = hn::Load(d, in + i), twice = hn::Add(centre, centre);
-    V smooth = hn::Zero(d), slope = smooth, curvature = smooth;
+    V blurred = hn::Zero(d), smooth = blurred, slope = blurred, curvature = blurred;
     for (int k = FeatureTaps::reach; k > 0; --k) {
       const V above = hn::Load(d, in + i - k * stride), below = hn::Load(d, in + i + k * stride);
+      if (k <= ColourTaps::short_reach) blurred = add_even(d, blurred, blur.at[k], above, below);
       smooth = add_even(d, smooth, feature.smooth.at[k], above, below);
       slope = add_odd(d, slope, feature.slope.at[k], above, below);
       curvature = add_zero_sum(d, curvature, feature.curvature.at[k], above, below, twice);
     }
+    blurred = hn::Add(blurred, hn::Mul(hn::Set(d, blur.at[0]), centre));
     smooth = hn::Add(smooth, hn::Mul(hn::Set(d, feature.smooth.at[0]), centre));
+    hn::Store(blurred, d, y + i);
     hn::Store(smooth, d, smooth_out + i);
     hn::Store(slope, d, slope_out + i);
     hn::Store(curvature, d, curvature_out + i);
-    hn::Store(filter_even(d, blur, in + i, stride), d, y + i);
   }
 }
 

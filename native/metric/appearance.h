@@ -19,6 +19,8 @@ class AppearanceRows {
  public:
   void reset(Window window) { planes_.reset(window, 5); }
 
+  /// Samples from one row to the next.
+  std::ptrdiff_t stride() const { return planes_.stride(); }
   /// From column x on.
   AppearanceRow<float> row(int x, int y) { return row_of<float>(planes_, x, y); }
   AppearanceRow<const float> row(int x, int y) const { return row_of<const float>(planes_, x, y); }

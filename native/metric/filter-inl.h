@@ -21,6 +21,19 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class T>
 using Lanes = hn::CappedTag<T, PaddedRows<T>::padding>;
 
+/// Calls `body(tag, i)` for vectors from sample i on that cover exactly `count` samples, some of
+/// them perhaps twice, for rows without padding.
+template <class D, class Body>
+HWY_INLINE void for_each_vector(D d, int count, const Body& body) {
+  const int lanes = int(hn::Lanes(d));
+  if (count < lanes) {
+    for (int i = 0; i < count; ++i) body(hn::CappedTag<hn::TFromD<D>, 1>(), i);
+    return;
+  }
+  for (int i = 0; i < count - lanes; i += lanes) body(d, i);
+  body(d, count - lanes);
+}
+
 // A filter is a sum over pairs of samples, at the same distance before and after the output, from
 // the farthest pair to the nearest. Every output adds its terms in this order, so that its value
 // depends neither on the window nor on the target.

@@ -5,6 +5,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "metric/flip.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -39,9 +40,13 @@ HWY_INLINE V difference(const float* s, const float* t) {
   return hn::Sub(hn::LoadU(d, s), hn::LoadU(d, t));
 }
 
-/// HyAB distance of the colours, strengthened where edges or points differ as well.
-void compare(AppearanceRow<const float> s, AppearanceRow<float> t, int count, float* out) {
+/// HyAB distance of the colours, strengthened where edges or points differ as well. The reference's
+/// appearance comes from far away, so that of the next row is asked for ahead.
+void compare(AppearanceRow<const float> s, std::ptrdiff_t next_row, AppearanceRow<float> t,
+             int count, float* out) {
   for (int i = 0; i < count; i += hn::Lanes(d)) {
+    for (const float* plane : {s.lightness, s.a, s.b, s.edge, s.point})
+      hwy::Prefetch(plane + next_row + i);
     const V da = difference(s.a + i, t.a + i), db = difference(s.b + i, t.b + i);
     const V hyab = hn::Add(hn::Abs(difference(s.lightness + i, t.lightness + i)),
                            hn::Sqrt(hn::Add(hn::Mul(da, da), hn::Mul(db, db))));
@@ -100,7 +105,7 @@ void Flip::score(const Image& test, Window tile, Plane& map) const {
   scratch.filter.read(test, reference().window(), tile);
   for (int y = tile.y0; y < tile.y1; ++y) {
     scratch.filter.row(y, seen);
-    compare_row(appearance_.row(tile.x0, y), seen, tile.width(), distance);
+    compare_row(appearance_.row(tile.x0, y), appearance_.stride(), seen, tile.width(), distance);
     std::copy_n(distance, tile.width(), map.at(tile.x0, y));
   }
 }

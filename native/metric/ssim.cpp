@@ -41,6 +41,7 @@ struct Scratch {
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "metric/ssim.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -80,8 +81,14 @@ constexpr D d;
 
 enum ReferenceColumn { column_mean, column_variance, reference_columns };
 
-void read_reference(const std::uint8_t* y, int count, float* HWY_RESTRICT values) {
-  for (int i = 0; i < count; ++i) values[i] = float(y[i] - byte_centre);
+void read_reference(const std::uint8_t* y, int count, float* values) {
+  for_each_vector(d, count, [=](auto df, int i) {
+    const hn::RebindToSigned<decltype(df)> di;
+    const hn::Rebind<std::uint8_t, decltype(df)> bytes;
+    const auto centred =
+        hn::Sub(hn::PromoteTo(di, hn::LoadU(bytes, y + i)), hn::Set(di, byte_centre));
+    hn::StoreU(hn::ConvertTo(df, centred), df, values + i);
+  });
 }
 
 HWY_INLINE void moments_of_column(const float* in, std::ptrdiff_t stride, float* mean,
@@ -145,15 +152,18 @@ void find_moments(const Image& reference, Window strip, Scratch& scratch, Rows& 
 /// The planes that are filtered of a channel of the difference.
 enum DifferencePlane { difference, squared, times_reference, difference_planes };
 
-void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count,
-                     float* HWY_RESTRICT differences, float* HWY_RESTRICT squares,
-                     float* HWY_RESTRICT products) {
-  for (int i = 0; i < count; ++i) {
-    const int difference_here = x[i] - y[i];
-    differences[i] = float(difference_here);
-    squares[i] = float(difference_here * difference_here);
-    products[i] = float(difference_here * (y[i] - byte_centre));
-  }
+void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count, float* differences,
+                     float* squares, float* products) {
+  for_each_vector(d, count, [=](auto df, int i) {
+    const hn::RebindToSigned<decltype(df)> di;
+    const hn::Rebind<std::uint8_t, decltype(df)> bytes;
+    const auto at_y = hn::PromoteTo(di, hn::LoadU(bytes, y + i));
+    const auto here = hn::ConvertTo(df, hn::Sub(hn::PromoteTo(di, hn::LoadU(bytes, x + i)), at_y));
+    const auto centred = hn::ConvertTo(df, hn::Sub(at_y, hn::Set(di, byte_centre)));
+    hn::StoreU(here, df, differences + i);
+    hn::StoreU(hn::Mul(here, here), df, squares + i);
+    hn::StoreU(hn::Mul(here, centred), df, products + i);
+  });
 }
 
 /// Filters every plane down the columns, with the centres in the rows from y on.
@@ -178,9 +188,10 @@ void filter_columns(const Rows& in, int y, Rows& columns) {
   }
 }
 
-/// Adds the distances in one channel to `distance`.
+/// Adds the distances in one channel to `distance`. The reference's moments come from far away, so
+/// those of the next row are asked for ahead.
 void add_distances(const Rows& columns, int row, int count, const float* mean_y,
-                   const float* variance_y, float* distance) {
+                   const float* variance_y, std::ptrdiff_t next_row, float* distance) {
   constexpr float c1 = 6.5025F;   // (0.01 * 255)^2
   constexpr float c2 = 58.5225F;  // (0.03 * 255)^2
   const Taps<float, radius>& taps = gaussian();
@@ -192,6 +203,8 @@ void add_distances(const Rows& columns, int row, int count, const float* mean_y,
     const V mdd = filter_unit_sum(d, taps, squares + i, 1);
     const V myd = filter_unit_sum(d, taps, products + i, 1);
     const V my = hn::LoadU(d, mean_y + i), vy = hn::LoadU(d, variance_y + i);
+    hwy::Prefetch(mean_y + next_row + i);
+    hwy::Prefetch(variance_y + next_row + i);
     const V m = hn::Add(my, hn::Set(d, float(byte_centre))), mx = hn::Add(m, md);
     const V means = hn::Add(hn::Mul(m, m), hn::Mul(mx, mx));
     const V md2 = hn::Mul(md, md);
@@ -225,7 +238,7 @@ void add_channels(const Image& test, const Image& reference, const Rows& moments
       filter_columns(planes, first, columns);
       for (int y = first; y < std::min(first + rows_at_once, tile.y1); ++y)
         add_distances(columns, y - first, tile.width(), moments.at(c, tile.x0, y),
-                      moments.at(channels + c, tile.x0, y), distances.row(0, y));
+                      moments.at(channels + c, tile.x0, y), moments.stride(), distances.row(0, y));
     }
   }
 }
