@@ -28,8 +28,11 @@ std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWa
   }
 
   std::vector<std::optional<Price>> found(unknown.size());
+  // As it is now: while edges are tried, another thread may have merged one in `mesh`.
+  Progress progress{0, unknown.size(), mesh.face_count(), trial.error()};
   const auto stop = [&](std::size_t done) {
-    return watch.should_stop({done, unknown.size(), mesh.face_count(), trial.error()});
+    progress.done = done;
+    return watch.should_stop(progress);
   };
   ParallelTrials(trial).for_each(unknown.size(), stop, [&](MergeTrial& own, std::size_t i) {
     RegionTrial region_trial(own, own.mesh());
