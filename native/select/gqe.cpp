@@ -208,16 +208,23 @@ class Gqe {
   /// The paper's search for gamma. One after the other, as each halving follows from the last.
   Outcome best_of_halvings(MergeTrial& own) {
     Outcome best;
+    // The last halvings hardly change the set any more.
+    std::map<Ranking, bool> tried;
+    const auto fits = [&](const Plan& plan) {
+      const auto [place, is_new] = tried.try_emplace(plan.chosen);
+      if (is_new) {
+        const Outcome found = outcome(own, plan);
+        place->second = found.fits;
+        if (tried.size() == 1 || found.is_better_than(best)) best = found;
+      }
+      return place->second;
+    };
     double low = 0, high = 2 * own.epsilon();
     for (int i = 0; i < halvings && (i == 0 || !stopped_); ++i) {
       const double gamma = 0.5 * (low + high);
       const Planner planner = planner_for(gamma);
-      const Outcome found = outcome(own, planner.by_score());
-      (found.fits ? low : high) = gamma;
-      if (i == 0 || found.is_better_than(best)) best = found;
-      if (!options_.look_ahead) continue;
-      if (const Outcome pairs = outcome(own, planner.by_pairs()); pairs.is_better_than(best))
-        best = pairs;
+      (fits(planner.by_score()) ? low : high) = gamma;
+      if (options_.look_ahead) fits(planner.by_pairs());
     }
     return best;
   }
