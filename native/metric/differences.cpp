@@ -4,20 +4,48 @@
 #include <cstdint>
 #include <cstring>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "metric/differences.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "metric/filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gradmesh::HWY_NAMESPACE {
+namespace {
+
+/// Sets the bytes of the columns of a window in which any pixel differs to anything but 0.
+void mark_columns(const Image& a, const Image& b, Window window, std::uint8_t* differing) {
+  const std::ptrdiff_t stride_a = a.width, stride_b = b.width;
+  const hn::ScalableTag<std::uint8_t> bytes;
+  for_each_vector(bytes, window.width(), [&](auto d, int i) {
+    auto any = hn::Zero(d);
+    for (int c = 0; c < 3; ++c) {
+      const std::uint8_t* in_a = a.at(window.x0 + i, window.y0, c);
+      const std::uint8_t* in_b = b.at(window.x0 + i, window.y0, c);
+      for (int y = window.y0; y < window.y1; ++y, in_a += stride_a, in_b += stride_b)
+        any = hn::Or(any, hn::Xor(hn::LoadU(d, in_a), hn::LoadU(d, in_b)));
+    }
+    hn::StoreU(any, d, differing + i);
+  });
+}
+
+}  // namespace
+}  // namespace gradmesh::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace gradmesh {
 namespace {
 
-constexpr int largest_width = 768, largest_height = 64;
+HWY_EXPORT(mark_columns);
+
+constexpr int largest_width = 768;
 /// Up to so many columns between two tiles cost less than what a tile computes around itself.
 constexpr int smallest_gap = 16;
 
 int pieces(int length, int largest) { return (length + largest - 1) / largest; }
-
-/// A loop that vectorises.
-void mark(const std::uint8_t* a, const std::uint8_t* b, int count,
-          std::uint8_t* __restrict differing) {
-  for (int i = 0; i < count; ++i) differing[i] |= a[i] ^ b[i];
-}
 
 /// Finds the tiles of one strip of rows.
 class StripSearch {
@@ -28,7 +56,8 @@ class StripSearch {
   void append_to(std::vector<Window>& tiles) const {
     if (seen_.empty()) return;
     static thread_local std::vector<std::uint8_t> differing;
-    mark_columns(differing);
+    differing.resize(seen_.width());
+    HWY_DYNAMIC_DISPATCH(mark_columns)(a_, b_, seen_, differing.data());
     int begin = 0, end = 0;
     for (int x = seen_.x0; x < seen_.x1; ++x) {
       if (differing[x - seen_.x0] == 0) continue;
@@ -42,15 +71,6 @@ class StripSearch {
   }
 
  private:
-  /// Sets the bytes of the columns in which any pixel differs to anything but 0.
-  void mark_columns(std::vector<std::uint8_t>& differing) const {
-    const int width = seen_.width();
-    differing.assign(width, 0);
-    for (int c = 0; c < 3; ++c)
-      for (int y = seen_.y0; y < seen_.y1; ++y)
-        mark(a_.at(seen_.x0, y, c), b_.at(seen_.x0, y, c), width, differing.data());
-  }
-
   /// Cuts columns [begin, end) where they are too many.
   void append_run(int begin, int end, std::vector<Window>& tiles) const {
     begin = std::max(begin, strip_.x0);
@@ -86,7 +106,7 @@ class StripSearch {
 }  // namespace
 
 void append_tiles_near_differences(const Image& a, const Image& b, Window searched, Window window,
-                                   int reach, std::vector<Window>& tiles) {
+                                   int reach, int largest_height, std::vector<Window>& tiles) {
   const int height = window.height(), count = pieces(height, largest_height);
   for (int i = 0; i < count; ++i) {
     const Window strip = {window.x0, window.y0 + height * i / count, window.x1,
@@ -96,3 +116,4 @@ void append_tiles_near_differences(const Image& a, const Image& b, Window search
 }
 
 }  // namespace gradmesh
+#endif  // HWY_ONCE

@@ -7,10 +7,10 @@
 namespace gradmesh {
 
 /// Appends to `tiles` windows that together hold every pixel of `window` within `reach` of a pixel
-/// in which two images differ, and few others. They do not overlap, come from top to bottom, and
-/// are small enough for what a metric computes of them to stay in the cache. Differences are
-/// looked for in `searched` only, which both images cover.
+/// in which two images differ, and few others. They do not overlap, come from top to bottom, are
+/// at most `largest_height` rows high, and narrow enough for what a metric computes of them to stay
+/// in the cache. Differences are looked for in `searched` only, which both images cover.
 void append_tiles_near_differences(const Image& a, const Image& b, Window searched, Window window,
-                                   int reach, std::vector<Window>& tiles);
+                                   int reach, int largest_height, std::vector<Window>& tiles);
 
 }  // namespace gradmesh

@@ -1,5 +1,7 @@
 #include "metric/local_metric.h"
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -9,16 +11,22 @@
 namespace gradmesh {
 namespace {
 
+/// So many rows of all that is filtered stay in the cache.
+constexpr int strip_height = 64;
+/// An update, which may give up between two tiles, takes fewer. They also enclose changes closer.
+constexpr int step_height = 32;
+
 template <class Raster>
 bool covers(const Raster& raster, Window window) {
   return window.clipped(raster.window()) == window;
 }
 
+int area(const Window& window) { return window.width() * window.height(); }
+
 }  // namespace
 
 void for_each_strip(Window window, const std::function<void(Window)>& body) {
-  constexpr int largest_height = 64;
-  const int height = window.height(), count = (height + largest_height - 1) / largest_height;
+  const int height = window.height(), count = (height + strip_height - 1) / strip_height;
   parallel_for(count, [&](std::size_t i) {
     body({window.x0, window.y0 + height * int(i) / count, window.x1,
           window.y0 + height * int(i + 1) / count});
@@ -29,8 +37,10 @@ void LocalMetric::score_near_differences(const Image& test, Window window, Plane
   // Kept from call to call, as there may be hundreds of thousands.
   static thread_local std::vector<Window> tiles;
   tiles.clear();
-  append_tiles_near_differences(reference_, test, around(window, reach_), window, reach_, tiles);
-  fill(map, window, 0.0F);
+  append_tiles_near_differences(reference_, test, around(window, reach_), window, reach_,
+                                strip_height, tiles);
+  const bool all = tiles.size() == 1 && tiles.front() == window;
+  if (!all) fill(map, window, 0.0F);
   for (const Window& tile : tiles) score(test, tile, map);
 }
 
@@ -53,16 +63,28 @@ double LocalMetric::update_map(const Image& before, const Image& test, Window ch
   }
   static thread_local std::vector<Window> tiles;
   tiles.clear();
-  append_tiles_near_differences(before, test, changed, measured, reach_, tiles);
-  double old_sum = 0, new_sum = 0;
+  append_tiles_near_differences(before, test, changed, measured, reach_, step_height, tiles);
+  double old_sum = 0;
   for (const Window& tile : tiles) old_sum += sum(map, tile);
-  for (const Window& tile : tiles) {
-    score_near_differences(test, tile, map);
-    new_sum += sum(map, tile);
-    // No distance is negative, so what follows takes nothing back.
-    if (new_sum - old_sum > limit) break;
+  // The largest tiles first, as they soonest tell that the sum rises too much; added from top to
+  // bottom all the same. No distance is negative, so what is still 0 takes nothing back.
+  static thread_local std::vector<double> sums;
+  sums.assign(tiles.size(), 0);
+  static thread_local std::vector<std::size_t> order;
+  order.resize(tiles.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::ranges::sort(order, [](std::size_t i, std::size_t j) {
+    const int area_i = area(tiles[i]), area_j = area(tiles[j]);
+    return area_i != area_j ? area_i > area_j : i < j;
+  });
+  double rise = 0;
+  for (const std::size_t i : order) {
+    score_near_differences(test, tiles[i], map);
+    sums[i] = sum(map, tiles[i]);
+    rise = std::accumulate(sums.begin(), sums.end(), 0.0) - old_sum;
+    if (rise > limit) break;
   }
-  return new_sum - old_sum;
+  return rise;
 }
 
 }  // namespace gradmesh

@@ -27,7 +27,6 @@ class PaddedRows {
     if (size <= capacity_) return;
     samples_ = hwy::AllocateAligned<Sample>(size);
     capacity_ = size;
-    std::fill_n(samples_.get(), size, Sample(0));
   }
 
   void clear() { std::fill_n(samples_.get(), planes_ * window_.height() * stride_, Sample(0)); }

@@ -329,6 +329,22 @@ TEST(Metric, AnUpdateThatGivesUpLeavesOutTheRest) {
   }
 }
 
+TEST(Metric, AnUpdateLooksAtTheLargestPartFirst) {
+  Random random(12);
+  const Image reference = random.gradient(90, 300), noise = random.noise(90, 300);
+  for (const MetricKind kind : all_kinds) {
+    const auto metric = make_metric(kind, reference);
+    const Plane zero(90, 300);
+    Image test = reference;
+    test.set_pixel(5, 5, noise.pixel(5, 5));
+    for (int y = 200; y < 300; ++y)
+      for (int x = 0; x < 90; ++x) test.set_pixel(x, y, noise.pixel(x, y));
+    Plane map = zero;
+    EXPECT_GT(metric->update_map(reference, test, reference.window(), map, 1), 1);
+    expect_equal_bits(part(map, {0, 0, 90, 100}), part(zero, {0, 0, 90, 100}));
+  }
+}
+
 TEST(Metric, RefusesToUpdateFromPartsThatAreTooSmall) {
   for (const MetricKind kind : all_kinds) {
     const Image frame(90, 80);
