@@ -232,7 +232,7 @@ TEST(AnalysisFile, refuses_regions_that_are_not_in_the_mesh) {
        {Region{Face{-1}, 0, 1, 2}, Region{Face{9}, 0, 1, 2}, Region{Face{0}, 4, 1, 2},
         Region{Face{0}, -1, 1, 2}, Region{Face{0}, 0, 0, 2}, Region{Face{0}, 0, 1, 1 << 30},
         Region{Face{0}, 0, 4, 1}, Region{Face{4}, 2, 2, 2}}) {
-    write(path, {Analysis{key, {{region, 0.5}}}});
+    write(path, {Analysis{key, {{region, {0.5}}}}});
     EXPECT_EQ(refusal([&] { loaded(path, key, mesh); }),
               path.string() + ": this analysis has a region that is not in the mesh, at patch " +
                   std::to_string(region.face.value) + ".");
