@@ -13,6 +13,7 @@
 #include "io/svg_path.h"
 #include "meshes.h"
 #include "ops/split.h"
+#include "raster/rasterizer.h"
 
 namespace gradmesh {
 namespace {
