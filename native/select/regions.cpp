@@ -63,7 +63,9 @@ class Growth {
   /// Takes the region if it keeps to the limit.
   void keep(const Region& name) {
     const Price* price = analysis_.known(name, limit_);
-    if (price && price->error <= limit_) regions_.push_back({name, price->error});
+    if (!price || price->error > limit_) return;
+    regions_.push_back({name, price->error});
+    kept_.insert(name);
   }
 
   std::size_t most_freely() const { return tried_freely * std::size_t(mesh_.face_count()); }
@@ -86,13 +88,27 @@ class Growth {
     });
   }
 
-  /// Reaches the regions with one row or column more.
+  /// Reaches the regions with one row or column more; as long as all grow, only those that can be
+  /// expected to keep to the limit.
   void reach_larger(const Region& name) {
     for (Region view : region_views(mesh_, name, region_tops(mesh_, name))) {
       ++view.columns;
-      if (const auto larger = region_tops(mesh_, view); !larger.empty())
+      const auto larger = region_tops(mesh_, view);
+      if (larger.empty()) continue;
+      if (seen_.size() > most_freely() || keeps_all_parts(view, larger))
         reach(region_name(mesh_, view, larger));
     }
+  }
+
+  /// Whether every part of a region that lacks one row or column keeps to the limit: where one does
+  /// not, the whole has not been seen to do so either.
+  bool keeps_all_parts(const Region& region, const std::vector<Halfedge>& tops) const {
+    for (Region part : region_views(mesh_, region, tops)) {
+      --part.columns;
+      if (part.size() > 1 && !kept_.contains(region_name(mesh_, part, region_tops(mesh_, part))))
+        return false;
+    }
+    return true;
   }
 
   std::vector<Chain> chains_of(const std::vector<Region>& wave) const {
@@ -155,7 +171,7 @@ class Growth {
   StopWatch& watch_;
   const double error_;
   ParallelTrials trials_;
-  std::set<Region> seen_;
+  std::set<Region> seen_, kept_;
   /// Seen, but not tried yet.
   std::vector<Region> reached_;
   std::size_t done_ = 0;

@@ -16,9 +16,9 @@ COARSE = ("--resolution", 150)
 
 @pytest.fixture(scope="module")
 def prices(tmp_path_factory):
-    """What `analyze` knows of the fruit up to epsilon 0.02."""
+    """What `analyze` knows of the fruit up to epsilon 0.01: few enough regions for all to grow."""
     path = tmp_path_factory.mktemp("analysis") / "prices.json"
-    done = run("analyze", FRUIT, "-o", path, "--epsilon", 0.02, *COARSE)
+    done = run("analyze", FRUIT, "-o", path, "--epsilon", 0.01, *COARSE)
     assert (done.returncode, done.stderr) == (0, "")
     (analysis,) = json.loads(path.read_text())["analyses"]
     assert done.stdout == f"{path}: {len(analysis['prices'])} prices\n"
@@ -49,12 +49,10 @@ def refused(*arguments, code=1):
 @pytest.mark.parametrize(
     "options",
     [
-        ("gqe", "--epsilon", 0.02),
+        ("gqe", "--epsilon", 0.01),
         ("gqe", "--epsilon", 0.005),
-        ("gqe", "--epsilon", 0.02, "--omega", 0.3),
-        ("gqe1", "--epsilon", 0.01),
-        ("motorcycle", "--epsilon", 0.02),
-        ("motorcycle", "--epsilon", 0.01, "--kappa", 0.3),
+        ("gqe", "--epsilon", 0.01, "--omega", 0.3),
+        ("gqe1", "--epsilon", 0.008),
     ],
 )
 def test_nothing_is_priced_anew(tmp_path, prices, options):
@@ -66,27 +64,48 @@ def test_nothing_is_priced_anew(tmp_path, prices, options):
     )
     assert document == expected
     assert quick["error"] == told["error"]
-    measured = sum(price[-1] is not None for price in listed(alone))
+    measured = sum(price[4] is not None for price in listed(alone))
     assert measured > 100
     assert quick["evaluations"] == told["evaluations"] - measured
     assert loaded.read_bytes() == prices.read_bytes()
 
 
+@pytest.mark.parametrize("options", [("--epsilon", 0.02), ("--epsilon", 0.01, "--kappa", 0.3)])
+def test_motorcycle_prices_no_edge_anew_that_is_known(tmp_path, prices, options):
+    options = ("--method", "motorcycle", *options)
+    expected, told = simplified(tmp_path, *options)
+    document, quick = simplified(tmp_path, *options, "--load-analysis", prices)
+    assert document == expected
+    # Edges above the analysis's epsilon are only known to be above it.
+    edges = [price for price in listed(prices) if price[2] * price[3] == 2]
+    known = sum(price[5] and price[4] is not None for price in edges)
+    assert known > 100
+    assert quick["evaluations"] == told["evaluations"] - known
+
+
 def test_a_larger_epsilon_prices_only_what_is_missing(tmp_path, prices):
     more, fresh = tmp_path / "more.json", tmp_path / "fresh.json"
-    wide = ("--epsilon", 0.04, *COARSE)
-    assert run("analyze", FRUIT, "-o", more, "--load-analysis", prices, *wide).returncode == 0
-    assert run("analyze", FRUIT, "-o", fresh, *wide).returncode == 0
-    assert more.read_bytes() == fresh.read_bytes()
-    assert len(listed(more)) > len(listed(prices))
+    wide = ("--epsilon", 0.04)
+    for path, options in ((more, ["--load-analysis", prices]), (fresh, [])):
+        done = run("analyze", FRUIT, "-o", path, *options, *wide, *COARSE)
+        assert (done.returncode, done.stderr) == (0, "")
+
+    def exact(path):
+        return {tuple(p[:4]): p[4] for p in listed(path) if p[5] and (p[4] or 0) <= 0.04}
+
+    assert exact(prices).items() <= exact(more).items()
+    assert exact(fresh).items() <= exact(more).items()
+    assert len(exact(fresh)) > len(exact(prices))
+    documents = {simplified(tmp_path, *wide, "--load-analysis", p)[0] for p in (more, fresh)}
+    assert documents == {simplified(tmp_path, *wide)[0]}
 
 
 def test_from_python(tmp_path, prices):
     document, path = gradmesh.load(FRUIT), tmp_path / "prices.json"
-    count = gradmesh.analyze(document, path, epsilon=0.02, resolution=150)
+    count = gradmesh.analyze(document, path, epsilon=0.01, resolution=150)
     assert count == len(listed(path))
     assert path.read_bytes() == prices.read_bytes()
-    options = {"method": "gqe", "epsilon": 0.02, "resolution": 150}
+    options = {"method": "gqe", "epsilon": 0.01, "resolution": 150}
     again = tmp_path / "again.json"
     (result,) = gradmesh.simplify(document, load_analysis=path, save_analysis=again, **options)
     assert again.read_bytes() == path.read_bytes()
