@@ -47,8 +47,9 @@ class Growth {
       in_time = try_chains(chains_of(wave));
       for (const Region& name : wave) keep(name);
       std::vector<RegionPrice> growing(regions_.begin() + kept, regions_.end());
-      if (seen_.size() > most_freely()) keep_best_for_a_patch(growing);
-      for (const RegionPrice& r : growing) reach_larger(r.region);
+      const bool freely = seen_.size() <= most_freely();
+      if (!freely) keep_best_for_a_patch(growing);
+      for (const RegionPrice& r : growing) reach_larger(r.region, freely);
     }
     std::ranges::sort(regions_, {},
                       [](const RegionPrice& r) { return std::pair(r.region.size(), r.region); });
@@ -88,15 +89,14 @@ class Growth {
     });
   }
 
-  /// Reaches the regions with one row or column more; as long as all grow, only those that can be
-  /// expected to keep to the limit.
-  void reach_larger(const Region& name) {
+  /// Reaches the regions with one row or column more; where all grow `freely`, and so all parts
+  /// have been tried, only those that can be expected to keep to the limit.
+  void reach_larger(const Region& name, bool freely) {
     for (Region view : region_views(mesh_, name, region_tops(mesh_, name))) {
       ++view.columns;
       const auto larger = region_tops(mesh_, view);
       if (larger.empty()) continue;
-      if (seen_.size() > most_freely() || keeps_all_parts(view, larger))
-        reach(region_name(mesh_, view, larger));
+      if (!freely || keeps_all_parts(view, larger)) reach(region_name(mesh_, view, larger));
     }
   }
 
