@@ -135,10 +135,10 @@ void bind_options(py::module_& m) {
       .def_readwrite("time_budget", &SimplifyOptions::time_budget)
       .def_readwrite("threads", &SimplifyOptions::threads);
   py::class_<AnalysisPaths>(m, "AnalysisPaths")
-      .def(py::init([](const std::string& load, const std::string& save) {
-             return AnalysisPaths{load, save};
+      .def(py::init([](const std::string& load, const std::string& save, const std::string& cache) {
+             return AnalysisPaths{load, save, cache};
            }),
-           py::arg("load"), py::arg("save"));
+           py::arg("load"), py::arg("save"), py::arg("cache"));
 }
 
 py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution) {

@@ -107,6 +107,22 @@ bool fits(const Mesh& mesh, const Region& r) {
   return !tops.empty() && region_name(mesh, r, tops) == r;
 }
 
+/// The first region that is not in the mesh; null where all are.
+const Region* misfit(const Analysis& analysis, const Mesh& mesh) {
+  for (const auto& [region, price] : analysis.prices)
+    if (!fits(mesh, region)) return &region;
+  return nullptr;
+}
+
+void write(const std::filesystem::path& path, Json analyses) {
+  const std::string sum = checksum(analyses);
+  const Json file{{"format", format},
+                  {"version", version},
+                  {"checksum", sum},
+                  {"analyses", std::move(analyses)}};
+  write_bytes(path, file.dump() + "\n");
+}
+
 std::list<Analysis> read(const std::filesystem::path& path) {
   const std::string name = path.string(), text = read_bytes(path);
   const InputError damaged(name + ": this analysis is damaged or cut off.");
@@ -136,27 +152,53 @@ AnalysisFiles::AnalysisFiles(AnalysisPaths paths) : paths_(std::move(paths)) {
 }
 
 Analysis& AnalysisFiles::start(const AnalysisKey& key, const Mesh& mesh) {
-  if (paths_.load.empty()) return analyses_.emplace_back(Analysis{key, {}});
+  if (paths_.load.empty()) return analyses_.emplace_back(from_cache(key, mesh));
   const std::string complaint = paths_.load.string() + ": this analysis ";
   const auto closest = std::ranges::max_element(
       analyses_, {}, [&](const Analysis& analysis) { return likeness(analysis.key, key); });
   if (closest == analyses_.end()) throw InputError(complaint + "holds no mesh.");
   if (closest->key != key) throw InputError(complaint + difference(closest->key, key) + ".");
-  for (const auto& [region, price] : closest->prices)
-    if (!fits(mesh, region))
-      throw InputError(complaint + "has a region that is not in the mesh, at patch " +
-                       std::to_string(region.face.value) + ".");
+  if (const Region* region = misfit(*closest, mesh))
+    throw InputError(complaint + "has a region that is not in the mesh, at patch " +
+                     std::to_string(region->face.value) + ".");
   return *closest;
 }
 
+std::filesystem::path AnalysisFiles::cached(const AnalysisKey& key) const {
+  Json named = to_json({key, {}});
+  named.erase("prices");
+  return paths_.cache / ("analysis-" + checksum(named) + ".json");
+}
+
+Analysis AnalysisFiles::from_cache(const AnalysisKey& key, const Mesh& mesh) const {
+  const std::filesystem::path file = cached(key);
+  if (paths_.cache.empty() || !std::filesystem::exists(file)) return {key, {}};
+  try {
+    for (Analysis& analysis : read(file))
+      if (analysis.key == key && !misfit(analysis, mesh)) return analysis;
+  } catch (const InputError&) {
+    // Damaged, or of another version: it is written anew.
+  }
+  return {key, {}};
+}
+
+void AnalysisFiles::save_to_cache() const {
+  for (const Analysis& analysis : analyses_) {
+    if (analysis.prices.empty()) continue;
+    try {
+      write(cached(analysis.key), Json::array({to_json(analysis)}));
+    } catch (const InputError&) {
+      // A full or read-only disk costs the next run its time and nothing else.
+    }
+  }
+}
+
 void AnalysisFiles::save() const {
+  if (!paths_.cache.empty()) save_to_cache();
   if (paths_.save.empty()) return;
   Json list = Json::array();
   for (const Analysis& analysis : analyses_) list.push_back(to_json(analysis));
-  const std::string sum = checksum(list);
-  const Json file{
-      {"format", format}, {"version", version}, {"checksum", sum}, {"analyses", std::move(list)}};
-  write_bytes(paths_.save, file.dump() + "\n");
+  write(paths_.save, std::move(list));
 }
 
 }  // namespace gradmesh

@@ -11,6 +11,10 @@ namespace gradmesh {
 /// Where known prices come from, and where those go that a run has used. Empty: neither.
 struct AnalysisPaths {
   std::filesystem::path load, save;
+  /// A folder where each mesh has a file of its own, named by its key: what is there is used, and
+  /// what a run has used is kept for the next. Nothing depends on it: it may be emptied at any
+  /// time, and what is damaged there or cannot be written is done without.
+  std::filesystem::path cache = {};
 };
 
 /// The analyses of a document's meshes, kept in a file of their own (paper B.3): JSON,
@@ -25,15 +29,19 @@ class AnalysisFiles {
   /// Throws InputError where the file to load cannot be read, is something else, or damaged.
   explicit AnalysisFiles(AnalysisPaths paths);
 
-  /// What a run over `mesh` begins with, and adds to: the analysis with this key, or an empty one
-  /// where no file is loaded. Throws InputError where the file holds none, with what differs where
-  /// that can be told, and where regions do not fit the mesh.
+  /// What a run over `mesh` begins with, and adds to: the analysis with this key, or where no file
+  /// is loaded the one in the cache, or an empty one. Throws InputError where the file holds none,
+  /// with what differs where that can be told, and where regions do not fit the mesh.
   Analysis& start(const AnalysisKey& key, const Mesh& mesh);
 
   /// Writes what was loaded and added, whole or not at all. Throws InputError naming the file.
   void save() const;
 
  private:
+  std::filesystem::path cached(const AnalysisKey& key) const;
+  Analysis from_cache(const AnalysisKey& key, const Mesh& mesh) const;
+  void save_to_cache() const;
+
   AnalysisPaths paths_;
   std::list<Analysis> analyses_;
 };

@@ -107,6 +107,7 @@ def simplify(
     preview: bool = False,
     load_analysis: Optional[Path] = None,
     save_analysis: Optional[Path] = None,
+    analysis_cache: Optional[Path] = None,
     progress: Optional[Progress] = None,
 ) -> list[Result]:
     """Simplifies meshes of the document in place and says what became of each.
@@ -126,6 +127,8 @@ def simplify(
     error is told even where it is above epsilon.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe" and "gqe1"
     take what is known already, and to which they save what they have used.
+    analysis_cache: a folder where each mesh has such a file of its own, found by its content; what is
+    damaged there, or cannot be written, is done without.
 
     Raises InputError (bad input) and ValueError (bad options); the document is then unchanged.
     """
@@ -144,7 +147,7 @@ def simplify(
     results = document._core.simplify(
         ids=[ids] if isinstance(ids, str) else list(ids),
         options=options,
-        analyses=_analyses(load_analysis, save_analysis),
+        analyses=_analyses(load_analysis, save_analysis, analysis_cache),
         preview=preview,
         progress=progress,
     )
@@ -189,8 +192,11 @@ def _options(
     return options
 
 
-def _analyses(load: Optional[Path], save: Optional[Path]) -> _core.AnalysisPaths:
-    return _core.AnalysisPaths(*("" if path is None else os.fspath(path) for path in (load, save)))
+def _analyses(
+    load: Optional[Path], save: Optional[Path], cache: Optional[Path] = None
+) -> _core.AnalysisPaths:
+    paths = ("" if path is None else os.fspath(path) for path in (load, save, cache))
+    return _core.AnalysisPaths(*paths)
 
 
 def render(document: Document, id: Optional[str] = None, resolution: int = 700) -> "numpy.ndarray":

@@ -204,3 +204,25 @@ def test_the_color_model_counts(tmp_path):
     told = refused(*loaded)
     assert told == f"{path}: this analysis was made in the color model bilinear, not bicubic."
     assert run(*loaded, "--color-model", "bilinear").returncode == 0
+
+
+def test_a_cache_keeps_what_was_priced(tmp_path):
+    def left(**options):
+        document = gradmesh.load(SAMPLES / "two.svg")
+        results = gradmesh.simplify(document, resolution=150, **options)
+        return document.to_bytes(), sum(result.evaluations for result in results)
+
+    cache = tmp_path / "cache"
+    cache.mkdir()
+    alone, all_of_them = left()
+    assert left(analysis_cache=cache) == (alone, all_of_them)
+    files = sorted(cache.iterdir())
+    assert len(files) == 2  # one for each mesh
+    again, few = left(analysis_cache=cache)
+    assert again == alone and few < all_of_them / 2
+
+    files[0].write_text("no analysis")
+    mended, some = left(analysis_cache=cache)
+    assert mended == alone and few < some < all_of_them
+    assert left(analysis_cache=cache) == (alone, few)
+    assert left(analysis_cache=tmp_path / "nowhere") == (alone, all_of_them)
