@@ -1,11 +1,15 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace gradmesh {
 
-/// Bytes as text for `data:` addresses (RFC 4648, section 4).
+/// Bytes as text (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
+
+/// The bytes of such a text; nothing where it is none.
+std::optional<std::string> base64_bytes(std::string_view text);
 
 }  // namespace gradmesh

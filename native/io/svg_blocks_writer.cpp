@@ -28,9 +28,9 @@ Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) c
   Box box;
   int face = 0;
   for (const Block& block : written_.blocks) {
-    const std::string gradient =
-        write_block_gradient(document_, defs_, written_.mesh, block, written_.coons_tolerance,
-                             channel, id_ + (color ? "-mesh" : "-opacity"));
+    const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
+                                                      {written_.coons_tolerance, channel},
+                                                      id_ + (color ? "-mesh" : "-opacity"));
     xmlNode* path = add_child(parent, "path");
     if (before) xmlAddPrevSibling(before, path);
     document_.give_id(path, id_ + (color ? "-block" : "-opacity-block"));

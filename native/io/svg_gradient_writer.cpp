@@ -1,8 +1,8 @@
 #include "io/svg_gradient_writer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <glm/common.hpp>
 
 #include "geom/written.h"
 #include "io/svg_number.h"
@@ -14,10 +14,15 @@ namespace {
 
 class GradientWriter {
  public:
-  GradientWriter(const Mesh& mesh, const Block& block, double coons_tolerance, MeshChannel channel)
-      : mesh_(mesh), block_(block), coons_tolerance_(coons_tolerance), channel_(channel) {}
+  GradientWriter(const Mesh& mesh, const Block& block, const GradientFormat& format)
+      : mesh_(mesh), block_(block), format_(format) {}
 
   void write(xmlNode* gradient) {
+    const Halfedge first = block_side(mesh_, block_.cell(0, 0), 0);
+    const glm::dvec2 start = mesh_.position(mesh_.origin(first));
+    set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
+    set_attribute(gradient, "x", number(start.x));
+    set_attribute(gradient, "y", number(start.y));
     for (int row = 0; row < block_.rows; ++row) {
       xmlNode* meshrow = add_child(gradient, "meshrow");
       for (int column = 0; column < block_.columns; ++column)
@@ -35,19 +40,18 @@ class GradientWriter {
       xmlNode* stop = add_child(node, "stop");
       const Cubic<Value> curve = mesh_.side_of(block_side(mesh_, cell, side));
       set_attribute(stop, "path",
-                    "C " + format_point(curve.bezier1().position) + " " +
-                        format_point(curve.bezier2().position) + " " +
-                        format_point(curve.p1.position));
+                    "C " + point(curve.bezier1().position) + " " + point(curve.bezier2().position) +
+                        " " + point(curve.p1.position));
       const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
       if (!given) set_attribute(stop, "style", color_style(curve.p0.color));
     }
-    if (needs_tensor(patch, coons_tolerance_)) write_tensor(node, patch);
+    if (needs_tensor(patch, format_.coons_tolerance)) write_tensor(node, patch);
   }
 
-  static void write_tensor(xmlNode* node, const Patch& patch) {
+  void write_tensor(xmlNode* node, const Patch& patch) const {
     const BezierNet net = bezier_net(patch);
     const auto from_corner = [&](int i, int j, int corner_i, int corner_j) {
-      return format_point(net[i][j].position - net[corner_i][corner_j].position);
+      return point(net[i][j].position - net[corner_i][corner_j].position);
     };
     set_attribute(node, "tensor",
                   from_corner(1, 1, 0, 0) + " " + from_corner(1, 2, 0, 3) + " " +
@@ -55,32 +59,44 @@ class GradientWriter {
   }
 
   std::string color_style(const glm::dvec4& color) const {
-    const auto byte = [](double c) { return unsigned(std::lround(std::clamp(c, 0.0, 1.0) * 255)); };
-    const glm::dvec4 shown = channel_ == MeshChannel::color ? color : glm::dvec4(color.a);
-    char hex[8];
-    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", byte(shown.r), byte(shown.g), byte(shown.b));
-    return std::string("stop-color:") + hex + ";stop-opacity:1";
+    const glm::dvec4 limited = glm::clamp(color, 0.0, 1.0);
+    const bool opaque = format_.channel != MeshChannel::both;
+    const glm::dvec3 shown(format_.channel == MeshChannel::opacity ? glm::dvec4(limited.a)
+                                                                   : limited);
+    const double opacity = format_.exact ? limited.a : std::round(limited.a * 255) / 255;
+    return "stop-color:" + color_text(shown) +
+           ";stop-opacity:" + (opaque ? "1" : format_exactly(opacity));
   }
+
+  std::string color_text(const glm::dvec3& color) const {
+    const glm::dvec3 bytes = glm::round(color * 255.0);
+    if (format_.exact && bytes / 255.0 != color)
+      return "rgb(" + format_exactly(100 * color.r) + "%," + format_exactly(100 * color.g) + "%," +
+             format_exactly(100 * color.b) + "%)";
+    char hex[8];
+    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", unsigned(bytes.r), unsigned(bytes.g),
+                  unsigned(bytes.b));
+    return hex;
+  }
+
+  std::string number(double x) const {
+    return format_.exact ? format_exactly(x) : format_number(x);
+  }
+  std::string point(glm::dvec2 p) const { return number(p.x) + "," + number(p.y); }
 
   const Mesh& mesh_;
   const Block& block_;
-  double coons_tolerance_;
-  MeshChannel channel_;
+  const GradientFormat& format_;
 };
 
 }  // namespace
 
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
-                                 const Block& block, double coons_tolerance, MeshChannel channel,
+                                 const Block& block, const GradientFormat& format,
                                  const std::string& prefix) {
   xmlNode* gradient = add_child(defs, "meshgradient");
   const std::string id = document.give_id(gradient, prefix);
-  const Halfedge first = block_side(mesh, block.cell(0, 0), 0);
-  const glm::dvec2 start = mesh.position(mesh.origin(first));
-  set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
-  set_attribute(gradient, "x", format_number(start.x));
-  set_attribute(gradient, "y", format_number(start.y));
-  GradientWriter(mesh, block, coons_tolerance, channel).write(gradient);
+  GradientWriter(mesh, block, format).write(gradient);
   return id;
 }
 

@@ -9,17 +9,25 @@
 
 namespace gradmesh {
 
-/// Blocks are written opaque, since neighbours both paint the pixels between them. The opacities of
-/// a mesh that has any are written as greys, for a mask.
-enum class MeshChannel { color, opacity };
+/// What of the colours a gradient holds. Blocks are written opaque, since neighbours both paint the
+/// pixels between them; the opacities of a mesh that has any are written as greys, for a mask. What
+/// paints nothing (svg_memory.h) can hold both.
+enum class MeshChannel { color, opacity, both };
+
+struct GradientFormat {
+  /// How far an interior point may be from the Coons patch's without `tensor` being written.
+  double coons_tolerance = 0;
+  MeshChannel channel = MeshChannel::color;
+  /// Numbers and colours to the last bit, instead of as many digits as Inkscape keeps, and bytes.
+  bool exact = false;
+};
 
 /// Adds to `defs` a meshgradient in userSpaceOnUse that holds the block, in Inkscape's own form
 /// (FACTS 1: closing end points present). Each point is rounded once and written absolutely, so
 /// that blocks that share it name the very same coordinates and Inkscape's mesh tool joins them.
-/// `tensor` is written where an interior point is more than `coons_tolerance` from the Coons
-/// patch's. Returns the gradient's id, which begins with `prefix`.
+/// Returns the gradient's id, which begins with `prefix`.
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
-                                 const Block& block, double coons_tolerance, MeshChannel channel,
+                                 const Block& block, const GradientFormat& format,
                                  const std::string& prefix);
 
 }  // namespace gradmesh

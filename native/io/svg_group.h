@@ -17,6 +17,10 @@ namespace gradmesh {
 ///   role            on the group: fill or stroke, what the mesh paints
 ///   patches-before  on the group: patches of the mesh before it was first simplified
 ///   curves          on the group: the curves with more than one block along them, see below
+///   original        on the group: the mesh before it was first simplified, or as a person has
+///                   edited it since; may be absent (svg_memory.h)
+///   written         on the group: the mesh as it was last written, which tells what a person has
+///                   moved; may be absent
 ///   face            on a block's path: number of its first face; the others follow row by row
 ///   opacity         on the mask that holds the opacities, as blocks in grey, where there are any
 ///   outer           on groups around the group that stand for the same object

@@ -34,7 +34,7 @@ SvgDocument new_svg(const SvgPage& page, const std::string& outline, const Writt
   document.set_id(object.node, object.id);
   const std::string gradient =
       write_block_gradient(document, defs, written.mesh, written.blocks.front(),
-                           written.coons_tolerance, MeshChannel::color, "mesh-gradient");
+                           {written.coons_tolerance}, "mesh-gradient");
   object.gradient = document.find(gradient);
   set_attribute(object.node, "d", outline);
   set_attribute(object.node, "style", "fill:url(#" + gradient + ");stroke:none");

@@ -3,6 +3,7 @@
 #include "io/svg_blocks_writer.h"
 #include "io/svg_gradient_writer.h"
 #include "io/svg_group.h"
+#include "io/svg_memory.h"
 #include "io/svg_number.h"
 #include "io/svg_paint.h"
 #include "io/svg_scanner.h"
@@ -166,13 +167,18 @@ class MeshWriter {
   }
 
   void describe_group(xmlNode* group) {
-    const auto own = [&](xmlNode* node, const char* name, const std::string& value) {
-      set_attribute(node, name, value, gradmesh_namespace, "gradmesh");
+    const auto own = [&](const char* name, const std::string& value) {
+      if (value.empty())
+        remove_attribute(group, name, gradmesh_namespace);
+      else
+        set_attribute(group, name, value, gradmesh_namespace, "gradmesh");
     };
-    own(group, "version", "1");
-    own(group, "role", is_stroke() ? "stroke" : "fill");
-    own(group, "patches-before", std::to_string(written_.patches_before));
-    own(group, "curves", format_curves(written_.mesh, written_.blocks));
+    own("version", "1");
+    own("role", is_stroke() ? "stroke" : "fill");
+    own("patches-before", std::to_string(written_.patches_before));
+    own("curves", format_curves(written_.mesh, written_.blocks));
+    own("original", written_.original);
+    own("written", remember_as_written(written_.mesh, written_.blocks, written_.coons_tolerance));
     set_attribute(group, "label", written_.label, inkscape_namespace, "inkscape");
     // The group around it, where there is one, is what the person sees first.
     for (xmlNode* outer = parent_element(group);

@@ -20,6 +20,9 @@ struct WrittenMesh {
   /// For the person, such as "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
   std::string label;
   int patches_before;
+  /// For the group to remember, as of remember(): the mesh before it was first simplified. Empty:
+  /// nothing.
+  std::string original = {};
 };
 
 /// Puts a simplified mesh in the place of the object: a group of blocks with the object's id,

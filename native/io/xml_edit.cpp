@@ -37,6 +37,11 @@ void remove_attribute(xmlNode* node, const char* name) {
   xmlUnsetNsProp(node, nullptr, chars(name));
 }
 
+void remove_attribute(xmlNode* node, const char* name, std::string_view space) {
+  if (xmlNs* known = xmlSearchNsByHref(node->doc, node, chars(std::string(space))))
+    xmlUnsetNsProp(node, known, chars(name));
+}
+
 void remove_node(xmlNode* node) {
   xmlUnlinkNode(node);
   xmlFreeNode(node);

@@ -17,6 +17,7 @@ void set_attribute(xmlNode* node, const char* name, const std::string& value);
 void set_attribute(xmlNode* node, const char* name, const std::string& value,
                    std::string_view space, const char* prefix);
 void remove_attribute(xmlNode* node, const char* name);
+void remove_attribute(xmlNode* node, const char* name, std::string_view space);
 
 /// Takes a node out of its document and frees it, and all below it.
 void remove_node(xmlNode* node);

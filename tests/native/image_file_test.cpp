@@ -90,6 +90,10 @@ TEST(Base64, GivesTheExamplesOfTheStandard) {
   EXPECT_EQ(base64("foo"), "Zm9v");
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
   EXPECT_EQ(base64("\xfb\xff\xfe"), "+//+");
+  for (const std::string bytes : {"", "f", "fo", "foo", "foobar", "\xfb\xff\xfe"})
+    EXPECT_EQ(base64_bytes(base64(bytes)), bytes);
+  for (const char* text : {"Zg=", "Zg", "Z===", "Zg==Zg==", "Zm9%", "Zm 9v"})
+    EXPECT_EQ(base64_bytes(text), std::nullopt) << text;
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ RANK = {
 #: Libraries that only some folders may know.
 OWNERS = {
     r"libxml/": {"io"},
+    r"zlib\.h": {"io"},
     r"OpenImageIO/": {"io"},
     r"(EGL|GL|GLES\d?)/": {"raster"},
     r"pybind11/": {"bindings"},

@@ -1,0 +1,95 @@
+#include "io/svg_memory.h"
+
+#include "base/error.h"
+#include "geom/box.h"
+#include "io/base64.h"
+#include "io/hemesh_reader.h"
+#include "io/hemesh_writer.h"
+#include "io/svg_document.h"
+#include "io/svg_gradient_writer.h"
+#include "io/svg_group.h"
+#include "io/xml_edit.h"
+#include "io/xml_node.h"
+#include "io/zip.h"
+#include "mesh/build.h"
+
+namespace gradmesh {
+namespace {
+
+/// libxml2 takes no attribute beyond ten million bytes, and Inkscape reads with libxml2.
+constexpr std::size_t longest_attribute = 9'000'000;
+/// Of a document in a memory: far more than the longest attribute can honestly hold.
+constexpr std::size_t most_bytes = 64 << 20;
+
+std::string packed(const std::string& text) {
+  std::string memory = base64(zip(text));
+  return memory.size() <= longest_attribute ? memory : "";
+}
+
+std::string group_document(const Mesh& mesh, const std::vector<Block>& blocks,
+                           const GradientFormat& format) {
+  SvgDocument document =
+      SvgDocument::parse("<svg xmlns=\"" + std::string(svg_namespace) + "\" xmlns:gradmesh=\"" +
+                             std::string(gradmesh_namespace) + "\"><defs/><g/></svg>",
+                         "memory");
+  xmlNode* defs = child_elements(document.root(), "defs").front();
+  xmlNode* group = child_elements(document.root(), "g").front();
+  const auto own = [](xmlNode* node, const char* name, const std::string& value) {
+    set_attribute(node, name, value, gradmesh_namespace, "gradmesh");
+  };
+  own(group, "version", "1");
+  own(group, "curves", format_curves(mesh, blocks));
+  int face = 0;
+  for (const Block& block : blocks) {
+    const std::string gradient = write_block_gradient(document, defs, mesh, block, format, "m");
+    xmlNode* path = add_child(group, "path");
+    set_attribute(path, "fill", "url(#" + gradient + ")");
+    own(path, "face", std::to_string(face));
+    face += int(block.cells.size());
+  }
+  return document.serialize();
+}
+
+/// A tensor for less than this would only say how doubles are rounded.
+double rounding(const Mesh& mesh) {
+  Box box;
+  for (const Point p : mesh.points()) box.add(mesh.position(p));
+  return 1e-12 * (box.size().x + box.size().y);
+}
+
+MeshParts read(const std::string& text) {
+  if (text.starts_with("HEMESH")) return read_hemesh(text, "memory");
+  const SvgDocument document = SvgDocument::parse(text, "memory");
+  for (const xmlNode* group : child_elements(document.root(), "g"))
+    return read_mesh_group(document, group);
+  throw InputError("memory: there is no group.");
+}
+
+}  // namespace
+
+std::string remember(const Mesh& mesh) {
+  if (mesh.color_model() == ColorModel::bicubic) return packed(write_hemesh(mesh));
+  // In the order of the faces, so that what lies over itself is painted as it was.
+  const std::vector<Block> blocks = possible_blocks(mesh)[1];
+  return packed(group_document(mesh, blocks, {rounding(mesh), MeshChannel::both, true}));
+}
+
+std::string remember_as_written(const Mesh& mesh, const std::vector<Block>& blocks,
+                                double coons_tolerance) {
+  return packed(group_document(mesh, blocks, {coons_tolerance, MeshChannel::both}));
+}
+
+std::optional<MeshParts> recall(std::string_view memory) {
+  const auto bytes = base64_bytes(memory);
+  const auto text = bytes ? unzip(*bytes, most_bytes) : std::nullopt;
+  if (!text) return std::nullopt;
+  try {
+    MeshParts parts = read(*text);
+    build_mesh(parts);
+    return parts;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/blocks.h"
+#include "mesh/mesh.h"
+#include "mesh/parts.h"
+
+namespace gradmesh {
+
+/// A mesh that a group of blocks remembers, as the value of an attribute: a small document of its
+/// own, compressed (zlib, RFC 1950) and in base64. In the colour model `bilinear` that is an SVG
+/// document with such a group (svg_group.h), of gradients and nothing else, in `bicubic` a .hemesh
+/// file.
+
+/// The mesh with all its digits. Empty where it is too large for an attribute.
+std::string remember(const Mesh& mesh);
+
+/// The mesh in just the numbers that a document holds in which these blocks are written. Empty as
+/// above.
+std::string remember_as_written(const Mesh& mesh, const std::vector<Block>& blocks,
+                                double coons_tolerance);
+
+/// The mesh that an attribute holds, one that can be built; nothing where it is damaged.
+std::optional<MeshParts> recall(std::string_view memory);
+
+}  // namespace gradmesh
