@@ -127,6 +127,8 @@ void bind_options(py::module_& m) {
             if (value) o.color_model = color_model_named(*value);
           })
       .def_readwrite("epsilon", &SimplifyOptions::epsilon)
+      .def_readwrite("patches", &SimplifyOptions::patches)
+      .def_readwrite("ratio", &SimplifyOptions::ratio)
       .def_readwrite("resolution", &SimplifyOptions::resolution)
       .def_readwrite("seed", &SimplifyOptions::seed)
       .def_readwrite("omega", &SimplifyOptions::omega)

@@ -96,6 +96,12 @@ void add_simplify(CLI::App& program) {
   add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);
   add_epsilon_option(command, a->options.epsilon);
+  CLI::Option* patches =
+      command.add_option("--patches", a->options.patches,
+                         "Instead of --epsilon: at most so many patches, with the least error");
+  command
+      .add_option("--ratio", a->options.ratio, "Instead of --epsilon: this share of the patches")
+      ->excludes(patches);
   add_resolution_option(command, a->options.resolution);
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)

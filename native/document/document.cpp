@@ -101,6 +101,7 @@ void Document::check_color_model(const SimplifyOptions& options) const {
 }
 
 void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& options) const {
+  if (options.patches || options.ratio) return;
   if (m.result.patches_after < m.result.patches_before || m.result.error <= options.epsilon) return;
   char error[32];
   std::snprintf(error, sizeof error, "%.5f", m.result.error);

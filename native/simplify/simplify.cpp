@@ -11,6 +11,7 @@
 #include "select/grid.h"
 #include "select/motorcycle.h"
 #include "select/random.h"
+#include "simplify/target.h"
 
 namespace gradmesh {
 namespace {
@@ -169,6 +170,8 @@ class Run {
 }  // namespace
 
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
+  if (const auto patches = target_patches(options, mesh.face_count()))
+    return simplify_to_target(mesh, options, *patches);
   return Run(mesh, options).simplify();
 }
 

@@ -38,6 +38,10 @@ struct SimplifyOptions {
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
   double epsilon = 0.01;
+  /// A target instead of epsilon: the largest number of patches that may be left, or their share
+  /// of those there are, above 0 and at most 1. The error is then as small as the method finds.
+  std::optional<int> patches;
+  std::optional<double> ratio;
   /// Pixels along the longer side of the frame, 16..8192.
   int resolution = 700;
   /// Of random, grid, dual-grid and motorcycle.
@@ -90,7 +94,7 @@ struct SimplifyResult {
 };
 
 /// Merges patches of `mesh` while the error against the original stays at most epsilon; where it
-/// is above that from the start, nothing is merged.
+/// is above that from the start, nothing is merged. With a target: until so few are left.
 /// Throws std::invalid_argument where an option is out of range or the analysis is another mesh's,
 /// InputError where the mesh has no size or, with `manual`, an edge cannot be merged within
 /// epsilon; the mesh is then as it was.

@@ -96,6 +96,8 @@ def simplify(
     method: str = "gqe",
     metric: str = "flip",
     epsilon: float = 0.01,
+    patches: Optional[int] = None,
+    ratio: Optional[float] = None,
     resolution: int = 700,
     color_model: Optional[str] = None,
     seed: int = 0,
@@ -115,6 +117,8 @@ def simplify(
     ids: objects, or groups that hold them; none: all meshes of the document.
     epsilon: largest error allowed, 0 to 1, by `metric` ("flip" or "ssim", as 1 - SSIM), at
     `resolution` pixels along the mesh's longer side.
+    patches, ratio: a target instead of epsilon: at most so many patches, or this share (above 0 and
+    at most 1) of those there are, with as small an error as the method finds.
     color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
     are then made bilinear first, which counts towards the error.
     method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
@@ -139,6 +143,8 @@ def simplify(
         raise ValueError("the numbers of half-edges are below 2^31.")
     options = _options(metric, epsilon, resolution, color_model, threads)
     options.method = method
+    options.patches = patches
+    options.ratio = ratio
     options.seed = seed
     options.omega = omega
     options.kappa = kappa
