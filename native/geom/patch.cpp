@@ -149,6 +149,17 @@ std::array<std::array<glm::dvec2, 2>, 2> coons_interior(const BezierNet& net) {
   return interior;
 }
 
+void make_coons(Patch& patch) {
+  BezierNet net = bezier_net(patch);
+  const auto coons = coons_interior(net);
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) net[1 + a][1 + b].position = coons[a][b];
+  const Patch made = patch_from_bezier(net);
+  // Only the twists follow from the interior points: the sides stay to the last bit.
+  for (int i : {1, 2})
+    for (int j : {1, 2}) patch.c[i][j].position = made.c[i][j].position;
+}
+
 void transform(Patch& patch, const Affine& affine) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) {

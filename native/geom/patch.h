@@ -58,6 +58,9 @@ Patch patch_from_bezier(const BezierNet& net);
 /// net's boundary (SVG 2 without `tensor`; formula in PDF 32000-1, 8.7.4.5.8).
 std::array<std::array<glm::dvec2, 2>, 2> coons_interior(const BezierNet& net);
 
+/// Gives the patch the interior control points of the Coons patch with its sides.
+void make_coons(Patch& patch);
+
 /// The patch under an affine map of its positions.
 void transform(Patch& patch, const Affine& affine);
 

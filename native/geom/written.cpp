@@ -27,17 +27,8 @@ bool needs_tensor(const Patch& patch, double tolerance) {
 }
 
 Patch as_written(const Patch& patch, double tolerance, bool masked_opacity) {
-  BezierNet net = bezier_net(patch);
   Patch written = patch;
-  if (distance_from_coons(net) <= tolerance) {
-    const auto coons = coons_interior(net);
-    for (int a = 0; a < 2; ++a)
-      for (int b = 0; b < 2; ++b) net[1 + a][1 + b].position = coons[a][b];
-    const Patch snapped = patch_from_bezier(net);
-    // Only the twists follow from the interior points: the sides stay to the last bit.
-    for (int i : {1, 2})
-      for (int j : {1, 2}) written.c[i][j].position = snapped.c[i][j].position;
-  }
+  if (!needs_tensor(patch, tolerance)) make_coons(written);
   for (int i : {0, 3})
     for (int j : {0, 3}) {
       glm::dvec4& color = written.c[i][j].color;

@@ -18,6 +18,8 @@ enum class ColorModel { bilinear, bicubic };
 struct CurveSide {
   std::vector<int> halfedges;
   std::vector<double> breaks;
+
+  bool operator==(const CurveSide&) const = default;
 };
 
 /// A curve with patches on both sides; `b` runs against `a`.
@@ -26,6 +28,8 @@ struct CurveParts {
   /// Tangents of the whole curve at the start of `a` and of `b`, both into the curve. Where they
   /// are not given they follow from the patches, up to rounding where both sides are divided.
   std::optional<std::array<Value, 2>> tangents = std::nullopt;
+
+  bool operator==(const CurveParts&) const = default;
 };
 
 /// What a reader knows of a mesh: its patches and which of their sides lie on one curve.
