@@ -1,4 +1,5 @@
 #include "cases.h"
+#include "mesh/grid.h"
 
 namespace gradmesh::bench {
 namespace {
@@ -13,9 +14,14 @@ void run(benchmark::State& state, const MeshFile& file, const SimplifyOptions& o
   state.counters["error"] = result.error;
 }
 
+bool is_grid(const MeshFile& file) {
+  return std::filesystem::exists(file.path) && find_grid(Input(file).mesh);
+}
+
 void add_methods(const MeshFile& file, MetricKind metric, double epsilon) {
   for (const Method method : all_methods) {
     if (method == Method::manual) continue;
+    if (method == Method::lines && !is_grid(file)) continue;
     SimplifyOptions options;
     options.method = method;
     options.metric = metric;

@@ -17,6 +17,18 @@ bool MergeTrial::try_merge(const std::vector<Region>& regions) {
   return journal_.depth() > depth && keep_if_cheap(depth);
 }
 
+double MergeTrial::try_merge(const std::vector<Halfedge>& edges, double limit) {
+  const std::size_t depth = journal_.depth();
+  const double error = merge_in_turn(edges) ? error_.after_edits(journal_, depth, epsilon_)
+                                            : std::numeric_limits<double>::infinity();
+  if (error <= limit) {
+    error_.accept(journal_);
+  } else {
+    undo_to(depth);
+  }
+  return error;
+}
+
 void MergeTrial::merge(const std::vector<Region>& regions) {
   const std::size_t depth = journal_.depth();
   merge_possible(regions);
@@ -30,12 +42,24 @@ void MergeTrial::merge_possible(const std::vector<Region>& regions) {
       merge_region(journal_, region, tops);
 }
 
+bool MergeTrial::merge_in_turn(const std::vector<Halfedge>& edges) {
+  for (const Halfedge edge : edges) {
+    if (!mesh()[edge].alive || can_merge(mesh(), edge) != MergeObstacle::none) return false;
+    gradmesh::merge(journal_, edge);
+  }
+  return true;
+}
+
+void MergeTrial::undo_to(std::size_t depth) {
+  while (journal_.depth() > depth) journal_.undo();
+}
+
 bool MergeTrial::keep_if_cheap(std::size_t depth) {
   if (error_.after_edits(journal_, depth, epsilon_) <= epsilon_) {
     error_.accept(journal_);
     return true;
   }
-  while (journal_.depth() > depth) journal_.undo();
+  undo_to(depth);
   return false;
 }
 
@@ -47,7 +71,7 @@ double RegionTrial::price(const Region& region, double limit) {
 
 void MergeTrial::undo_all() {
   if (journal_.depth() == 0) return;
-  while (journal_.depth() > 0) journal_.undo();
+  undo_to(0);
   error_.restore(start_);
 }
 

@@ -24,6 +24,15 @@ class MergeTrial {
   /// any more after the others are left out.
   bool try_merge(const std::vector<Region>& regions);
 
+  /// Merges these edges one after another if the whole error is then at most `limit`. Returns what
+  /// it is then, or would be: some number above epsilon once it is certain to be above that;
+  /// infinity where one of the edges cannot be merged in its turn.
+  double try_merge(const std::vector<Halfedge>& edges, double limit);
+  /// The same error; nothing is merged.
+  double error_with(const std::vector<Halfedge>& edges) {
+    return try_merge(edges, -std::numeric_limits<double>::infinity());
+  }
+
   /// Merges the regions whatever the error is.
   void merge(const std::vector<Region>& regions);
 
@@ -50,6 +59,9 @@ class MergeTrial {
 
   /// Merges those of the regions that can be merged after the ones before them.
   void merge_possible(const std::vector<Region>& regions);
+  /// Merges the edges, or as many as can be merged before one cannot; whether that is all.
+  bool merge_in_turn(const std::vector<Halfedge>& edges);
+  void undo_to(std::size_t depth);
   /// Keeps the operations after the first `depth`, or takes them back if they cost too much.
   bool keep_if_cheap(std::size_t depth);
 

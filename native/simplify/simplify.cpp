@@ -6,9 +6,11 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "error/merge_trial.h"
+#include "mesh/grid.h"
 #include "ops/merge.h"
 #include "select/gqe.h"
 #include "select/grid.h"
+#include "select/lines.h"
 #include "select/motorcycle.h"
 #include "select/random.h"
 #include "simplify/target.h"
@@ -76,6 +78,8 @@ void select(const SimplifyOptions& options, MergeTrial& trial, Analysis& analysi
       const auto regions = price_regions(trial, analysis, options.epsilon, watch);
       return select_gqe(trial, regions, {options.omega, options.method == Method::gqe1}, watch);
     }
+    case Method::lines:
+      return take_out_lines(trial, watch);
     case Method::manual:
       return merge_named_edges(options, trial);
   }
@@ -95,13 +99,19 @@ bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& op
   return false;
 }
 
+/// Takes the last merge back or, where only whole lines may go, the merges of the last line.
+void undo_last(MergeTrial& trial, Method method) {
+  do trial.undo_last();
+  while (method == Method::lines && trial.depth() > 0 && !find_grid(trial.mesh()));
+}
+
 /// Blocks are painted in another order than faces, which shows where a mesh lies over itself.
 /// Should the error as written be above epsilon, the last merges are taken back, ever more at a
 /// time.
 void verify(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
     if (measure(trial.mesh(), trial.measure(), options, result)) return;
-    for (int i = 0; i < at_once && trial.depth() > 0; ++i) trial.undo_last();
+    for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, options.method);
   }
   // What is not changed is not written either, so that only another original makes a difference.
   result.error = options.original ? trial.measure().whole_frame(trial.mesh()) : 0;

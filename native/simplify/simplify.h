@@ -26,12 +26,13 @@ enum class Method {
   motorcycle,
   gqe,
   gqe1,
+  lines,   ///< whole rows and columns, of a mesh that is one rectangle (select/lines.h)
   manual,  ///< the edges that the caller names (B.2)
 };
 
-inline constexpr Method all_methods[] = {Method::random,     Method::grid, Method::dual_grid,
-                                         Method::motorcycle, Method::gqe,  Method::gqe1,
-                                         Method::manual};
+inline constexpr Method all_methods[] = {Method::random,     Method::grid,  Method::dual_grid,
+                                         Method::motorcycle, Method::gqe,   Method::gqe1,
+                                         Method::lines,      Method::manual};
 
 struct SimplifyOptions {
   Method method = Method::gqe;

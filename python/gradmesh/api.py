@@ -123,7 +123,8 @@ def simplify(
     are then made bilinear first, which counts towards the error.
     method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
-    "gqe1" weigh patches saved against error by `omega`; "manual" merges the half-edges `edges`,
+    "gqe1" weigh patches saved against error by `omega`; "lines" takes whole rows and columns out of
+    a mesh that is one rectangle of patches, which it stays; "manual" merges the half-edges `edges`,
     in this order, and raises InputError where one of them cannot be merged within epsilon.
     time_budget: seconds for each mesh, after which the best so far is kept; 0: no limit.
     threads: 0 for all cores; the result is the same.

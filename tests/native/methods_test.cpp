@@ -12,6 +12,7 @@
 #include "branch_meshes.h"
 #include "document/document.h"
 #include "io/hemesh_reader.h"
+#include "mesh/grid.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "ops/merge.h"
@@ -124,6 +125,10 @@ void run_all(const Mesh& original, bool price_again) {
       if (method == Method::manual) options.edges = some_edges(original);
 
       Mesh mesh = original, again = original;
+      if (method == Method::lines && !find_grid(original)) {
+        EXPECT_THROW(simplify(mesh, options), InputError);
+        continue;
+      }
       const SimplifyResult result = simplify(mesh, options);
       EXPECT_EQ(validate(mesh), std::vector<std::string>{});
       EXPECT_LE(result.error, options.epsilon);

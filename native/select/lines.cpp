@@ -1,0 +1,135 @@
+#include "select/lines.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "base/error.h"
+#include "error/parallel_trials.h"
+#include "mesh/grid.h"
+
+namespace gradmesh {
+namespace {
+
+/// Which way a line runs: between two rows of patches or between two columns.
+enum class Along { rows, columns };
+
+/// A line inside the grid, by its number in the mesh as it was at first, from 1.
+struct Line {
+  Along along;
+  int number;
+
+  bool operator==(const Line&) const = default;
+};
+
+Grid grid_of(const Mesh& mesh) {
+  if (std::optional<Grid> grid = find_grid(mesh)) return std::move(*grid);
+  throw InputError(
+      "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
+      "out.");
+}
+
+/// The edges along the line that is the `at`-th inside now, from one end to the other. Each can be
+/// merged after the one before: where that has made a T-junction the next one ends, and its merge
+/// takes the T-junction away again (paper, Fig. 4b). So the last leaves none.
+std::vector<Halfedge> edges_along(const Mesh& mesh, Along along, int at) {
+  const Grid grid = grid_of(mesh);
+  std::vector<Halfedge> edges;
+  if (along == Along::rows) {
+    for (int column = 0; column < grid.columns; ++column) edges.push_back(grid.top(at, column));
+  } else {
+    for (int row = 0; row < grid.rows; ++row) edges.push_back(mesh.prev(grid.top(row, at)));
+  }
+  return edges;
+}
+
+class LineSelection {
+ public:
+  LineSelection(MergeTrial& trial, StopWatch& watch) : trial_(trial), watch_(watch) {
+    const Grid grid = grid_of(trial.mesh());
+    for (int i = 1; i < grid.rows; ++i) lines_.push_back({Along::rows, i});
+    for (int i = 1; i < grid.columns; ++i) lines_.push_back({Along::columns, i});
+    total_ = lines_.size();
+  }
+
+  void run() {
+    price_all();
+    while (!candidates_.empty() && !should_stop()) {
+      std::ranges::stable_sort(candidates_, {}, &Candidate::price);
+      if (!try_cheapest()) candidates_.erase(candidates_.begin());
+    }
+  }
+
+ private:
+  /// A line that is still there and may go.
+  struct Candidate {
+    Line line;
+    /// By how much taking it out raised the error when so many lines had been taken out.
+    double price;
+    int lines_before;
+  };
+
+  void price_all() {
+    std::vector<std::optional<double>> errors(lines_.size());
+    // As it is now: while lines are tried, another thread may have taken one out of this mesh.
+    Progress progress{0, lines_.size(), trial_.mesh().face_count(), trial_.error()};
+    const auto stop = [&](std::size_t done) {
+      progress.done = done;
+      return watch_.should_stop(progress);
+    };
+    ParallelTrials(trial_).for_each(lines_.size(), stop, [&](MergeTrial& own, std::size_t i) {
+      const Line& line = lines_[i];
+      errors[i] = own.error_with(edges_along(own.mesh(), line.along, line.number));
+    });
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (errors[i]) candidates_.push_back({lines_[i], *errors[i] - trial_.error(), 0});
+  }
+
+  /// The edges of a line now that others are gone.
+  std::vector<Halfedge> edges_of(const Line& line) const {
+    const auto is_before = [&](const Line& other) {
+      return other.along == line.along && other.number < line.number;
+    };
+    const int before = int(std::ranges::count_if(lines_, is_before));
+    return edges_along(trial_.mesh(), line.along, before + 1);
+  }
+
+  /// Takes the first candidate out, or finds that it is not the cheapest; false: it is no
+  /// candidate any more.
+  bool try_cheapest() {
+    Candidate& first = candidates_.front();
+    const double before = trial_.error();
+    double limit = trial_.epsilon();
+    if (first.lines_before < taken_ && candidates_.size() > 1)
+      limit = std::min(limit, before + candidates_[1].price);
+    const double error = trial_.try_merge(edges_of(first.line), limit);
+    if (error <= limit) {
+      ++taken_;
+      std::erase(lines_, first.line);
+    } else if (error <= trial_.epsilon()) {
+      first.price = error - before;
+      first.lines_before = taken_;
+      return true;
+    }
+    return false;
+  }
+
+  bool should_stop() {
+    return watch_.should_stop(
+        {total_ - candidates_.size(), total_, trial_.mesh().face_count(), trial_.error()});
+  }
+
+  MergeTrial& trial_;
+  StopWatch& watch_;
+  /// The lines that are in the mesh, and those that may still go.
+  std::vector<Line> lines_;
+  std::vector<Candidate> candidates_;
+  std::size_t total_ = 0;
+  int taken_ = 0;
+};
+
+}  // namespace
+
+void take_out_lines(MergeTrial& trial, StopWatch& watch) { LineSelection(trial, watch).run(); }
+
+}  // namespace gradmesh
