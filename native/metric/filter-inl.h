@@ -70,20 +70,6 @@ HWY_INLINE hn::Vec<D> filter_even(D d, const Taps<T, Radius>& taps, const T* in,
   return hn::Add(total, hn::Mul(hn::Set(d, taps.at[0]), hn::LoadU(d, in)));
 }
 
-/// The same for taps that sum to 1. The centre tap is not read: it stands for what the others
-/// leave, so that the input passes exactly where it is flat and rounds little where it is nearly
-/// so.
-template <class D, class T, int Radius>
-HWY_INLINE hn::Vec<D> filter_unit_sum(D d, const Taps<T, Radius>& taps, const T* in,
-                                      std::ptrdiff_t step) {
-  const auto centre = hn::LoadU(d, in), twice = hn::Add(centre, centre);
-  auto total = hn::Zero(d);
-  for (int k = Radius; k > 0; --k)
-    total = add_zero_sum(d, total, taps.at[k], hn::LoadU(d, in - k * step),
-                         hn::LoadU(d, in + k * step), twice);
-  return hn::Add(total, centre);
-}
-
 }  // namespace gradmesh::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -75,9 +75,9 @@ using V = hn::Vec<D>;
 constexpr D d;
 
 // The reference's variance is the mean of the columns' variances plus the variance of their means.
-// Both are taken about the sample at the centre, where nothing large cancels: as the centre has
-// 0.27 of the weight, at least so much of the mean square about it is left. A float's rounding
-// then moves the variance by some millionths of itself, however bright and flat the image is.
+// Both are taken about a sample near the centre, where nothing large cancels: as that has at least
+// 0.11 of the weight, at least so much of the mean square about it is left. A float's rounding then
+// moves the variance by some millionths of itself, however bright and flat the image is.
 
 enum ReferenceColumn { column_mean, column_variance, reference_columns };
 
@@ -91,20 +91,46 @@ void read_reference(const std::uint8_t* y, int count, float* values) {
   });
 }
 
-HWY_INLINE void moments_of_column(const float* in, std::ptrdiff_t stride, float* mean,
-                                  float* variance) {
+/// The moments of a vector of columns, about `near`.
+HWY_INLINE void find_column_moments(const float* in, std::ptrdiff_t stride, V near, V& mean,
+                                    V& variance) {
   const Taps<float, radius>& taps = gaussian();
-  const V centre = hn::Load(d, in);
   V shift = hn::Zero(d), squares = shift;
   for (int k = radius; k > 0; --k) {
-    const V above = hn::Sub(hn::Load(d, in - k * stride), centre);
-    const V below = hn::Sub(hn::Load(d, in + k * stride), centre);
-    const V tap = hn::Set(d, taps.at[k]);
-    shift = hn::Add(shift, hn::Mul(tap, hn::Add(above, below)));
-    squares = hn::Add(squares, hn::Mul(tap, hn::Add(hn::Mul(above, above), hn::Mul(below, below))));
+    const V above = hn::Sub(hn::Load(d, in - k * stride), near);
+    const V below = hn::Sub(hn::Load(d, in + k * stride), near);
+    shift = add_even(d, shift, taps.at[k], above, below);
+    squares = add_even(d, squares, taps.at[k], hn::Mul(above, above), hn::Mul(below, below));
   }
-  hn::Store(hn::Add(centre, shift), d, mean);
-  hn::Store(hn::Sub(squares, hn::Mul(shift, shift)), d, variance);
+  const V tap = hn::Set(d, taps.at[0]), centre = hn::Sub(hn::Load(d, in), near);
+  shift = hn::Add(shift, hn::Mul(tap, centre));
+  squares = hn::Add(squares, hn::Mul(tap, hn::Mul(centre, centre)));
+  mean = hn::Add(near, shift);
+  variance = hn::Sub(squares, hn::Mul(shift, shift));
+}
+
+/// Finds the moments of all columns with their centres in the rows from y on.
+void moments_of_columns(const Rows& in, int y, Rows& columns) {
+  static_assert(rows_at_once == 4);
+  const std::ptrdiff_t stride = in.stride(), out_stride = columns.stride();
+  float *means = columns.row(column_mean, 0), *variances = columns.row(column_variance, 0);
+  for (int i = 0; i < in.window().width(); i += hn::Lanes(d)) {
+    const float* at = in.row(0, y) + i;
+    const V near = hn::Load(d, at + 2 * stride);
+    V mean_0, mean_1, mean_2, mean_3, variance_0, variance_1, variance_2, variance_3;
+    find_column_moments(at, stride, near, mean_0, variance_0);
+    find_column_moments(at + stride, stride, near, mean_1, variance_1);
+    find_column_moments(at + 2 * stride, stride, near, mean_2, variance_2);
+    find_column_moments(at + 3 * stride, stride, near, mean_3, variance_3);
+    hn::Store(mean_0, d, means + i);
+    hn::Store(mean_1, d, means + i + out_stride);
+    hn::Store(mean_2, d, means + i + 2 * out_stride);
+    hn::Store(mean_3, d, means + i + 3 * out_stride);
+    hn::Store(variance_0, d, variances + i);
+    hn::Store(variance_1, d, variances + i + out_stride);
+    hn::Store(variance_2, d, variances + i + 2 * out_stride);
+    hn::Store(variance_3, d, variances + i + 3 * out_stride);
+  }
 }
 
 void moments_of_row(const float* column_means, const float* column_variances, int count,
@@ -134,17 +160,16 @@ void find_moments(const Image& reference, Window strip, Scratch& scratch, Rows& 
   const Window inside = strip.grown(radius).clipped(reference.window());
   scratch.reset(strip, 1, reference_columns);
   auto& [planes, columns] = scratch;
-  const int width = columns.window().width();
   for (int c = 0; c < channels; ++c) {
     for (int y = inside.y0; y < inside.y1; ++y)
       read_reference(reference.at(inside.x0, y, c), inside.width(), planes.at(0, inside.x0, y));
     extend(planes, inside);
-    for (int y = strip.y0; y < strip.y1; ++y) {
-      float *means = columns.row(column_mean, 0), *variances = columns.row(column_variance, 0);
-      for (int i = 0; i < width; i += hn::Lanes(d))
-        moments_of_column(planes.row(0, y) + i, planes.stride(), means + i, variances + i);
-      moments_of_row(means + radius, variances + radius, strip.width(), moments.at(c, strip.x0, y),
-                     moments.at(channels + c, strip.x0, y));
+    for (int first = strip.y0; first < strip.y1; first += rows_at_once) {
+      moments_of_columns(planes, first, columns);
+      for (int y = first; y < std::min(first + rows_at_once, strip.y1); ++y)
+        moments_of_row(columns.row(column_mean, y - first) + radius,
+                       columns.row(column_variance, y - first) + radius, strip.width(),
+                       moments.at(c, strip.x0, y), moments.at(channels + c, strip.x0, y));
     }
   }
 }
@@ -176,10 +201,10 @@ void filter_columns(const Rows& in, int y, Rows& columns) {
     const float* row = in.row(plane, y);
     float* out = columns.row(plane, 0);
     for (int i = 0; i < count; i += hn::Lanes(d)) {
-      const V first = filter_unit_sum(d, taps, row + i, stride);
-      const V second = filter_unit_sum(d, taps, row + i + stride, stride);
-      const V third = filter_unit_sum(d, taps, row + i + 2 * stride, stride);
-      const V fourth = filter_unit_sum(d, taps, row + i + 3 * stride, stride);
+      const V first = filter_even(d, taps, row + i, stride);
+      const V second = filter_even(d, taps, row + i + stride, stride);
+      const V third = filter_even(d, taps, row + i + 2 * stride, stride);
+      const V fourth = filter_even(d, taps, row + i + 3 * stride, stride);
       hn::Store(first, d, out + i);
       hn::Store(second, d, out + i + out_stride);
       hn::Store(third, d, out + i + 2 * out_stride);
@@ -199,9 +224,9 @@ void add_distances(const Rows& columns, int row, int count, const float* mean_y,
   const float* squares = columns.row(squared, row) + radius;
   const float* products = columns.row(times_reference, row) + radius;
   for (int i = 0; i < count; i += hn::Lanes(d)) {
-    const V md = filter_unit_sum(d, taps, differences + i, 1);
-    const V mdd = filter_unit_sum(d, taps, squares + i, 1);
-    const V myd = filter_unit_sum(d, taps, products + i, 1);
+    const V md = filter_even(d, taps, differences + i, 1);
+    const V mdd = filter_even(d, taps, squares + i, 1);
+    const V myd = filter_even(d, taps, products + i, 1);
     const V my = hn::LoadU(d, mean_y + i), vy = hn::LoadU(d, variance_y + i);
     hwy::Prefetch(mean_y + next_row + i);
     hwy::Prefetch(variance_y + next_row + i);
