@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "document/convert.h"
 #include "document/document.h"
+#include "document/draw_document.h"
 #include "document/info.h"
 #include "mesh/mesh.h"
 
@@ -107,6 +108,18 @@ py::dict convert_document(const Document& document, const std::string& kind, con
                   py::arg("lost_opacity") = conversion.lost_opacity);
 }
 
+std::string draw_document(const Document& document, const std::string& id, const std::string& show,
+                          bool picture, const SimplifyOptions& simplify,
+                          const AnalysisPaths& analyses, const py::object& progress) {
+  DrawOptions options;
+  options.show = show_named(show);
+  options.picture = picture;
+  options.simplify = simplify;
+  options.simplify.progress = progress_callback(progress);
+  const py::gil_scoped_release release;
+  return draw(document, document.selected({id}).front(), options, analyses);
+}
+
 void bind_options(py::module_& m) {
   py::class_<SimplifyOptions>(m, "SimplifyOptions")
       .def(py::init<>())
@@ -174,6 +187,8 @@ PYBIND11_MODULE(_core, m) {
            py::arg("analyses"), py::arg("preview"), py::arg("progress"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"))
+      .def("draw", &draw_document, py::kw_only(), py::arg("id"), py::arg("show"),
+           py::arg("picture"), py::arg("options"), py::arg("analyses"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))
       .def("info", &info_text)
       .def("convert", &convert_document, py::kw_only(), py::arg("kind"), py::arg("id"),

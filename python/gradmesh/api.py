@@ -217,6 +217,39 @@ def render(document: Document, id: Optional[str] = None, resolution: int = 700) 
     return document._core.render(id, resolution)
 
 
+def draw(
+    document: Document,
+    show: str = "edges",
+    id: Optional[str] = None,
+    *,
+    picture: bool = True,
+    metric: str = "flip",
+    epsilon: float = 0.01,
+    kappa: float = 0.05,
+    resolution: int = 700,
+    threads: int = 0,
+    analysis_cache: Optional[Path] = None,
+    progress: Optional[Progress] = None,
+) -> str:
+    """Draws one mesh as an SVG document of its own, in the coordinates of the document it is in.
+
+    show: "edges" with their numbers, "faces" with theirs, "errors" of merging single edges, the
+    graph "motorcycle", or "regions": the largest that can be merged within epsilon.
+    picture: whether the mesh as it is painted lies behind the lines.
+    Other options and errors as of simplify().
+    """
+    options = _options(metric, epsilon, resolution, None, threads)
+    options.kappa = kappa
+    return document._core.draw(
+        id=_one_id(document, id),
+        show=show,
+        picture=picture,
+        options=options,
+        analyses=_analyses(None, None, analysis_cache),
+        progress=progress,
+    )
+
+
 def convert(
     document: Document,
     kind: str,

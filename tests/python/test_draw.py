@@ -14,6 +14,8 @@ import svg_meshes
 from built import SAMPLES, gradmesh as run
 from hemesh_files import grid
 
+import gradmesh
+
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 HREF = "{http://www.w3.org/1999/xlink}href"
@@ -200,3 +202,14 @@ def test_inkscape_shows_it(tmp_path, show):
     assert len(np.unique(image.reshape(-1, 3), axis=0)) > 50
     for edge in (image[:3], image[-3:], image[:, :3], image[:, -3:]):
         assert (edge == 255).all()
+
+
+def test_python_draws_the_same(tmp_path):
+    out = tmp_path / "errors.svg"
+    assert run("draw", FRUIT, "-o", out, "--show", "errors", "--resolution", 100).returncode == 0
+    document = gradmesh.load(FRUIT)
+    assert gradmesh.draw(document, "errors", resolution=100) == out.read_text()
+    plain = gradmesh.draw(document, "edges", "pear", picture=False)
+    assert "<image" not in plain and "<path" in plain
+    with pytest.raises(ValueError, match="there are: edges"):
+        gradmesh.draw(document, "taste")
