@@ -20,13 +20,14 @@ void copy(const Painting& from, Window window, Painting& to) {
 
 }  // namespace
 
-EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame,
-                     MetricKind metric) {
+EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
+                     bool masks_opacity) {
   const auto fixed = std::make_shared<Fixed>();
   fixed->frame = frame;
   fixed->metric = make_metric(metric, paint_whole(original, frame).image);
-  fixed->frame.masked_opacity =
-      start.color_model() == ColorModel::bilinear && is_translucent(start);
+  fixed->frame.masked_opacity = masks_opacity && !start.is_smooth() &&
+                                start.color_model() == ColorModel::bilinear &&
+                                is_translucent(start);
   fixed_ = fixed;
 
   const auto state = std::make_shared<State>();
@@ -52,6 +53,7 @@ void EditError::restore(std::shared_ptr<const State> state) {
 }
 
 Window EditError::changed_pixels(const Mesh& mesh) const {
+  if (mesh.is_smooth()) return fixed_->frame.window();
   Window changed;
   for (const Face f : trial_.touched) {
     if (std::size_t(f.value) < state_->bounds.size())

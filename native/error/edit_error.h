@@ -20,8 +20,10 @@ class EditError {
  public:
   /// Paints `original`, the reference, and `start`, the mesh that will be edited, as it will be
   /// written. That may cost something before anything is merged: `start` may hold less than the
-  /// original, and a translucent mesh of the model `bilinear` has its opacities in a mask.
-  EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric);
+  /// original, and a translucent mesh of the model `bilinear` has its opacities in a mask, unless
+  /// `masks_opacity` is false.
+  EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
+            bool masks_opacity = true);
 
   /// Another one with the same reference that goes on from what this one has accepted, for another
   /// thread. Neither sees what the other does.

@@ -22,6 +22,7 @@ class MeshBuilder {
  public:
   explicit MeshBuilder(const MeshParts& parts) : parts_(parts), own_colors_(parts.own_colors) {
     mesh_.color_model_ = parts.color_model;
+    mesh_.smooth_ = parts.smooth;
     std::ranges::sort(own_colors_);
   }
 

@@ -17,6 +17,10 @@ namespace gradmesh {
 class Mesh {
  public:
   ColorModel color_model() const { return color_model_; }
+  /// Whether between the corners of a mesh of the model `bilinear` colours are painted smoothly,
+  /// following the neighbours (SVG's type="bicubic", smooth_colors.h). The patches here know
+  /// nothing of that.
+  bool is_smooth() const { return smooth_; }
 
   const PointRecord& operator[](Point p) const { return points_[p.value]; }
   const HandleRecord& operator[](Handle h) const { return handles_[h.value]; }
@@ -102,6 +106,7 @@ class Mesh {
   std::vector<HalfedgeRecord> halfedges_;
   int face_count_ = 0;
   ColorModel color_model_ = ColorModel::bilinear;
+  bool smooth_ = false;
 };
 
 /// Whether a mesh is not opaque everywhere, as 8 bits tell.

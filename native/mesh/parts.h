@@ -40,6 +40,8 @@ struct MeshParts {
   ColorModel color_model = ColorModel::bilinear;
   /// Half-edges at T-junctions that keep their colour even where it looks like the parent's.
   std::vector<int> own_colors = {};
+  /// As of Mesh::is_smooth.
+  bool smooth = false;
 };
 
 /// Curves of a plain grid of `rows` x `columns` patches stored row by row.

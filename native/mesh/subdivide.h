@@ -11,6 +11,7 @@ namespace gradmesh {
 /// of the faces, those of one face row by row. Where both sides of a curve are divided at the same
 /// place (to 1e-9 of the curve) the curve is cut there, so that a plain grid stays one; elsewhere
 /// the new points on curves are T-junctions.
+/// Not of smooth meshes, whose colours would follow other neighbours.
 MeshParts subdivided(const Mesh& mesh, int n);
 
 }  // namespace gradmesh

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "geom/written.h"
+#include "mesh/smooth_colors.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {
@@ -200,6 +201,8 @@ constexpr int band_height = 128;
 class CairoLikeRasterizer final : public Rasterizer {
  public:
   void paint(const Mesh& mesh, const Frame& frame, Window window, Image& image) const override {
+    if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, window, image);
+    const bool as_stops = mesh.color_model() == ColorModel::bilinear;
     window = window.clipped(frame.window());
     const int bands = (window.height() + band_height - 1) / band_height;
     parallel_for(std::size_t(bands), [&](std::size_t i) {
@@ -208,7 +211,8 @@ class CairoLikeRasterizer final : public Rasterizer {
       band.y1 = std::min(window.y1, band.y0 + band_height);
       fill(image, band, std::uint8_t(255));
       for (const Face f : mesh.faces()) {
-        const Patch patch = as_written(mesh.patch(f), frame.coons_tolerance, frame.masked_opacity);
+        Patch patch = mesh.patch(f);
+        if (as_stops) patch = as_written(patch, frame.coons_tolerance, frame.masked_opacity);
         if (!pixel_bounds(patch, frame).clipped(band).empty())
           paint_forward(patch, frame.to_pixels, band, image);
       }

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "geom/written.h"
+#include "mesh/smooth_colors.h"
 
 namespace gradmesh {
 namespace {
@@ -38,6 +39,7 @@ struct ReadyFace {
 }  // namespace
 
 void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
+  if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, painting);
   clear_all(painting);
   tessellator_.start(mesh, frame);
   for (const Face f : mesh.faces()) paint_face(mesh, frame, f, painting.window(), painting);
@@ -45,6 +47,8 @@ void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
 
 void Painter::repaint(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched,
                       Window within, Painting& painting) {
+  // Beside the touched faces others have new colours too.
+  if (mesh.is_smooth()) return paint(mesh, frame, painting);
   within = within.clipped(painting.window());
   if (within.empty() || touched.empty()) return;
   tessellator_.start(mesh, frame);
@@ -93,6 +97,7 @@ Painting paint_whole(const Mesh& mesh, const Frame& frame) {
 }
 
 void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
+  if (mesh.is_smooth()) return paint_whole(painted_mesh(mesh), frame, painting);
   if (thread_count() == 1) return Painter().paint(mesh, frame, painting);
   const Window window = painting.window();
   clear_all(painting);

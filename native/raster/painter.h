@@ -16,7 +16,8 @@ class Painter {
 
   /// Brings the painting of a mesh up to date for the mesh as it is now. `touched`, in rising
   /// order, are the faces whose patch or outline changed; some may be gone and some new. `within`
-  /// holds their pixels before and after, as far as they lie in the painting's window.
+  /// holds their pixels before and after, as far as they lie in the painting's window. A smooth
+  /// mesh is painted anew in the painting's whole window.
   void repaint(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched,
                Window within, Painting& painting);
 

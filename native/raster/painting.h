@@ -34,7 +34,8 @@ class TopFace {
   std::uint32_t sample_ = 0;
 };
 
-/// A painted picture and the face that lies on top at each of its pixels.
+/// A painted picture and the face that lies on top at each of its pixels: of a smooth mesh, that of
+/// its painted_mesh.
 struct Painting {
   Image image;
   /// Samples of TopFace over the window of `image`; zero where nothing is painted.

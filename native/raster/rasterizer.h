@@ -32,7 +32,7 @@ std::unique_ptr<Rasterizer> make_software_rasterizer();
 
 /// Paints as cairo does, and so Inkscape, down to the roundings: it takes another point
 /// of each pixel, and paints pixels that a patch only touches. To hold our surface against
-/// Inkscape's own pictures; colour model `bilinear` only.
+/// Inkscape's own pictures; colours are taken as bilinear between the corners of the patches.
 std::unique_ptr<Rasterizer> make_cairo_like_rasterizer();
 
 }  // namespace gradmesh

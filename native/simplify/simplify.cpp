@@ -32,6 +32,14 @@ void check(const SimplifyOptions& options) {
   if (options.threads < 0) throw std::invalid_argument("threads must be 0 or more.");
 }
 
+/// The patches of a smooth mesh have their colours from all around, in rows and columns.
+void check_method(const Mesh& mesh, bool takes_lines) {
+  if (mesh.is_smooth() && !takes_lines)
+    throw InputError(
+        "its colours follow those of the neighbours (type=\"bicubic\"), so that only whole lines "
+        "can be taken out, by the method lines.");
+}
+
 /// The prices that this run may use and add to.
 Analysis& analysis_for(const AnalysisKey& key, const SimplifyOptions& options, Analysis& own) {
   if (!options.analysis) return own = {key, {}};
@@ -133,12 +141,14 @@ class Run {
         mesh_(mesh),
         original_(options.original ? *options.original : mesh),
         frame_(fit_frame(original_, options.view, options.resolution, options.padding)),
-        trial_(mesh, EditError(original_, mesh, frame_, options.metric), options.epsilon),
+        trial_(mesh, EditError(original_, mesh, frame_, options.metric, options.masks_opacity),
+               options.epsilon),
         analysis_(analysis_for(analysis_key(original_, mesh, frame_, options.metric), options,
                                own_analysis_)) {}
 
   SimplifyResult simplify() {
     SimplifyResult result;
+    result.method = options_.method;
     result.frame = frame_;
     result.patches_before = mesh_.face_count();
     result.seconds.rasterize = watch_.seconds();
@@ -180,17 +190,20 @@ class Run {
 }  // namespace
 
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
+  check_method(mesh, options.method == Method::lines);
   if (const auto patches = target_patches(options, mesh.face_count()))
     return simplify_to_target(mesh, options, *patches);
   return Run(mesh, options).simplify();
 }
 
 std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options) {
+  check_method(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).edges();
 }
 
 std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options) {
+  check_method(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).regions();
 }

@@ -63,6 +63,8 @@ struct SimplifyOptions {
   /// From mesh units to what the person sees, up to scale.
   Affine view;
   FramePadding padding;
+  /// Whether a translucent mesh of the model `bilinear` is written with its opacities in a mask.
+  bool masks_opacity = true;
   /// The mesh as a reader will find it, in each way in which it can be written: the error that
   /// counts is that of the first way that keeps to epsilon. Empty: it is written as it is.
   std::function<std::vector<Mesh>(const Mesh&, const Frame&)> ways_to_write;
@@ -77,6 +79,7 @@ struct SimplifyOptions {
 enum class Stopped { done, budget, cancelled, nothing_to_merge };
 
 struct SimplifyResult {
+  Method method = Method::gqe;
   int patches_before = 0, patches_after = 0;
   /// Error of the surface that will be written, measured on the whole frame.
   double error = 0;
@@ -97,8 +100,9 @@ struct SimplifyResult {
 /// Merges patches of `mesh` while the error against the original stays at most epsilon; where it
 /// is above that from the start, nothing is merged. With a target: until so few are left.
 /// Throws std::invalid_argument where an option is out of range or the analysis is another mesh's,
-/// InputError where the mesh has no size or, with `manual`, an edge cannot be merged within
-/// epsilon; the mesh is then as it was.
+/// InputError where the mesh has no size, where it is smooth or no rectangle and the method is not
+/// for such, or, with `manual`, where an edge cannot be merged within epsilon; the mesh is then as
+/// it was.
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 
 /// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most
