@@ -1,10 +1,31 @@
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "raster/painting.h"
 #include "raster/patch_color.h"
 #include "raster/tessellate.h"
 
 namespace gradmesh {
+
+/// Memory for Newton's method at some pixels of each row.
+struct Knots {
+  /// In pixels as Refinement counts them.
+  std::vector<float> x, y;
+  std::vector<float> u, v;
+  /// Change of u and v from a pixel to the next.
+  std::vector<float> du, dv;
+  /// Pixels to the next knot of the row.
+  std::vector<float> length;
+  /// Whether interpolation up to the next knot is as near as it has to be: 1 or 0.
+  std::vector<float> near;
+
+  void resize(std::size_t size) {
+    for (std::vector<float>* values : {&x, &y, &u, &v, &du, &dv, &length, &near})
+      values->resize(std::max(values->size(), size));
+  }
+};
 
 /// Where on a patch the centres of pixels lie. Rows have room for a few more samples at their
 /// ends, which may be anything.
@@ -13,6 +34,12 @@ struct Parameters {
   std::size_t stride = 0;
   /// u is `not_covered` where the patch does not cover the pixel; then v may be anything.
   std::vector<float> u, v;
+  struct Extent {
+    int x0, x1;
+  };
+  /// For each row: outside, no pixel is covered.
+  std::vector<Extent> extents;
+  Knots knots;
 
   static constexpr float not_covered = -1;
 

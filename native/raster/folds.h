@@ -16,6 +16,12 @@ struct Folds {
   /// The first index along u.
   std::array<std::array<std::int8_t, cells>, cells> sign;
 
+  bool possible() const {
+    for (const auto& row : sign)
+      for (const std::int8_t s : row)
+        if (s == 0) return true;
+    return false;
+  }
   int sign_at(double u, double v) const { return sign[cell(u)][cell(v)]; }
   /// The cell of a parameter in [0, 1].
   static int cell(double t) { return t < 1 ? int(t * cells) : cells - 1; }

@@ -1,6 +1,7 @@
 #include "raster/tessellate.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -28,22 +29,29 @@ Points hermite_in_pixels(const Patch& patch, const Affine& to_pixels) {
   return points;
 }
 
-/// Most that the second derivatives can be, by the second differences of the Bezier points.
+/// Most that a derivative of the surface can be, of order a along u and b along v, by the
+/// differences of the Bezier points.
+double most_derivative(Points p, int a, int b) {
+  constexpr double factor[] = {1, 3, 6, 6};
+  for (int n = 0; n < a; ++n)
+    for (int i = 0; i + n < 3; ++i)
+      for (int j = 0; j < 4; ++j) p[i][j] = p[i + 1][j] - p[i][j];
+  double most = 0;
+  for (int i = 0; i + a < 4; ++i) {
+    for (int n = 0; n < b; ++n)
+      for (int j = 0; j + n < 3; ++j) p[i][j] = p[i][j + 1] - p[i][j];
+    for (int j = 0; j + b < 4; ++j) most = std::max(most, glm::dot(p[i][j], p[i][j]));
+  }
+  return factor[a] * factor[b] * std::sqrt(most);
+}
+
+/// Most that the second derivatives can be.
 struct Bends {
-  double uu = 0, uv = 0, vv = 0;
+  double uu, uv, vv;
 };
 
 Bends bends_of(const Points& p) {
-  const auto squared = [](glm::dvec2 d) { return glm::dot(d, d); };
-  Bends most;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      if (i < 2) most.uu = std::max(most.uu, squared(p[i][j] - 2.0 * p[i + 1][j] + p[i + 2][j]));
-      if (j < 2) most.vv = std::max(most.vv, squared(p[i][j] - 2.0 * p[i][j + 1] + p[i][j + 2]));
-      if (i < 3 && j < 3)
-        most.uv = std::max(most.uv, squared(p[i][j] - p[i + 1][j] - p[i][j + 1] + p[i + 1][j + 1]));
-    }
-  return {6 * std::sqrt(most.uu), 9 * std::sqrt(most.uv), 6 * std::sqrt(most.vv)};
+  return {most_derivative(p, 2, 0), most_derivative(p, 1, 1), most_derivative(p, 0, 2)};
 }
 
 Window pixels_of(const Points& bezier) {
@@ -76,6 +84,28 @@ void set_refinement(const Points& powers, const Bends& bends, const Folds& folds
   refinement.uu = float(bends.uu);
   refinement.uv = float(bends.uv);
   refinement.vv = float(bends.vv);
+}
+
+/// What interpolation along rows needs to know.
+void set_sizes(const Points& bezier, Refinement& refinement) {
+  const glm::dvec2 p00 = bezier[0][0], p03 = bezier[0][3], p30 = bezier[3][0], p33 = bezier[3][3];
+  for (int a = 0; a <= 3; ++a)
+    for (int b = std::max(0, 2 - a); b <= std::min(3, 4 - a); ++b)
+      refinement.most[a][b] = float(most_derivative(bezier, a, b));
+  // As if it were a parallelogram.
+  const glm::dvec2 along_u = 0.5 * ((p30 - p00) + (p33 - p03));
+  const glm::dvec2 along_v = 0.5 * ((p03 - p00) + (p33 - p30));
+  const double area = along_u.x * along_v.y - along_u.y * along_v.x;
+  const double scale =
+      std::abs(area) > 1e-6 * (glm::dot(along_u, along_u) + glm::dot(along_v, along_v)) ? 1 / area
+                                                                                        : 0;
+  const glm::dvec2 centre =
+      0.25 * ((p00 + p33) + (p03 + p30)) - glm::dvec2(refinement.x, refinement.y);
+  const auto plane = [&](double b, double c) -> std::array<float, 3> {
+    return {float(0.5 - (b * centre.x + c * centre.y)), float(b), float(c)};
+  };
+  refinement.start_u = plane(scale * along_v.y, -scale * along_v.x);
+  refinement.start_v = plane(-scale * along_u.y, scale * along_u.x);
 }
 
 /// Fills the strip between two rows of vertices that run the same way, `outer` to their left.
@@ -165,7 +195,9 @@ void Tessellator::start(const Mesh& mesh, const Frame& frame) {
 void Tessellator::tessellate(Face face, const Patch& patch, Window window, FaceShape& shape) {
   shape.vertices.clear();
   shape.triangles.clear();
+  shape.spans.clear();
   shape.bounds = {};
+  shape.traced = shape.may_fold = false;
   shape.refinement.needed = false;
   const Points hermite = hermite_in_pixels(patch, frame_->to_pixels);
   const Points bezier = change_form(hermite, bezier_of_hermite);
@@ -174,10 +206,16 @@ void Tessellator::tessellate(Face face, const Patch& patch, Window window, FaceS
 
   const Points powers = change_form(hermite, powers_of_hermite);
   const Bends bends = bends_of(bezier);
-  const Steps coarse = steps_for(bends, coarseness), fine = steps_for(bends, fineness);
   const Folds folds = folds_of(bezier);
+  // u runs to the left of v where the Jacobian is positive.
+  if (!folds.possible() && trace(face, folds.sign[0][0] < 0, shape)) {
+    set_refinement(powers, bends, folds, shape);
+    set_sizes(bezier, shape.refinement);
+    set_bounds(shape);
+    return;
+  }
+  const Steps coarse = steps_for(bends, coarseness), fine = steps_for(bends, fineness);
   std::array<bool, Folds::cells> fine_u = {}, fine_v = {};
-  shape.may_fold = false;
   for (int i = 0; i < Folds::cells; ++i)
     for (int j = 0; j < Folds::cells; ++j)
       if (folds.sign[i][j] == 0) fine_u[i] = fine_v[j] = shape.may_fold = true;
@@ -197,6 +235,31 @@ void Tessellator::tessellate(Face face, const Patch& patch, Window window, FaceS
     cut(face, powers, shape);
   }
   set_bounds(shape);
+}
+
+/// Where on a patch a cut of its k-th side lies.
+Vertex Tessellator::vertex_on(int k, const Outlines::Cut& cut) {
+  const double u = k == 0 ? 0 : k == 1 ? cut.t : k == 2 ? 1 : 1 - cut.t;
+  const double v = k == 0 ? cut.t : k == 1 ? 1 : k == 2 ? 1 - cut.t : 0;
+  return {cut.point.x, cut.point.y, float(u), float(v)};
+}
+
+bool Tessellator::trace(Face face, bool clockwise, FaceShape& shape) {
+  polygon_.clear();
+  shape.vertices.clear();
+  const std::array<Halfedge, 4> sides = mesh_->sides(face);
+  int top = INT_MAX, bottom = INT_MIN;
+  for (int k = 0; k < 4; ++k)
+    for (const Outlines::Cut& cut : outlines_.along(sides[k])) {
+      shape.vertices.push_back(vertex_on(k, cut));
+      polygon_.push_back(cut.point);
+      top = std::min(top, cut.point.y);
+      bottom = std::max(bottom, cut.point.y);
+    }
+  // Of the whole frame: how a face is painted must not depend on the window.
+  shape.traced = tracer_.trace(polygon_, clockwise, std::max(first_pixel(top), 0),
+                               std::min(first_pixel(bottom), frame_->height), shape.spans);
+  return shape.traced;
 }
 
 void Tessellator::cut(Face face, const Points& powers, FaceShape& shape) {
@@ -231,10 +294,8 @@ void Tessellator::add_side(int k, Halfedge leaf, FaceShape& shape) {
   outer_.clear();
   inner_.clear();
   for (const Outlines::Cut& cut : outlines_.along(leaf)) {
-    const double u = k == 0 ? 0 : k == 1 ? cut.t : k == 2 ? 1 : 1 - cut.t;
-    const double v = k == 0 ? cut.t : k == 1 ? 1 : k == 2 ? 1 - cut.t : 0;
     outer_.push_back(std::uint32_t(shape.vertices.size()));
-    shape.vertices.push_back({cut.point.x, cut.point.y, float(u), float(v)});
+    shape.vertices.push_back(vertex_on(k, cut));
   }
   // From corner to corner of the inner grid, in the direction of the side.
   const int count = k % 2 == 0 ? nv - 1 : nu - 1;

@@ -7,6 +7,7 @@
 #include "raster/bicubic.h"
 #include "raster/folds.h"
 #include "raster/outlines.h"
+#include "raster/spans.h"
 
 namespace gradmesh {
 
@@ -24,12 +25,6 @@ inline std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex&
   return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
 }
 
-/// First pixel whose centre is not left of (or above) the grid coordinate.
-constexpr int first_pixel(std::int32_t x) {
-  constexpr int unit = 1 << subpixel_bits;
-  return (x + unit / 2 - 1) >> subpixel_bits;
-}
-
 /// How to get from the parameters that triangles give to those of the surface, by Newton's method.
 struct Refinement {
   bool needed = false;
@@ -42,10 +37,19 @@ struct Refinement {
   std::array<Bicubic<float>, 2> position;
   /// Most that the second derivatives H_uu, H_uv, H_vv can be, in pixels.
   float uu = 0, uv = 0, vv = 0;
+  /// Most that the derivative of order a along u and b along v can be, in pixels: most[a][b] for
+  /// 2 <= a + b <= 4.
+  std::array<std::array<float, 4>, 4> most = {};
+  /// About where pixels lie: u (or v) is a + b x + c y.
+  std::array<float, 3> start_u, start_v;
 };
 
-/// A patch cut into triangles.
+/// A patch as the pixels inside its outline or, where it may fold, cut into triangles.
 struct FaceShape {
+  /// Whether `spans` tells the pixels, by rows; then there are no triangles, and the vertices are
+  /// those of the outline.
+  bool traced = false;
+  std::vector<Span> spans;
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
   /// Whether triangles may overlap.
@@ -55,8 +59,9 @@ struct FaceShape {
   Refinement refinement;
 };
 
-/// Cuts patches into triangles, from their outlines to a grid inside. The outlines are within
-/// `flatness` of the curves. Inside
+/// Finds the pixels of patches. Their outlines are within `flatness` of the curves. Patches that
+/// surely do not fold are what lies inside; others are cut into triangles, from the outline to a
+/// grid inside:
 /// - where the patch surely does not fold triangles are few: they say which pixels it covers and
 ///   about where on the patch, and a step of Newton's method then says it to a fraction of
 ///   `flatness`;
@@ -65,11 +70,13 @@ class Tessellator {
  public:
   /// For the mesh as it is now.
   void start(const Mesh& mesh, const Frame& frame);
-  /// `patch` is that of the face as it is to be painted. A shape without triangles where it meets
-  /// no pixel of `window`.
+  /// `patch` is that of the face as it is to be painted. A shape without bounds where it meets no
+  /// pixel of `window`.
   void tessellate(Face face, const Patch& patch, Window window, FaceShape& shape);
 
  private:
+  static Vertex vertex_on(int side, const Outlines::Cut& cut);
+  bool trace(Face face, bool clockwise, FaceShape& shape);
   void cut(Face face, const Bicubic<glm::dvec2>& position, FaceShape& shape);
   void add_side(int side, Halfedge leaf, FaceShape& shape);
 
@@ -79,6 +86,8 @@ class Tessellator {
   /// Parameters of the grid's lines, from 0 to 1.
   std::vector<double> lines_u_, lines_v_;
   std::vector<std::uint32_t> outer_, inner_;
+  std::vector<GridPoint> polygon_;
+  SpanTracer tracer_;
 };
 
 }  // namespace gradmesh

@@ -90,13 +90,18 @@ TEST(Raster, every_pixel_is_covered_exactly_once) {
     const std::vector<glm::dvec2> boundary = boundary_of(mesh, frame);
     Raster<int, 1> count(frame.width, frame.height);
     Parameters parameters;
-    for (const FaceShape& shape : shapes_of(mesh, frame))
+    const auto count_covered = [&](const FaceShape& shape) {
+      find_parameters(shape, frame.window(), parameters);
+      for_each_covered(parameters, [&](int x, int y, float, float) { ++*count.at(x, y); });
+    };
+    for (const FaceShape& shape : shapes_of(mesh, frame)) {
+      if (shape.traced) count_covered(shape);
       for (const Triangle& triangle : shape.triangles) {
         FaceShape one = shape;
         one.triangles = {triangle};
-        find_parameters(one, frame.window(), parameters);
-        for_each_covered(parameters, [&](int x, int y, float, float) { ++*count.at(x, y); });
+        count_covered(one);
       }
+    }
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x) {
         const int expected = inside(boundary, glm::dvec2(256 * x + 128, 256 * y + 128)) ? 1 : 0;
@@ -148,6 +153,12 @@ TEST(Raster, everything_is_within_a_tenth_of_a_pixel_of_the_surface) {
         const FaceShape& shape = shapes[i++];
         const Patch patch = mesh.patch(f);
         (shape.refinement.everywhere ? refined : both) += shape.refinement.needed;
+        if (shape.traced)
+          for (std::size_t k = 0; k < shape.vertices.size(); ++k) {
+            const Vertex &a = shape.vertices[k],
+                         &b = shape.vertices[(k + 1) % shape.vertices.size()];
+            most = std::max(most, distance_of({a, b, b}, patch, frame));
+          }
         for (const auto& [a, b, c] : shape.triangles) {
           const Vertex va = shape.vertices[a], vb = shape.vertices[b], vc = shape.vertices[c];
           // The outline's edges, and all of the triangle where that is what is painted.
