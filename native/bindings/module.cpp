@@ -63,14 +63,14 @@ py::list report_list(const std::vector<MeshReport>& reports) {
 }
 
 py::list simplify_document(Document& document, const std::vector<std::string>& ids,
-                           SimplifyOptions options, const AnalysisPaths& analyses, bool preview,
-                           const py::object& progress) {
+                           SimplifyOptions options, const AnalysisPaths& analyses,
+                           bool remember_original, bool preview, const py::object& progress) {
   options.progress = progress_callback(progress);
   std::vector<MeshReport> reports;
   {
     const py::gil_scoped_release release;
     reports = preview ? document.preview(ids, options, analyses)
-                      : document.simplify(ids, options, analyses);
+                      : document.simplify(ids, options, analyses, {remember_original});
   }
   return report_list(reports);
 }
@@ -184,7 +184,8 @@ PYBIND11_MODULE(_core, m) {
       .def("ids", &ids)
       .def("meshes", &meshes, py::arg("ids"))
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
-           py::arg("analyses"), py::arg("preview"), py::arg("progress"))
+           py::arg("analyses"), py::arg("remember_original"), py::arg("preview"),
+           py::arg("progress"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"))
       .def("draw", &draw_document, py::kw_only(), py::arg("id"), py::arg("show"),

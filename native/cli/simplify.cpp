@@ -16,6 +16,7 @@ struct SimplifyArguments {
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;
+  WriteOptions writing;
   bool quiet = false, preview = false;
 };
 
@@ -64,7 +65,7 @@ void run_simplify(SimplifyArguments& a) {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
     reports = a.preview ? document->preview(a.ids, a.options, a.analyses)
-                        : document->simplify(a.ids, a.options, a.analyses);
+                        : document->simplify(a.ids, a.options, a.analyses, a.writing);
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
@@ -120,6 +121,8 @@ void add_simplify(CLI::App& program) {
   add_threads_option(command, a->options.threads);
   add_analysis_options(command, a->analyses);
   command.add_option("--report", a->report, "Write a report as JSON");
+  command.add_flag("!--forget-original", a->writing.remember_original,
+                   "SVG: keep the file small, without the mesh as it was before");
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a] { run_simplify(*a); });
 }

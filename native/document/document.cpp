@@ -81,8 +81,9 @@ std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& 
 Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& options,
                                 AnalysisFiles& files) const {
   check_color_model(options);
-  Start start{mesh(entry), {}};
-  start.options = in_color_model(options, start.mesh);
+  Start start{mesh(entry), options};
+  if (!options.original) start.options.original = remembered_original(entry);
+  start.options = in_color_model(start.options, start.mesh);
   start.options.view = view(entry);
   start.options.padding = padding();
   start.options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
@@ -103,6 +104,8 @@ void Document::check_color_model(const SimplifyOptions& options) const {
 void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& options) const {
   if (options.patches || options.ratio) return;
   if (m.result.patches_after < m.result.patches_before || m.result.error <= options.epsilon) return;
+  // What an earlier run has done against the original that is remembered, with a larger epsilon.
+  if (m.entry.simplified && !options.original) return;
   char error[32];
   std::snprintf(error, sizeof error, "%.5f", m.result.error);
   throw InputError(describe(m.entry) +
@@ -126,7 +129,10 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
   for (const MeshEntry& entry : entries) starts.push_back(start(entry, options, files));
   std::vector<SimplifiedMesh> meshes;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    SimplifiedMesh& m = meshes.emplace_back(SimplifiedMesh{entries[i], starts[i].mesh, {}});
+    auto original = starts[i].options.original;
+    if (!original) original = std::make_shared<const Mesh>(starts[i].mesh);
+    SimplifiedMesh& m =
+        meshes.emplace_back(SimplifiedMesh{entries[i], starts[i].mesh, {}, std::move(original)});
     m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, starts[i].options); });
     check_start(m, options);
   }
@@ -136,14 +142,15 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
 
 std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
                                            const SimplifyOptions& options,
-                                           const AnalysisPaths& analyses) {
+                                           const AnalysisPaths& analyses,
+                                           const WriteOptions& writing) {
   std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
   std::vector<MeshReport> reports = reports_of(meshes);
   std::erase_if(meshes, [](const SimplifiedMesh& m) {
     return m.result.patches_after == m.result.patches_before;
   });
   if (!meshes.empty()) {
-    replace(meshes, options.metric);
+    replace(meshes, options.metric, writing);
     changed_ = true;
   }
   return reports;

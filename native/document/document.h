@@ -40,6 +40,13 @@ struct MeshReport {
   SimplifyResult result;
 };
 
+/// How a simplified mesh is put into its document.
+struct WriteOptions {
+  /// SVG only: it remembers the mesh before it was first simplified (svg_group.h), which makes the
+  /// file larger, and which later runs measure against.
+  bool remember_original = true;
+};
+
 /// An SVG document or a .hemesh file, and the meshes in it: what the command line and the Python
 /// package work with. Everything throws InputError with one sentence that names the file and,
 /// where there are several, the element.
@@ -80,15 +87,17 @@ class Document {
   };
   Start start(const MeshEntry& entry, const SimplifyOptions& options, AnalysisFiles& files) const;
 
-  /// Simplifies the selected meshes in place, each against itself as it was or `options.original`.
-  /// A mesh that does not come out with fewer patches stays as it is. In another colour model than
+  /// Simplifies the selected meshes in place, each against `options.original`, the original that it
+  /// remembers, unless a person has edited it since, or itself as it was. A mesh that does not come
+  /// out with fewer patches stays as it is. In another colour model than
   /// its own it is converted first, which counts towards the error. Where an analysis is loaded,
   /// there must be one for each of the meshes. Where this throws, the document is as it was. Throws
   /// std::invalid_argument as gradmesh::simplify does, where edges are named for another method
   /// than `manual` or none for that, and where there are no prices to save.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids,
                                    const SimplifyOptions& options,
-                                   const AnalysisPaths& analyses = {});
+                                   const AnalysisPaths& analyses = {},
+                                   const WriteOptions& writing = {});
   /// What simplify() would do; nothing is changed. For `manual` it tells the error of the edges
   /// also where that is above epsilon.
   std::vector<MeshReport> preview(const std::vector<std::string>& ids, SimplifyOptions options,
@@ -109,16 +118,23 @@ class Document {
     MeshEntry entry;
     Mesh mesh;
     SimplifyResult result;
+    /// What it was measured against.
+    std::shared_ptr<const Mesh> original;
   };
 
   Document(std::string name, std::string_view bytes) : name_(std::move(name)), original_(bytes) {}
 
   /// How messages name a mesh: the file and, where it has several, the element.
   virtual std::string describe(const MeshEntry& entry) const = 0;
+  /// The mesh before it was first simplified, where the document tells; null otherwise.
+  virtual std::shared_ptr<const Mesh> remembered_original(const MeshEntry&) const {
+    return nullptr;
+  }
   /// SimplifyOptions::ways_to_write.
   virtual std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const = 0;
   /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
-  virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric) = 0;
+  virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+                       const WriteOptions& writing) = 0;
   virtual std::string changed_bytes() const = 0;
 
   /// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the

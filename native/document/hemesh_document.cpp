@@ -36,7 +36,8 @@ std::vector<Mesh> HemeshDocument::ways_to_write(const Mesh& mesh, const Frame&) 
   return {build_mesh(read_hemesh(text_of(mesh), name()))};
 }
 
-void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind) {
+void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind,
+                             const WriteOptions&) {
   text_ = text_of(meshes.front().mesh);
   mesh_ = build_mesh(read_hemesh(text_, name()));
 }

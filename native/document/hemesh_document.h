@@ -20,7 +20,8 @@ class HemeshDocument : public Document {
  protected:
   std::string describe(const MeshEntry&) const override { return name(); }
   std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const override;
-  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric) override;
+  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+               const WriteOptions& writing) override;
   std::string changed_bytes() const override { return text_; }
 
  private:

@@ -4,6 +4,7 @@
 
 #include "io/blocks.h"
 #include "io/svg_group.h"
+#include "io/svg_memory.h"
 #include "io/svg_mesh.h"
 #include "io/svg_write.h"
 #include "io/xml_node.h"
@@ -53,10 +54,30 @@ std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) 
 }
 
 Mesh SvgMeshes::mesh(const MeshEntry& entry) const {
-  const MeshObject& o = object(entry);
   const MeshParts parts =
-      is_mesh_group(o.node) ? read_mesh_group(svg_, o.node) : read_mesh(svg_, o);
+      entry.simplified ? group_mesh(entry).parts : read_mesh(svg_, object(entry));
   return naming(entry, [&] { return build_mesh(parts); });
+}
+
+Reconciled SvgMeshes::group_mesh(const MeshEntry& group) const {
+  const xmlNode* node = object(group).node;
+  const MeshParts read = read_mesh_group(svg_, node);
+  const auto memory = attribute(node, "written", gradmesh_namespace);
+  const auto written = memory ? recall(*memory) : std::nullopt;
+  return naming(group, [&] {
+    return written && same_curves(read, *written) ? reconcile(read, *written) : reconcile(read);
+  });
+}
+
+std::string SvgMeshes::original_memory(const MeshEntry& group) const {
+  const auto memory = attribute(object(group).node, "original", gradmesh_namespace);
+  return memory && recall(*memory) && !group_mesh(group).edited ? *memory : "";
+}
+
+std::shared_ptr<const Mesh> SvgMeshes::remembered_original(const MeshEntry& entry) const {
+  if (!entry.simplified) return nullptr;
+  const auto original = recall(original_memory(entry));
+  return original ? std::make_shared<const Mesh>(build_mesh(*original)) : nullptr;
 }
 
 std::string SvgMeshes::describe(const MeshEntry& entry) const {
@@ -70,13 +91,20 @@ std::vector<Mesh> SvgMeshes::ways_to_write(const Mesh& mesh, const Frame& frame)
   return ways;
 }
 
-void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric) {
-  for (const auto& [entry, mesh, result] : meshes) {
+void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+                        const WriteOptions& writing) {
+  for (const auto& [entry, mesh, result, measured] : meshes) {
     const MeshObject& o = object(entry);
-    const int before = is_mesh_group(o.node) ? patches_before(o.node) : result.patches_before;
+    const bool same_mesh = entry.simplified && !group_mesh(entry).edited;
+    const int before = same_mesh ? patches_before(o.node) : result.patches_before;
+    std::string original;
+    if (writing.remember_original) {
+      if (entry.simplified) original = original_memory(entry);
+      if (original.empty()) original = remember(*measured);
+    }
     const std::string label = mesh_label(result.patches_after, before, metric, result.error);
     const std::vector<Block> blocks = possible_blocks(mesh)[result.way];
-    write_mesh(svg_, o, {mesh, blocks, result.frame.coons_tolerance, label, before});
+    write_mesh(svg_, o, {mesh, blocks, result.frame.coons_tolerance, label, before, original});
   }
   list_meshes();
 }

@@ -2,6 +2,7 @@
 
 #include "document/document.h"
 #include "io/svg_document.h"
+#include "mesh/reconcile.h"
 
 namespace gradmesh {
 
@@ -18,12 +19,19 @@ class SvgMeshes : public Document {
 
  protected:
   std::string describe(const MeshEntry& entry) const override;
+  std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
   std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const override;
-  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric) override;
+  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+               const WriteOptions& writing) override;
   std::string changed_bytes() const override { return svg_.serialize(); }
 
  private:
   const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
+  /// The mesh of a group as a person has left it, made to fit together again.
+  Reconciled group_mesh(const MeshEntry& group) const;
+  /// What the group remembers of the mesh before it was first simplified, as the attribute's value:
+  /// empty where it remembers nothing, or nothing that counts since it was edited.
+  std::string original_memory(const MeshEntry& group) const;
   void list_meshes();
 
   SvgDocument svg_;

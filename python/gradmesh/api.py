@@ -106,6 +106,7 @@ def simplify(
     edges: Iterable[int] = (),
     time_budget: float = 0.0,
     threads: int = 0,
+    remember_original: bool = True,
     preview: bool = False,
     load_analysis: Optional[Path] = None,
     save_analysis: Optional[Path] = None,
@@ -128,6 +129,8 @@ def simplify(
     in this order, and raises InputError where one of them cannot be merged within epsilon.
     time_budget: seconds for each mesh, after which the best so far is kept; 0: no limit.
     threads: 0 for all cores; the result is the same.
+    remember_original: an SVG document keeps the mesh as it was before it was first simplified,
+    compressed, and later runs measure against it. Without, files are smaller.
     preview: only say what would become of each; the document stays as it is. With "manual" the
     error is told even where it is above epsilon.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe" and "gqe1"
@@ -155,6 +158,7 @@ def simplify(
         ids=[ids] if isinstance(ids, str) else list(ids),
         options=options,
         analyses=_analyses(load_analysis, save_analysis, analysis_cache),
+        remember_original=remember_original,
         preview=preview,
         progress=progress,
     )
