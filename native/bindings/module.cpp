@@ -75,6 +75,14 @@ py::list simplify_document(Document& document, const std::vector<std::string>& i
   return report_list(reports);
 }
 
+py::list update_document(Document& document, const std::vector<std::string>& ids) {
+  py::list list;
+  for (const UpdateReport& report : document.update(ids))
+    list.append(py::dict(py::arg("id") = report.id, py::arg("patches") = report.patches,
+                         py::arg("changed") = report.changed));
+  return list;
+}
+
 std::size_t analyze_document(const Document& document, const std::vector<std::string>& ids,
                              SimplifyOptions options, const AnalysisPaths& analyses,
                              const py::object& progress) {
@@ -186,6 +194,7 @@ PYBIND11_MODULE(_core, m) {
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("remember_original"), py::arg("preview"),
            py::arg("progress"))
+      .def("update", &update_document, py::arg("ids"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"))
       .def("draw", &draw_document, py::kw_only(), py::arg("id"), py::arg("show"),

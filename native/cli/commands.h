@@ -14,5 +14,6 @@ void add_analyze(CLI::App& program);
 void add_draw(CLI::App& program);
 void add_report(CLI::App& program);
 void add_convert(CLI::App& program);
+void add_update(CLI::App& program);
 
 }  // namespace gradmesh

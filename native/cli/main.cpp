@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
   add_draw(program);
   add_report(program);
   add_convert(program);
+  add_update(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -76,7 +76,7 @@ class Converter {
     join_colors(patches);
     const Mesh mesh = build_mesh(patches);
     const std::string outline = outline_path(conversion.original);
-    const std::string label = "Gradient mesh: " + std::to_string(mesh.face_count()) + " patches";
+    const std::string label = mesh_label(mesh.face_count());
     const double coons_tolerance =
         fit_frame(conversion.original, {}, options_.resolution).coons_tolerance;
     for (const std::vector<Block>& blocks : possible_blocks(mesh)) {

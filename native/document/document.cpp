@@ -163,6 +163,12 @@ std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
   return reports_of(simplified(ids, options, analyses));
 }
 
+std::vector<UpdateReport> Document::update(const std::vector<std::string>& ids) {
+  std::vector<UpdateReport> reports = update_edited(selected(ids));
+  for (const UpdateReport& report : reports) changed_ = changed_ || report.changed;
+  return reports;
+}
+
 std::size_t Document::analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
                               const AnalysisPaths& analyses) const {
   AnalysisFiles files(analyses);
@@ -186,6 +192,10 @@ void Document::check_target(const std::filesystem::path& path) const {
 void Document::write_file(const std::filesystem::path& path) const {
   check_target(path);
   write_bytes(path, bytes());
+}
+
+std::string mesh_label(int patches) {
+  return "Gradient mesh: " + std::to_string(patches) + " patches";
 }
 
 std::string mesh_label(int patches, int patches_before, MetricKind metric, double error) {

@@ -40,6 +40,14 @@ struct MeshReport {
   SimplifyResult result;
 };
 
+/// What an update has found.
+struct UpdateReport {
+  std::string id;
+  int patches = 0;
+  /// Whether a person had edited it.
+  bool changed = false;
+};
+
 /// How a simplified mesh is put into its document.
 struct WriteOptions {
   /// SVG only: it remembers the mesh before it was first simplified (svg_group.h), which makes the
@@ -102,6 +110,11 @@ class Document {
   /// also where that is above epsilon.
   std::vector<MeshReport> preview(const std::vector<std::string>& ids, SimplifyOptions options,
                                   const AnalysisPaths& analyses = {}) const;
+  /// Makes those of the selected meshes that are simplified fit together again where a person has
+  /// edited their blocks (mesh/reconcile.h), and lets the blocks' paths grow with them. The mesh
+  /// as edited is then the original that it remembers. Where this throws, the document is as it
+  /// was: where nothing selected is simplified, and for .hemesh files.
+  std::vector<UpdateReport> update(const std::vector<std::string>& ids);
   /// Prices the selected meshes up to epsilon and saves that; the number of prices.
   std::size_t analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
                       const AnalysisPaths& analyses) const;
@@ -135,6 +148,8 @@ class Document {
   /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
   virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;
+  /// update() for these meshes.
+  virtual std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) = 0;
   virtual std::string changed_bytes() const = 0;
 
   /// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the
@@ -166,6 +181,8 @@ class Document {
   bool changed_ = false;
 };
 
+/// "Gradient mesh: 42 patches".
+std::string mesh_label(int patches);
 /// "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
 std::string mesh_label(int patches, int patches_before, MetricKind metric, double error);
 

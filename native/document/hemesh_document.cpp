@@ -42,4 +42,9 @@ void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKi
   mesh_ = build_mesh(read_hemesh(text_, name()));
 }
 
+std::vector<UpdateReport> HemeshDocument::update_edited(const std::vector<MeshEntry>&) {
+  throw InputError(name() +
+                   ": only meshes that were simplified in an SVG document can be updated.");
+}
+
 }  // namespace gradmesh

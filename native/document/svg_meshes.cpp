@@ -109,4 +109,36 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
   list_meshes();
 }
 
+std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {
+  struct Edited {
+    const MeshObject& group;
+    Mesh mesh;
+    double coons_tolerance;
+  };
+  // All are read before the first is written.
+  std::vector<UpdateReport> reports;
+  std::vector<Edited> edited;
+  for (const MeshEntry& entry : entries) {
+    if (!entry.simplified) continue;
+    const Reconciled group = group_mesh(entry);
+    reports.push_back({entry.id, int(group.parts.patches.size()), group.edited});
+    if (!group.edited) continue;
+    Mesh mesh = naming(entry, [&] { return build_mesh(group.parts); });
+    const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
+    edited.push_back({object(entry), std::move(mesh), frame.coons_tolerance});
+  }
+  if (reports.empty())
+    throw InputError(name() + ": only meshes that were simplified before can be updated.");
+
+  for (const auto& [group, mesh, coons_tolerance] : edited) {
+    const int patches = mesh.face_count();
+    // Painted in the order of before, in which the person has seen them.
+    const std::vector<Block> blocks = possible_blocks(mesh)[1];
+    write_mesh(svg_, group,
+               {mesh, blocks, coons_tolerance, mesh_label(patches), patches, remember(mesh)});
+  }
+  list_meshes();
+  return reports;
+}
+
 }  // namespace gradmesh

@@ -23,6 +23,7 @@ class SvgMeshes : public Document {
   std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
+  std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
   std::string changed_bytes() const override { return svg_.serialize(); }
 
  private:

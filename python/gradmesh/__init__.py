@@ -14,6 +14,7 @@ from .api import (
     Document,
     MeshInfo,
     Result,
+    Update,
     analyze,
     convert,
     draw,
@@ -23,6 +24,7 @@ from .api import (
     render,
     save,
     simplify,
+    update,
 )
 
 __all__ = [
@@ -31,6 +33,7 @@ __all__ = [
     "InputError",
     "MeshInfo",
     "Result",
+    "Update",
     "__version__",
     "analyze",
     "convert",
@@ -41,4 +44,5 @@ __all__ = [
     "render",
     "save",
     "simplify",
+    "update",
 ]

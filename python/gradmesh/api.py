@@ -42,6 +42,15 @@ class Result:
 
 
 @dataclass(frozen=True)
+class Update:
+    """What update() has found of one simplified mesh."""
+
+    id: str
+    patches: int
+    changed: bool  #: whether a person had edited it
+
+
+@dataclass(frozen=True)
 class Conversion:
     """A document of one mesh, made of another document."""
 
@@ -163,6 +172,18 @@ def simplify(
         progress=progress,
     )
     return [Result(**result) for result in results]
+
+
+def update(document: Document, ids: Union[str, Iterable[str]] = ()) -> list[Update]:
+    """Makes simplified meshes fit together again after a person has edited their blocks.
+
+    What was moved or recoloured stays as it was put, also where other blocks share it; T-junctions
+    lie on their curves again, and the blocks' paths grow with the mesh. The mesh as edited is then
+    what later runs of simplify() measure against. ids: as of simplify(); objects that are not
+    simplified are left alone. Raises InputError where none is, and for .hemesh files.
+    """
+    ids = [ids] if isinstance(ids, str) else list(ids)
+    return [Update(**found) for found in document._core.update(ids)]
 
 
 def analyze(

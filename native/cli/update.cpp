@@ -1,0 +1,39 @@
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "document/document.h"
+
+namespace gradmesh {
+namespace {
+
+struct UpdateArguments {
+  std::string in, out;
+  std::vector<std::string> ids;
+  bool quiet = false;
+};
+
+void run_update(const UpdateArguments& a) {
+  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::vector<UpdateReport> reports = document->update(a.ids);
+  document->write_file(a.out);
+  if (a.quiet) return;
+  for (const auto& [id, patches, changed] : reports)
+    std::printf("%s: %d patches, %s\n", id.c_str(), patches, changed ? "updated" : "not edited");
+}
+
+}  // namespace
+
+void add_update(CLI::App& program) {
+  const auto a = std::make_shared<UpdateArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "update", "Make simplified meshes fit together again after their blocks were edited");
+  command.add_option("IN", a->in, "SVG document")->required();
+  command.add_option("-o,--output", a->out, "Where to write the document")->required();
+  command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
+      ->take_all()
+      ->expected(1);
+  command.add_flag("--quiet", a->quiet, "Print nothing");
+  command.callback([a] { run_update(*a); });
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,235 @@
+"""Update after editing: blocks that a person has moved or recoloured fit together again."""
+
+import re
+import xml.etree.ElementTree as ET
+from collections import Counter
+
+import pytest
+
+np = pytest.importorskip("numpy")
+
+import svg_meshes
+from built import SAMPLES, gradmesh as run
+from svg_meshes import GRADMESH, SVG
+
+import gradmesh
+
+FRUIT = SAMPLES / "fruit.svg"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+ROUNDING = 1e-6
+
+
+class Group:
+    """The document at `path`, of one simplified mesh, whose blocks can be edited one by one as
+    Inkscape's mesh tool does: each has copies of the points that it shares."""
+
+    def __init__(self, path):
+        self.path = path
+        self.read()
+
+    def read(self):
+        self.document = svg_meshes.Document(self.path)
+        self.blocks = self.document.blocks()
+        (self.node,) = [e for e in self.document.root.iter() if e.get(GRADMESH + "version")]
+
+    def save(self):
+        ET.register_namespace("gradmesh", "urn:gradmesh")
+        ET.register_namespace("", SVG[1:-1])
+        ET.ElementTree(self.document.root).write(self.path)
+        self.read()
+
+    def paths(self):
+        return [e for e in self.node if e.get(GRADMESH + "face")]
+
+    def gradient(self, block):
+        return self.document.paint(self.document.by_id[block])
+
+    def corners(self):
+        """How many blocks have each corner."""
+        return Counter(p for net in self.blocks.values() for p in np.unique(net[::3, ::3]))
+
+    def shared_corner(self, blocks):
+        """A corner of so many blocks that no block has on a side between corners."""
+        found = [p for p, count in self.corners().items() if count == blocks]
+        assert found
+        return max(found, key=lambda p: min(abs(p - q) for q in self.corners() if q != p))
+
+    def owners(self, corner):
+        return [name for name, net in self.blocks.items() if corner in net[::3, ::3]]
+
+    def move(self, block, point, by):
+        """Moves all that one block has at a point."""
+        gradient, moved = self.gradient(block), 0
+        start = complex(float(gradient.get("x")), float(gradient.get("y")))
+        if start == point:
+            gradient.set("x", repr((start + by).real))
+            gradient.set("y", repr((start + by).imag))
+            moved += 1
+        for stop in gradient.iter(SVG + "stop"):
+            numbers = svg_meshes.numbers(stop.get("path"))
+            points = [complex(x, y) for x, y in zip(numbers[::2], numbers[1::2])]
+            moved += points[-1] == point
+            points[-1] += by if points[-1] == point else 0
+            text = " ".join(f"{float(p.real)!r},{float(p.imag)!r}" for p in points)
+            stop.set("path", "C " + text)
+        assert moved
+        self.save()
+
+
+@pytest.fixture(scope="module")
+def simplified(tmp_path_factory):
+    path = tmp_path_factory.mktemp("update") / "fruit.svg"
+    document = gradmesh.load(FRUIT)
+    gradmesh.simplify(document, method="motorcycle")
+    gradmesh.save(document, path)
+    return path
+
+
+@pytest.fixture
+def group(simplified, tmp_path):
+    path = tmp_path / "fruit.svg"
+    path.write_bytes(simplified.read_bytes())
+    return Group(path)
+
+
+def update(group):
+    document = gradmesh.load(group.path)
+    (result,) = gradmesh.update(document)
+    gradmesh.save(document, group.path)
+    group.read()
+    return result
+
+
+def corners_near(group, place):
+    """In how many blocks there is a corner at this place, to the digits that are written."""
+    return sum((abs(net[::3, ::3] - place) < ROUNDING).any() for net in group.blocks.values())
+
+
+def test_nothing_edited_changes_no_byte(group):
+    before = group.path.read_bytes()
+    assert update(group) == gradmesh.Update("pear", 65, False)
+    assert group.path.read_bytes() == before
+
+
+def test_a_point_moved_in_one_block_moves_in_all(group):
+    corner = group.shared_corner(3)
+    others = {p for p in group.corners() if p != corner}
+    first = group.owners(corner)[1]
+    group.move(first, corner, 4 + 3j)
+    assert corners_near(group, corner) == 2 and corners_near(group, corner + 4 + 3j) == 1
+    assert update(group) == gradmesh.Update("pear", 65, True)
+    assert corners_near(group, corner) == 0 and corners_near(group, corner + 4 + 3j) == 3
+    # All that is not a T-junction of a curve from there is where it was.
+    stayed = [p for p in others if corners_near(group, p)]
+    assert len(stayed) > 0.9 * len(others)
+    assert update(group).changed is False
+
+
+def test_the_label_and_the_memory_are_those_of_the_edited_mesh(group):
+    corner = group.shared_corner(3)
+    original = group.node.get(GRADMESH + "original")
+    group.move(group.owners(corner)[0], corner, 5)
+    update(group)
+    assert group.node.get(LABEL) == "Gradient mesh: 65 patches"
+    assert group.node.get(GRADMESH + "patches-before") == "65"
+    assert group.node.get(GRADMESH + "original") not in (None, original)
+    edited = gradmesh.load(group.path)
+    (result,) = gradmesh.simplify(edited, method="random", epsilon=0.005)
+    assert result.patches_before == 65 and 0 < result.error <= 0.005
+    gradmesh.save(edited, group.path)
+    group.read()
+    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 65 patches")
+
+
+def test_paths_grow_with_the_mesh(group):
+    """Beyond its path a block would paint nothing."""
+    corner = max(group.corners(), key=lambda p: p.real)
+    for block in group.owners(corner):
+        group.move(block, corner, 60)
+    assert update(group).changed
+    (block,) = [b for b in group.owners(corner + 60)][:1]
+    numbers = svg_meshes.numbers(group.document.by_id[block].get("d"))
+    assert max(numbers[::2]) > (corner + 60).real
+
+
+def test_a_colour_changed_in_one_block_changes_in_all(group):
+    # The first corner of a block, whose colour its first stop gives.
+    block = next(
+        name for name, net in group.blocks.items() if group.corners()[net[0, 0]] == 3
+    )
+    stop = next(group.gradient(block).iter(SVG + "stop"))
+    before = re.search("stop-color:(#[0-9a-f]{6})", stop.get("style"))[1]
+    count = group.path.read_text().count(before)
+    stop.set("style", "stop-color:#00ff7f;stop-opacity:1")
+    group.save()
+    assert group.path.read_text().count("#00ff7f") == 1
+    assert update(group).changed
+    assert group.path.read_text().count("#00ff7f") == 3
+    assert group.path.read_text().count(before) == count - 3
+
+
+@pytest.mark.parametrize("where", ["path", "gradient"])
+def test_a_block_moved_as_a_whole_takes_its_corners_along(group, where):
+    block = min(group.blocks, key=lambda name: group.blocks[name].size)
+    net = group.blocks[block]
+    element = group.document.by_id[block] if where == "path" else group.gradient(block)
+    element.set("transform" if where == "path" else "gradientTransform", "translate(6, 2)")
+    group.save()
+    free = [p for p in net[::3, ::3].ravel() if group.corners()[p] > 1]
+    assert update(group).changed
+    assert "translate(6" not in group.path.read_text()
+    assert any(corners_near(group, p + 6 + 2j) > 1 for p in free)
+
+
+def test_a_group_moved_as_a_whole_needs_nothing(group):
+    group.node.set("transform", "rotate(12) scale(2)")
+    group.save()
+    assert not update(group).changed
+
+
+def test_without_memory_an_edit_is_mended_too(group):
+    corner = group.shared_corner(3)
+    del group.node.attrib[GRADMESH + "written"]
+    group.move(group.owners(corner)[-1], corner, 4 + 3j)
+    assert update(group).changed
+    assert corners_near(group, corner) + corners_near(group, corner + 4 + 3j) == 3
+    assert update(group).changed is False
+
+
+def test_simplifying_an_edited_group_measures_against_the_edited_mesh(group):
+    corner = group.shared_corner(3)
+    group.move(group.owners(corner)[0], corner, 9 + 9j)
+    edited = gradmesh.load(group.path)
+    picture = gradmesh.render(edited).astype(int)
+    (result,) = gradmesh.simplify(edited, method="random", seed=2, epsilon=0.005)
+    assert result.patches_after < 65 and result.error <= 0.005
+    gradmesh.save(edited, group.path)
+    group.read()
+    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 65 patches")
+    # The very picture that it started from is what it remembers.
+    again = gradmesh.load(group.path)
+    (result,) = gradmesh.simplify(again, method="random", epsilon=0.005)
+    assert result.error <= 0.005
+    assert abs(gradmesh.render(again).astype(int) - picture).mean() < 1
+
+
+def test_other_meshes_are_left_alone(simplified, tmp_path):
+    document = gradmesh.load(SAMPLES / "two.svg")
+    gradmesh.simplify(document, "cap", method="grid")
+    assert [found.id for found in gradmesh.update(document)] == ["cap"]
+    with pytest.raises(gradmesh.InputError, match="simplified before"):
+        gradmesh.update(document, "stalk")
+    with pytest.raises(gradmesh.InputError, match='"gone"'):
+        gradmesh.update(document, ["gone"])
+    with pytest.raises(gradmesh.InputError, match="in an SVG document"):
+        gradmesh.update(gradmesh.convert(document, "hemesh", "stalk").document)
+
+
+def test_on_the_command_line(group, tmp_path):
+    corner = group.shared_corner(3)
+    group.move(group.owners(corner)[0], corner, 5)
+    done = run("update", group.path, "-o", tmp_path / "out.svg")
+    assert (done.returncode, done.stdout) == (0, "pear: 65 patches, updated\n")
+    done = run("update", tmp_path / "out.svg", "-o", tmp_path / "again.svg")
+    assert done.stdout == "pear: 65 patches, not edited\n"
+    assert (tmp_path / "again.svg").read_bytes() == (tmp_path / "out.svg").read_bytes()
