@@ -151,6 +151,7 @@ void bind_options(py::module_& m) {
       .def_readwrite("patches", &SimplifyOptions::patches)
       .def_readwrite("ratio", &SimplifyOptions::ratio)
       .def_readwrite("resolution", &SimplifyOptions::resolution)
+      .def_readwrite("visible_only", &SimplifyOptions::visible_only)
       .def_readwrite("seed", &SimplifyOptions::seed)
       .def_readwrite("omega", &SimplifyOptions::omega)
       .def_readwrite("kappa", &SimplifyOptions::kappa)

@@ -104,6 +104,8 @@ void add_simplify(CLI::App& program) {
       .add_option("--ratio", a->options.ratio, "Instead of --epsilon: this share of the patches")
       ->excludes(patches);
   add_resolution_option(command, a->options.resolution);
+  command.add_flag("--visible-only", a->options.visible_only,
+                   "Pixels that the object's own outline hides do not count");
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

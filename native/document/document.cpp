@@ -86,6 +86,7 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   start.options = in_color_model(start.options, start.mesh);
   start.options.view = view(entry);
   start.options.padding = padding();
+  if (options.visible_only) start.options.visible = visible_area(entry);
   start.options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
     return ways_to_write(mesh, frame);
   };

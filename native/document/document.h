@@ -143,6 +143,8 @@ class Document {
   virtual std::shared_ptr<const Mesh> remembered_original(const MeshEntry&) const {
     return nullptr;
   }
+  /// What the object shows of the mesh, where that is known; nothing: all.
+  virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
   /// SimplifyOptions::ways_to_write.
   virtual std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const = 0;
   /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.

@@ -6,6 +6,7 @@
 #include "io/svg_group.h"
 #include "io/svg_memory.h"
 #include "io/svg_mesh.h"
+#include "io/svg_visible.h"
 #include "io/svg_write.h"
 #include "io/xml_node.h"
 #include "mesh/build.h"
@@ -82,6 +83,10 @@ std::shared_ptr<const Mesh> SvgMeshes::remembered_original(const MeshEntry& entr
 
 std::string SvgMeshes::describe(const MeshEntry& entry) const {
   return name() + ": " + gradmesh::describe(object(entry).node);
+}
+
+std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const {
+  return gradmesh::visible_area(svg_, object(entry));
 }
 
 std::vector<Mesh> SvgMeshes::ways_to_write(const Mesh& mesh, const Frame& frame) const {

@@ -20,6 +20,7 @@ class SvgMeshes : public Document {
  protected:
   std::string describe(const MeshEntry& entry) const override;
   std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
+  std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
   std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;

@@ -1,5 +1,8 @@
 #include "io/svg_shape.h"
 
+#include <cmath>
+#include <glm/common.hpp>
+#include <numbers>
 #include <string>
 
 #include "io/svg_length.h"
@@ -50,9 +53,9 @@ Box line_box(const xmlNode* line) {
   return box;
 }
 
-Box points_box(const xmlNode* shape) {
+std::vector<glm::dvec2> read_points(const xmlNode* shape) {
   const std::string points = attribute(shape, "points").value_or("");
-  Box box;
+  std::vector<glm::dvec2> list;
   Scanner scanner(points);
   while (!scanner.at_end()) {
     scanner.skip_comma();
@@ -60,23 +63,52 @@ Box points_box(const xmlNode* shape) {
     scanner.skip_comma();
     const auto y = scanner.number();
     if (!x || !y) fail(shape, "its points " + excerpt(points) + " are malformed");
-    box.add({*x, *y});
+    list.push_back({*x, *y});
   }
+  return list;
+}
+
+Box points_box(const xmlNode* shape) {
+  Box box;
+  for (const glm::dvec2 p : read_points(shape)) box.add(p);
   return box;
 }
 
-Box path_element_box(const xmlNode* path) {
+/// What `read` makes of the path's data.
+template <class Read>
+auto read_path(const xmlNode* path, const Read& read) {
   const std::string data = attribute(path, "d").value_or("");
-  const auto box = path_box(data);
-  if (!box) fail(path, "its path data " + excerpt(data) + " are malformed");
-  return *box;
+  auto result = read(data);
+  if (!result) fail(path, "its path data " + excerpt(data) + " are malformed");
+  return *std::move(result);
+}
+
+/// Appends a quarter of an ellipse that begins at `angle`, with its first point.
+void add_quarter(std::vector<glm::dvec2>& polygon, glm::dvec2 center, glm::dvec2 radii,
+                 double angle) {
+  for (int i = 0; i <= outline_steps; ++i) {
+    const double a = angle + std::numbers::pi / 2 * i / outline_steps;
+    polygon.push_back(center + radii * glm::dvec2(std::cos(a), std::sin(a)));
+  }
+}
+
+/// A rectangle with corners rounded by `radii`; an ellipse where these are half its size.
+Outline rounded_outline(const Box& box, glm::dvec2 radii) {
+  const glm::dvec2 r = glm::min(glm::abs(radii), box.size() / 2.0);
+  const glm::dvec2 low = box.low() + r, high = box.high() - r;
+  std::vector<glm::dvec2> polygon;
+  add_quarter(polygon, high, r, 0);
+  add_quarter(polygon, {low.x, high.y}, r, std::numbers::pi / 2);
+  add_quarter(polygon, low, r, std::numbers::pi);
+  add_quarter(polygon, {high.x, low.y}, r, 3 * std::numbers::pi / 2);
+  return {polygon};
 }
 
 }  // namespace
 
 std::optional<Box> shape_box(const xmlNode* shape) {
   const std::string_view name = svg_name(shape);
-  if (name == "path") return path_element_box(shape);
+  if (name == "path") return read_path(shape, path_box);
   if (name == "rect") return rect_box(shape);
   if (name == "circle")
     return ellipse_box(shape, glm::dvec2(read_length(shape, "r", LengthAxis::diagonal)));
@@ -84,6 +116,15 @@ std::optional<Box> shape_box(const xmlNode* shape) {
   if (name == "line") return line_box(shape);
   if (name == "polyline" || name == "polygon") return points_box(shape);
   return std::nullopt;
+}
+
+std::optional<Outline> shape_outline(const xmlNode* shape) {
+  const std::string_view name = svg_name(shape);
+  if (name == "path") return read_path(shape, path_outline);
+  if (name == "polyline" || name == "polygon") return Outline{read_points(shape)};
+  if (name != "rect" && name != "circle" && name != "ellipse") return std::nullopt;
+  const auto box = shape_box(shape);
+  return rounded_outline(*box, name == "rect" ? ellipse_radii(shape) : box->size() / 2.0);
 }
 
 }  // namespace gradmesh

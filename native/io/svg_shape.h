@@ -13,4 +13,7 @@ namespace gradmesh {
 /// Throws InputError at attributes that cannot be read.
 std::optional<Box> shape_box(const xmlNode* shape);
 
+/// The outline of the shape's geometry, likewise; lines have none.
+std::optional<Outline> shape_outline(const xmlNode* shape);
+
 }  // namespace gradmesh

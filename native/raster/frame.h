@@ -1,10 +1,14 @@
 #pragma once
 
+#include <memory>
+
 #include "base/affine.h"
 #include "base/image.h"
 #include "mesh/mesh.h"
 
 namespace gradmesh {
+
+class HiddenPixels;
 
 /// How a mesh is laid out on an image; pixel (x, y) has its centre at (x + 0.5, y + 0.5).
 struct Frame {
@@ -17,6 +21,8 @@ struct Frame {
   /// Whether opacities are painted as the writer holds them, in a mask of 8 bits a pixel. The
   /// original is painted without.
   bool masked_opacity = false;
+  /// Pixels that stay white whatever covers them (hidden.h); null: none.
+  std::shared_ptr<const HiddenPixels> hidden = nullptr;
 
   Window window() const { return {0, 0, width, height}; }
 };

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "geom/written.h"
 #include "mesh/smooth_colors.h"
+#include "raster/hidden.h"
 
 namespace gradmesh {
 namespace {
@@ -29,6 +30,10 @@ void clear_all(Painting& painting) {
   std::ranges::fill(painting.top.samples, TopFace().sample());
 }
 
+void hide(const Frame& frame, Window window, Painting& painting) {
+  if (frame.hidden) frame.hidden->hide(window, painting);
+}
+
 /// A face that is ready to be filled, band by band.
 struct ReadyFace {
   Face face;
@@ -43,6 +48,7 @@ void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
   clear_all(painting);
   tessellator_.start(mesh, frame);
   for (const Face f : mesh.faces()) paint_face(mesh, frame, f, painting.window(), painting);
+  hide(frame, painting.window(), painting);
 }
 
 void Painter::repaint(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched,
@@ -56,9 +62,10 @@ void Painter::repaint(const Mesh& mesh, const Frame& frame, const std::vector<Fa
   for (const Face f : touched)
     if (std::size_t(f.value) < mesh.face_slots() && mesh[f].alive)
       paint_face(mesh, frame, f, within, painting);
-  if (uncovered.empty()) return;
-  for (const Face f : mesh.faces())
-    if (!is_touched(f)) paint_face(mesh, frame, f, uncovered, painting);
+  if (!uncovered.empty())
+    for (const Face f : mesh.faces())
+      if (!is_touched(f)) paint_face(mesh, frame, f, uncovered, painting);
+  hide(frame, within, painting);
 }
 
 Window Painter::clear(const std::vector<Face>& touched, Window within, Painting& painting) {
@@ -122,6 +129,7 @@ void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
     Parameters parameters;
     for (const ReadyFace& f : faces)
       fill_face(f.shape, f.face, *f.color, band, parameters, painting);
+    hide(frame, band, painting);
   });
 }
 

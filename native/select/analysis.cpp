@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "raster/hidden.h"
 
 namespace gradmesh {
 namespace {
@@ -24,6 +25,15 @@ void add(Hash& hash, const Mesh& mesh) {
   }
 }
 
+void add(Hash& hash, const HiddenPixels& hidden, int height) {
+  for (int y = 0; y < height; ++y)
+    for (const HiddenPixels::Run run : hidden.row(y)) {
+      hash.add(y);
+      hash.add(run.begin);
+      hash.add(run.end);
+    }
+}
+
 }  // namespace
 
 AnalysisKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
@@ -33,6 +43,7 @@ AnalysisKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& fr
   add(content, mesh);
   for (const glm::dvec2 p : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)})
     for (int i = 0; i < 2; ++i) content.add(frame.to_pixels.point(p)[i]);
+  if (frame.hidden) add(picture, *frame.hidden, frame.height);
   return {picture.value(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
 }
 

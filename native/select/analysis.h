@@ -14,7 +14,7 @@ namespace gradmesh {
 
 /// What the prices of an analysis depend on.
 struct AnalysisKey {
-  /// Hash of the original mesh, whose picture counts.
+  /// Hash of the original mesh, whose picture counts, and of the pixels that are hidden.
   std::uint64_t original = 0;
   /// Hash of the mesh that is merged, and of where it lies in the frame.
   std::uint64_t content = 0;

@@ -40,6 +40,13 @@ void check_method(const Mesh& mesh, bool takes_lines) {
         "can be taken out, by the method lines.");
 }
 
+/// The frame in which the error is measured.
+Frame measured_frame(const Mesh& original, const SimplifyOptions& options) {
+  Frame frame = fit_frame(original, options.view, options.resolution, options.padding);
+  if (options.visible) frame.hidden = std::make_shared<HiddenPixels>(*options.visible, frame);
+  return frame;
+}
+
 /// The prices that this run may use and add to.
 Analysis& analysis_for(const AnalysisKey& key, const SimplifyOptions& options, Analysis& own) {
   if (!options.analysis) return own = {key, {}};
@@ -140,7 +147,7 @@ class Run {
         watch_(options.time_budget, options.progress),
         mesh_(mesh),
         original_(options.original ? *options.original : mesh),
-        frame_(fit_frame(original_, options.view, options.resolution, options.padding)),
+        frame_(measured_frame(original_, options)),
         trial_(mesh, EditError(original_, mesh, frame_, options.metric, options.masks_opacity),
                options.epsilon),
         analysis_(analysis_for(analysis_key(original_, mesh, frame_, options.metric), options,
@@ -211,8 +218,7 @@ std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions
 AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options) {
   check(options);
   const Mesh& original = options.original ? *options.original : mesh;
-  const Frame frame = fit_frame(original, options.view, options.resolution, options.padding);
-  return analysis_key(original, mesh, frame, options.metric);
+  return analysis_key(original, mesh, measured_frame(original, options), options.metric);
 }
 
 }  // namespace gradmesh

@@ -12,6 +12,7 @@
 #include "mesh/mesh.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
+#include "raster/hidden.h"
 #include "select/analysis.h"
 #include "select/edges.h"
 #include "select/regions.h"
@@ -63,6 +64,10 @@ struct SimplifyOptions {
   /// From mesh units to what the person sees, up to scale.
   Affine view;
   FramePadding padding;
+  /// Of a document's mesh (Document::simplify): whether only what its object shows counts.
+  bool visible_only = false;
+  /// What is seen of the mesh: the rest does not count, as if it were not painted. All by default.
+  std::optional<VisibleArea> visible;
   /// Whether a translucent mesh of the model `bilinear` is written with its opacities in a mask.
   bool masks_opacity = true;
   /// The mesh as a reader will find it, in each way in which it can be written: the error that

@@ -109,6 +109,7 @@ def simplify(
     ratio: Optional[float] = None,
     resolution: int = 700,
     color_model: Optional[str] = None,
+    visible_only: bool = False,
     seed: int = 0,
     omega: float = 0.75,
     kappa: float = 0.05,
@@ -131,6 +132,7 @@ def simplify(
     at most 1) of those there are, with as small an error as the method finds.
     color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
     are then made bilinear first, which counts towards the error.
+    visible_only: pixels that the object's own outline hides do not count towards the error.
     method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
     "gqe1" weigh patches saved against error by `omega`; "lines" takes whole rows and columns out of
@@ -157,6 +159,7 @@ def simplify(
     options = _options(metric, epsilon, resolution, color_model, threads)
     options.method = method
     options.patches = patches
+    options.visible_only = visible_only
     options.ratio = ratio
     options.seed = seed
     options.omega = omega

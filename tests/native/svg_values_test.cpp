@@ -187,5 +187,59 @@ TEST(SvgShape, BoxOfEveryShape) {
   expect_shape("path d=\"M 1 2 h 3 v 4\"", {1, 2}, {4, 6});
 }
 
+double area(const Outline& outline) {
+  double twice = 0;
+  for (const auto& polygon : outline)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+      twice += a.x * b.y - b.x * a.y;
+    }
+  return twice / 2;
+}
+
+void expect_area(std::string_view path, double expected, std::size_t polygons = 1) {
+  SCOPED_TRACE(path);
+  const auto outline = path_outline(path);
+  ASSERT_TRUE(outline);
+  EXPECT_EQ(outline->size(), polygons);
+  EXPECT_NEAR(area(*outline), expected, 1e-3 * std::abs(expected));
+}
+
+TEST(SvgPath, Outlines) {
+  expect_area("M0,0 H4 V3 H0 Z", 12);
+  expect_area("m1,1 h4 v3 h-4 z m10,0 h1 v1 h-1 z", 13, 2);
+  // What follows a closed subpath without a moveto starts where that began.
+  expect_area("M0,0 H4 V3 H0 Z L-2,0 -2,-2 0,-2", 12 + 4, 2);
+  expect_area("M-2,0 A2,2 0 0 1 2,0 A2,2 0 0 1 -2,0 Z", 4 * std::numbers::pi);
+  expect_area("M-2,0 A2,1 0 1 0 2,0 A2,1 0 1 0 -2,0", -2 * std::numbers::pi);
+  // Under a cubic with these handles lies 3/5 of the box, under a quadratic 2/3.
+  expect_area("M0,0 C0,-1 1,-1 1,0 Z", 0.6);
+  expect_area("M0,0 Q0.5,-2 1,0 Z", 2.0 / 3);
+  EXPECT_EQ(path_outline("M3,3")->size(), 0u);
+  EXPECT_FALSE(path_outline("M0,0 L1"));
+}
+
+TEST(SvgShape, Outlines) {
+  const SvgDocument document = SvgDocument::parse(
+      "<svg xmlns='http://www.w3.org/2000/svg'><rect id='r' x='1' y='2' width='4' height='3'/>"
+      "<rect id='round' width='4' height='3' rx='1'/><circle id='c' cx='9' r='2'/>"
+      "<ellipse id='e' rx='3' ry='2'/><polygon id='p' points='0,0 4,0 0,3'/>"
+      "<path id='d' d='M0,0h2v2z'/><text id='t'>a</text><line id='l' x2='3'/></svg>",
+      "test");
+  const auto size = [&](const char* id) {
+    const auto outline = shape_outline(document.find(id));
+    return outline ? area(*outline) : -1;
+  };
+  const double pi = std::numbers::pi;
+  EXPECT_NEAR(size("r"), 12, 1e-9);
+  EXPECT_NEAR(size("round"), 12 - 4 + pi, 1e-3);
+  EXPECT_NEAR(size("c"), 4 * pi, 1e-3);
+  EXPECT_NEAR(size("e"), 6 * pi, 1e-3);
+  EXPECT_NEAR(size("p"), 6, 1e-9);
+  EXPECT_NEAR(size("d"), 2, 1e-9);
+  EXPECT_EQ(size("t"), -1);
+  EXPECT_EQ(size("l"), -1);
+}
+
 }  // namespace
 }  // namespace gradmesh

@@ -1,0 +1,89 @@
+#include "raster/hidden.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gradmesh {
+namespace {
+
+constexpr int lines_a_row = 4;
+constexpr std::uint8_t white = 255;
+
+/// Where a line of constant y enters or leaves polygons.
+struct Crossing {
+  double x;
+  /// 1 where the polygon's side runs down, -1 where it runs up.
+  int winding;
+};
+
+/// The crossings of all lines y = k / lines_a_row, 0 <= k < `lines`, unsorted. A side owns its
+/// upper end and not its lower one, so that corners count once.
+std::vector<std::vector<Crossing>> crossings(const Outline& outline, const Affine& to_pixels,
+                                             int lines) {
+  std::vector<std::vector<Crossing>> result(static_cast<std::size_t>(lines));
+  for (const std::vector<glm::dvec2>& polygon : outline)
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      glm::dvec2 a = to_pixels.point(polygon[i]);
+      glm::dvec2 b = to_pixels.point(polygon[(i + 1) % polygon.size()]);
+      const int winding = a.y < b.y ? 1 : -1;
+      if (winding < 0) std::swap(a, b);
+      const double first = std::max(std::ceil(a.y * lines_a_row), 0.0);
+      const double end = std::min(std::ceil(b.y * lines_a_row), double(lines));
+      for (int k = int(first); k < end; ++k) {
+        const double t = (double(k) / lines_a_row - a.y) / (b.y - a.y);
+        result[std::size_t(k)].push_back({std::lerp(a.x, b.x, t), winding});
+      }
+    }
+  return result;
+}
+
+/// Marks the pixels of a row that a line meets inside the polygons.
+void mark(std::vector<Crossing> line, FillRule rule, std::vector<char>& seen) {
+  std::ranges::sort(line, {}, &Crossing::x);
+  const double width = double(seen.size());
+  int winding = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    winding += line[i].winding;
+    const bool inside = rule == FillRule::evenodd ? winding % 2 != 0 : winding != 0;
+    if (!inside) continue;
+    const double first = std::clamp(std::floor(line[i].x), 0.0, width);
+    const double end = std::clamp(std::ceil(line[i + 1].x), 0.0, width);
+    std::fill(seen.begin() + int(first), seen.begin() + int(end), true);
+  }
+}
+
+std::vector<HiddenPixels::Run> unmarked(const std::vector<char>& seen) {
+  std::vector<HiddenPixels::Run> runs;
+  for (auto at = seen.begin(); at != seen.end();) {
+    const auto begin = std::find(at, seen.end(), false);
+    at = std::find(begin, seen.end(), true);
+    if (begin != at) runs.push_back({int(begin - seen.begin()), int(at - seen.begin())});
+  }
+  return runs;
+}
+
+}  // namespace
+
+HiddenPixels::HiddenPixels(const VisibleArea& area, const Frame& frame) {
+  const auto lines = crossings(area.outline, frame.to_pixels, frame.height * lines_a_row + 1);
+  for (int y = 0; y < frame.height; ++y) {
+    std::vector<char> seen(std::size_t(frame.width), false);
+    for (int k = 0; k <= lines_a_row; ++k)
+      mark(lines[std::size_t(y * lines_a_row + k)], area.rule, seen);
+    rows_.push_back(unmarked(seen));
+  }
+}
+
+void HiddenPixels::hide(Window window, Painting& painting) const {
+  window = window.clipped(painting.window());
+  for (int y = window.y0; y < window.y1; ++y)
+    for (const Run& run : row(y)) {
+      const Window hidden = Window{run.begin, y, run.end, y + 1}.clipped(window);
+      if (hidden.empty()) continue;
+      for (int c = 0; c < 3; ++c)
+        std::fill_n(painting.image.at(hidden.x0, y, c), hidden.width(), white);
+      std::fill_n(painting.top.at(hidden.x0, y), hidden.width(), TopFace().sample());
+    }
+}
+
+}  // namespace gradmesh
