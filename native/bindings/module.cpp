@@ -9,6 +9,7 @@
 #include "document/convert.h"
 #include "document/document.h"
 #include "document/draw_document.h"
+#include "document/edits.h"
 #include "document/info.h"
 #include "mesh/mesh.h"
 
@@ -89,6 +90,23 @@ std::size_t analyze_document(const Document& document, const std::vector<std::st
   options.progress = progress_callback(progress);
   const py::gil_scoped_release release;
   return document.analyze(ids, options, analyses);
+}
+
+py::dict edit_dict(const EditReport& report) {
+  return py::dict(py::arg("id") = report.id, py::arg("patches_before") = report.patches_before,
+                  py::arg("patches_after") = report.patches_after, py::arg("error") = report.error);
+}
+
+py::dict merge_document(Document& document, const std::vector<std::string>& ids,
+                        const std::string& metric, int resolution) {
+  return edit_dict(merge_blocks(document, ids, {metric_named(metric), resolution}));
+}
+
+py::dict refine_document(Document& document, const std::string& id, bool rows, bool columns,
+                         double place, std::optional<int> row, std::optional<int> column,
+                         bool whole, const std::string& metric, int resolution) {
+  return edit_dict(refine(document, id, {rows, columns, place, row, column, whole},
+                          {metric_named(metric), resolution}));
 }
 
 DocumentKind kind_named(const std::string& name) {
@@ -198,6 +216,11 @@ PYBIND11_MODULE(_core, m) {
       .def("update", &update_document, py::arg("ids"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"))
+      .def("merge", &merge_document, py::kw_only(), py::arg("ids"), py::arg("metric"),
+           py::arg("resolution"))
+      .def("refine", &refine_document, py::kw_only(), py::arg("id"), py::arg("rows"),
+           py::arg("columns"), py::arg("place"), py::arg("row"), py::arg("column"),
+           py::arg("whole"), py::arg("metric"), py::arg("resolution"))
       .def("draw", &draw_document, py::kw_only(), py::arg("id"), py::arg("show"),
            py::arg("picture"), py::arg("options"), py::arg("analyses"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))

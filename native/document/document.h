@@ -167,6 +167,8 @@ class Document {
     }
   }
 
+  void mark_changed() { changed_ = true; }
+
   std::vector<MeshEntry> entries_;
 
  private:

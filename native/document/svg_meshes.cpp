@@ -1,7 +1,9 @@
 #include "document/svg_meshes.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "error/edit_error.h"
 #include "io/blocks.h"
 #include "io/svg_group.h"
 #include "io/svg_memory.h"
@@ -10,6 +12,7 @@
 #include "io/svg_write.h"
 #include "io/xml_node.h"
 #include "mesh/build.h"
+#include "mesh/grid.h"
 
 namespace gradmesh {
 namespace {
@@ -112,6 +115,53 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
     write_mesh(svg_, o, {mesh, blocks, result.frame.coons_tolerance, label, before, original});
   }
   list_meshes();
+}
+
+Rectangle SvgMeshes::block(const std::string& id) const {
+  const xmlNode* node = svg_.find(id);
+  if (!node) throw InputError(name() + ": there is no object with the id " + excerpt(id) + ".");
+  const auto faces = block_faces(svg_, node);
+  if (!faces) fail(node, "it is no block of a simplified mesh");
+  Rectangle chosen{{}, faces->rows, faces->columns, {}};
+  for (const MeshEntry& entry : entries_)
+    if (object(entry).node == parent_element(node)) chosen.entry = entry;
+  for (int i = 0; i < faces->rows * faces->columns; ++i)
+    chosen.faces.push_back(Face{faces->first + i});
+  return chosen;
+}
+
+Rectangle SvgMeshes::rectangle(const std::string& id) const {
+  for (const MeshEntry& entry : entries_) {
+    if (entry.id != id || entry.simplified) continue;
+    const Mesh whole = mesh(entry);
+    const auto grid = find_grid(whole);
+    if (!grid) throw InputError(describe(entry) + ": its mesh is not one rectangle of patches.");
+    Rectangle chosen{entry, grid->rows, grid->columns, {}};
+    for (const Halfedge top : grid->tops) chosen.faces.push_back(whole.face(top));
+    return chosen;
+  }
+  return block(id);
+}
+
+double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind metric,
+                          int resolution) {
+  std::shared_ptr<const Mesh> original = remembered_original(entry);
+  if (!original) original = std::make_shared<const Mesh>(mesh(entry));
+  SimplifyResult result;
+  result.patches_before = original->face_count();
+  result.patches_after = edited.face_count();
+  result.frame = frame(entry, *original, resolution);
+  const EditError error(*original, edited, result.frame, metric);
+  result.error = std::numeric_limits<double>::infinity();
+  const std::vector<Mesh> ways = ways_to_write(edited, result.frame);
+  for (int way = 0; way < int(ways.size()); ++way)
+    if (const double e = error.whole_frame(ways[std::size_t(way)]); e < result.error) {
+      result.error = e;
+      result.way = way;
+    }
+  replace({{entry, edited, result, original}}, metric, {});
+  mark_changed();
+  return result.error;
 }
 
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {

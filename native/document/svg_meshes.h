@@ -6,6 +6,13 @@
 
 namespace gradmesh {
 
+/// Patches of a mesh, row by row as they lie in their block or mesh gradient.
+struct Rectangle {
+  MeshEntry entry;
+  int rows = 0, columns = 0;
+  std::vector<Face> faces;
+};
+
 /// An SVG document: its meshes are the objects that a mesh gradient paints, and groups of blocks.
 class SvgMeshes : public Document {
  public:
@@ -16,6 +23,14 @@ class SvgMeshes : public Document {
   Mesh mesh(const MeshEntry& entry) const override;
   Affine view(const MeshEntry& entry) const override { return to_document(object(entry)); }
   FramePadding padding() const override { return {}; }
+
+  /// The block whose path has this id. Throws InputError where it is something else.
+  Rectangle block(const std::string& id) const;
+  /// The same, or the mesh of the object with this id that is not simplified and one rectangle.
+  Rectangle rectangle(const std::string& id) const;
+  /// Writes an edited mesh in the place of what it was; the error of what is written against the
+  /// original that is remembered, or else the mesh as it was. `entry` is then one no more.
+  double rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
 
  protected:
   std::string describe(const MeshEntry& entry) const override;

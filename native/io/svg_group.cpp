@@ -78,11 +78,16 @@ class CurveReader {
   std::string_view rest_;
 };
 
-/// A block's grid, in the group's user space.
-MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode* path) {
+xmlNode* block_gradient(const SvgDocument& document, const xmlNode* group, const xmlNode* path) {
   const auto fill = document.styles().declared(path, "fill");
   xmlNode* gradient = fill ? referenced_mesh(document, *fill) : nullptr;
   if (!gradient) fail(group, describe(path) + " has lost its mesh gradient");
+  return gradient;
+}
+
+/// A block's grid, in the group's user space.
+MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode* path) {
+  xmlNode* gradient = block_gradient(document, group, path);
   MeshParts block = read_mesh(document, {path, {}, PaintRole::fill, gradient});
   if (const auto text = attribute(path, "transform")) {
     const auto affine = parse_transform(*text);
@@ -154,6 +159,14 @@ xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group) {
   const auto id = reference ? referenced_id(*reference) : std::nullopt;
   xmlNode* mask = id ? document.find(*id) : nullptr;
   return mask && own_attribute(mask, "opacity") ? mask : nullptr;
+}
+
+std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode* path) {
+  const xmlNode* group = parent_element(path);
+  const auto first = own_number(path, "face");
+  if (!first || !group || !is_mesh_group(group)) return std::nullopt;
+  const MeshGrid grid = read_mesh_gradient(document, block_gradient(document, group, path));
+  return BlockFaces{*first, grid.rows, grid.columns};
 }
 
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {

@@ -2,6 +2,7 @@
 
 #include <libxml/tree.h>
 
+#include <optional>
 #include <string>
 
 #include "io/blocks.h"
@@ -37,6 +38,15 @@ int patches_before(const xmlNode* group);
 
 /// The mask that holds the opacities of the group's mesh; null where the mesh is opaque.
 xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group);
+
+/// Which faces of its group's mesh a block holds.
+struct BlockFaces {
+  int first = 0, rows = 0, columns = 0;
+};
+
+/// Of a block's path; nothing where it is no block of a group. Throws InputError where its gradient
+/// cannot be read.
+std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode* path);
 
 /// The mesh of a group, in the group's user space. Throws InputError where blocks are missing or
 /// do not fit together.

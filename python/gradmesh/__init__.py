@@ -12,6 +12,7 @@ from ._core import version as __version__
 from .api import (
     Conversion,
     Document,
+    Edit,
     MeshInfo,
     Result,
     Update,
@@ -21,6 +22,8 @@ from .api import (
     info,
     load,
     loads,
+    merge,
+    refine,
     render,
     save,
     simplify,
@@ -30,6 +33,7 @@ from .api import (
 __all__ = [
     "Conversion",
     "Document",
+    "Edit",
     "InputError",
     "MeshInfo",
     "Result",
@@ -41,6 +45,8 @@ __all__ = [
     "info",
     "load",
     "loads",
+    "merge",
+    "refine",
     "render",
     "save",
     "simplify",

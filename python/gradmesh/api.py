@@ -60,6 +60,16 @@ class Conversion:
     lost_opacity: bool  #: whether the mesh had opacities, which a .hemesh file cannot hold
 
 
+@dataclass(frozen=True)
+class Edit:
+    """What became of a mesh some of whose patches were edited."""
+
+    id: str
+    patches_before: int
+    patches_after: int
+    error: float  #: against the original that it remembers, or else the mesh before, 0 to 1
+
+
 class Document:
     """An SVG document or a .hemesh file. Made by load() or loads()."""
 
@@ -189,6 +199,61 @@ def update(document: Document, ids: Union[str, Iterable[str]] = ()) -> list[Upda
     return [Update(**found) for found in document._core.update(ids)]
 
 
+def merge(
+    document: Document,
+    blocks: Iterable[str],
+    *,
+    metric: str = "flip",
+    resolution: int = 700,
+) -> Edit:
+    """Makes one patch of all patches of these blocks of a simplified mesh, in place.
+
+    blocks: ids of their paths. Raises InputError, with the reason, where the patches cannot become
+    one; the document is then unchanged.
+    """
+    return Edit(
+        **document._core.merge(ids=list(blocks), metric=metric, resolution=_pixels(resolution))
+    )
+
+
+def refine(
+    document: Document,
+    id: str,
+    *,
+    direction: str = "both",
+    place: float = 0.5,
+    row: Optional[int] = None,
+    column: Optional[int] = None,
+    whole: bool = False,
+    metric: str = "flip",
+    resolution: int = 700,
+) -> Edit:
+    """Splits patches exactly, in place: of a block of a simplified mesh, or of a rectangular mesh.
+
+    id: of the block's path, or of the object that the mesh paints.
+    direction: "rows", "columns" or "both".
+    place: where patches are split, from the top and from the left, above 0 and below 1.
+    row, column: which patches of the block, from 1; None: all.
+    whole: whether the lines go on across the whole mesh; otherwise they end in T-junctions.
+
+    Raises InputError and ValueError; the document is then unchanged.
+    """
+    if direction not in ("rows", "columns", "both"):
+        raise ValueError(f"patches are split into rows, columns or both, not '{direction}'")
+    edit = document._core.refine(
+        id=id,
+        rows=direction != "columns",
+        columns=direction != "rows",
+        place=place,
+        row=row,
+        column=column,
+        whole=whole,
+        metric=metric,
+        resolution=_pixels(resolution),
+    )
+    return Edit(**edit)
+
+
 def analyze(
     document: Document,
     path: Path,
@@ -239,10 +304,7 @@ def render(document: Document, id: Optional[str] = None, resolution: int = 700) 
 
     `id` may be left out where the document has one mesh only.
     """
-    id = _one_id(document, id)
-    if not 16 <= resolution <= 8192:
-        raise ValueError("the resolution must be between 16 and 8192 pixels")
-    return document._core.render(id, resolution)
+    return document._core.render(_one_id(document, id), _pixels(resolution))
 
 
 def draw(
@@ -302,6 +364,12 @@ def convert(
         resolution=resolution,
     )
     return Conversion(**{**made, "document": Document(made["document"])})
+
+
+def _pixels(resolution: int) -> int:
+    if not 16 <= resolution <= 8192:
+        raise ValueError("the resolution must be between 16 and 8192 pixels")
+    return resolution
 
 
 def _one_id(document: Document, id: Optional[str]) -> str:

@@ -1,0 +1,154 @@
+#include "document/edits.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "document/svg_meshes.h"
+#include "io/xml_node.h"
+#include "mesh/build.h"
+#include "mesh/subdivide.h"
+#include "ops/merge_faces.h"
+#include "ops/split.h"
+#include "ops/split_line.h"
+
+namespace gradmesh {
+namespace {
+
+SvgMeshes& svg(Document& document) {
+  if (document.kind() != DocumentKind::svg)
+    throw InputError(document.name() + ": patches are edited in SVG documents only.");
+  return static_cast<SvgMeshes&>(document);
+}
+
+EditReport write(SvgMeshes& document, const MeshEntry& entry, int patches_before, const Mesh& mesh,
+                 const MeasureOptions& measure) {
+  const std::string id = entry.id;
+  const double error = document.rewrite(entry, mesh, measure.metric, measure.resolution);
+  return {id, patches_before, mesh.face_count(), error};
+}
+
+/// Cuts patches of a rectangle.
+class Refiner {
+ public:
+  Refiner(Journal& journal, const Rectangle& chosen, const RefineOptions& options)
+      : journal_(journal),
+        mesh_(journal.mesh()),
+        chosen_(chosen),
+        options_(options),
+        rows_(range(options.row, chosen.rows, "row")),
+        columns_(range(options.column, chosen.columns, "column")) {}
+
+  void run() {
+    if (options_.whole) {
+      split_lines();
+    } else {
+      for (int i = rows_.first; i < rows_.second; ++i)
+        for (int j = columns_.first; j < columns_.second; ++j) split_patch(face(i, j));
+    }
+  }
+
+ private:
+  using Range = std::pair<int, int>;
+
+  Range range(std::optional<int> number, int count, const std::string& what) const {
+    if (!number) return {0, count};
+    if (*number < 1 || *number > count)
+      throw InputError("it has no " + what + " " + std::to_string(*number) + ", only " +
+                       std::to_string(count) + " of them");
+    return {*number - 1, *number};
+  }
+
+  Face face(int row, int column) const {
+    return chosen_.faces[std::size_t(row * chosen_.columns + column)];
+  }
+
+  void split_patch(Face f) {
+    const double t = options_.place;
+    const Halfedge top = mesh_.sides(f)[0];
+    if (!options_.rows) {
+      split(journal_, top, t);
+      return;
+    }
+    // The new edge is the bottom of what lies above it.
+    const Halfedge bottom = split(journal_, mesh_.sides(f)[1], t);
+    if (!options_.columns) return;
+    const Halfedge below = mesh_[bottom].twin;
+    split(journal_, mesh_.next(mesh_.next(bottom)), t);
+    split(journal_, below, t);
+  }
+
+  /// A patch that is cut keeps its top and its left side, from which the next line starts.
+  void split_lines() {
+    if (options_.rows)
+      for (int i = rows_.first; i < rows_.second; ++i)
+        split_line_across(journal_, mesh_.sides(face(i, columns_.first))[1], options_.place);
+    if (options_.columns)
+      for (int j = columns_.first; j < columns_.second; ++j)
+        split_line_across(journal_, mesh_.sides(face(rows_.first, j))[0], options_.place);
+  }
+
+  Journal& journal_;
+  const Mesh& mesh_;
+  const Rectangle& chosen_;
+  const RefineOptions& options_;
+  const Range rows_, columns_;
+};
+
+}  // namespace
+
+EditReport merge_blocks(Document& document, const std::vector<std::string>& ids,
+                        const MeasureOptions& measure) {
+  SvgMeshes& meshes = svg(document);
+  if (ids.empty()) throw InputError(document.name() + ": no blocks are chosen to be merged.");
+  std::vector<Face> faces;
+  std::optional<MeshEntry> entry;
+  for (const std::string& id : ids) {
+    const Rectangle block = meshes.block(id);
+    if (entry && entry->index != block.entry.index)
+      throw InputError(document.name() + ": the blocks " + excerpt(ids.front()) + " and " +
+                       excerpt(id) + " are of different meshes.");
+    entry = block.entry;
+    faces.insert(faces.end(), block.faces.begin(), block.faces.end());
+  }
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  if (faces.size() < 2)
+    throw InputError(document.name() + ": " + excerpt(ids.front()) +
+                     " is one patch already; choose two or more.");
+
+  Mesh mesh = meshes.mesh(*entry);
+  const int before = mesh.face_count();
+  Journal journal(mesh);
+  const MergedFaces merged = merge_faces(journal, faces);
+  if (!merged.face.valid()) {
+    const std::string why =
+        merged.obstacle == MergeObstacle::none
+            ? "because they do not touch along a whole side"
+            : std::string("because of an edge between them: ") + describe(merged.obstacle);
+    throw InputError(document.name() + ": " + entry->id + ": these patches cannot become one, " +
+                     why + ".");
+  }
+  return write(meshes, *entry, before, mesh, measure);
+}
+
+EditReport refine(Document& document, const std::string& id, const RefineOptions& options,
+                  const MeasureOptions& measure) {
+  if (!(options.place > 0 && options.place < 1))
+    throw std::invalid_argument("the place of a split must be above 0 and below 1.");
+  if (!options.rows && !options.columns)
+    throw std::invalid_argument("patches are split into rows, columns or both.");
+  SvgMeshes& meshes = svg(document);
+  const Rectangle chosen = meshes.rectangle(id);
+  Mesh mesh = meshes.mesh(chosen.entry);
+  const int before = mesh.face_count();
+  Journal journal(mesh);
+  try {
+    Refiner(journal, chosen, options).run();
+  } catch (const InputError& error) {
+    throw InputError(document.name() + ": " + excerpt(id) + ": " + error.what() + ".");
+  }
+  // Where lines meet on both sides of a curve there are ordinary points now.
+  return write(meshes, chosen.entry, before, build_mesh(subdivided(mesh, 1)), measure);
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,169 @@
+"""Edits of single patches: merging chosen blocks, refining in one place."""
+
+import re
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+from built import SAMPLES
+from hemesh_files import grid
+
+import gradmesh
+
+FACE = "{urn:gradmesh}face"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+SMALL = {"resolution": 200}
+
+
+@pytest.fixture
+def simplified():
+    """The fruit, with few patches left."""
+    document = gradmesh.loads((SAMPLES / "fruit.svg").read_bytes())
+    gradmesh.simplify(document, epsilon=0.02, **SMALL)
+    return document
+
+
+def elements(document):
+    root = ET.fromstring(document.to_bytes())
+    return {element.get("id"): element for element in root.iter() if element.get("id")}
+
+
+def blocks(document, mesh="pear"):
+    """Ids of the blocks of a mesh and the numbers of their first patches."""
+    return {e.get("id"): int(e.get(FACE)) for e in elements(document)[mesh] if e.get(FACE)}
+
+
+def mergeable(document):
+    """Two blocks that can become one patch, and two that cannot."""
+    pair, others = None, None
+    names = list(blocks(document))
+    before = document.to_bytes()
+    for first in names:
+        for second in names:
+            if first == second or (pair and others):
+                continue
+            trial = gradmesh.loads(before)
+            try:
+                gradmesh.merge(trial, [first, second], **SMALL)
+                pair = pair or (first, second)
+            except gradmesh.InputError as error:
+                others = others or (first, second, str(error))
+        if pair and others:
+            break
+    return pair, others
+
+
+def test_blocks_become_one_patch(simplified):
+    pair, _ = mergeable(simplified)
+    assert pair, "no two blocks of the sample can be merged"
+    patches = simplified.meshes[0].patches
+    edit = gradmesh.merge(simplified, pair, **SMALL)
+    assert edit.id == "pear" and edit.patches_before == patches
+    assert edit.patches_after == simplified.meshes[0].patches < patches
+    label = elements(simplified)["pear"].get(LABEL)
+    assert label == f"Gradient mesh: {edit.patches_after} of 132 patches, FLIP {edit.error:.4f}"
+    # The error is that of what is written, against the mesh before it was simplified.
+    original = gradmesh.load(SAMPLES / "fruit.svg")
+    same = np.array_equal(gradmesh.render(original, **SMALL), gradmesh.render(simplified, **SMALL))
+    assert not same and 0 < edit.error < 0.2
+
+
+def test_what_cannot_be_merged_is_told_why(simplified):
+    _, (first, second, said) = mergeable(simplified)
+    before = simplified.to_bytes()
+    with pytest.raises(gradmesh.InputError) as refused:
+        gradmesh.merge(simplified, [first, second], **SMALL)
+    assert str(refused.value) == said
+    assert re.fullmatch(r"document: pear: these patches cannot become one, because .+\.", said)
+    assert simplified.to_bytes() == before
+
+
+@pytest.mark.parametrize(
+    "ids, words",
+    [
+        ([], "no blocks are chosen"),
+        (["pear"], "no block of a simplified mesh"),
+        (["gone"], "no object with the id"),
+    ],
+)
+def test_what_is_no_block(simplified, ids, words):
+    with pytest.raises(gradmesh.InputError, match=words):
+        gradmesh.merge(simplified, ids)
+
+
+def test_blocks_of_two_meshes():
+    document = gradmesh.load(SAMPLES / "two.svg")
+    gradmesh.simplify(document, epsilon=0.02, resolution=100)
+    chosen = [next(iter(blocks(document, mesh))) for mesh in ("cap", "stalk")]
+    with pytest.raises(gradmesh.InputError, match="of different meshes"):
+        gradmesh.merge(document, chosen)
+
+
+def look_the_same(a, b):
+    """Whether pictures differ by one level at most, from colours rounded at new corners. A pixel
+    on the outline of the mesh may be painted in one alone."""
+    first, second = (gradmesh.render(document).astype(int) for document in (a, b))
+    painted = (first < 255).any(axis=2) & (second < 255).any(axis=2)
+    missed = ((first < 255).any(axis=2) != (second < 255).any(axis=2)).mean()
+    return np.abs(first - second)[painted].max() <= 1 and missed < 1e-3
+
+
+@pytest.mark.parametrize("whole", [False, True])
+@pytest.mark.parametrize("direction", ["rows", "columns", "both"])
+def test_refining_a_block_changes_nothing_that_is_seen(simplified, direction, whole):
+    before = gradmesh.loads(simplified.to_bytes())
+    for name in list(blocks(simplified))[:3]:
+        refined = gradmesh.loads(simplified.to_bytes())
+        edit = gradmesh.refine(refined, name, direction=direction, place=0.4, whole=whole)
+        assert edit.patches_after == refined.meshes[0].patches > edit.patches_before
+        assert look_the_same(before, refined)
+
+
+def test_refining_here_leaves_the_other_patches_alone(simplified):
+    name = list(blocks(simplified))[0]
+    local, whole = (gradmesh.loads(simplified.to_bytes()) for _ in range(2))
+    here = gradmesh.refine(local, name, row=1, column=1)
+    assert here.patches_after == here.patches_before + 3
+    across = gradmesh.refine(whole, name, row=1, column=1, whole=True)
+    assert across.patches_after > here.patches_after
+
+
+def test_refining_an_object(tmp_path):
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    edit = gradmesh.refine(document, "pear", row=2, column=3, direction="columns")
+    assert (edit.patches_before, edit.patches_after) == (132, 133)
+    assert look_the_same(gradmesh.load(SAMPLES / "fruit.svg"), document)
+
+
+def test_a_refined_mesh_merges_back(simplified):
+    name = list(blocks(simplified))[0]
+    patches = simplified.meshes[0].patches
+    gradmesh.refine(simplified, name, row=1, column=1, place=0.3)
+    (result,) = gradmesh.simplify(simplified, epsilon=0.02, **SMALL)
+    assert result.patches_after <= patches + 3
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"place": 0}, "place of a split"),
+        ({"place": 1}, "place of a split"),
+        ({"direction": "up"}, "'up'"),
+        ({"row": 99}, "no row 99"),
+        ({"column": -1}, "no column -1"),
+        ({"resolution": 3}, "resolution"),
+    ],
+)
+def test_bad_options(simplified, options, words):
+    before = simplified.to_bytes()
+    with pytest.raises(ValueError, match=words):
+        gradmesh.refine(simplified, list(blocks(simplified))[0], **options)
+    assert simplified.to_bytes() == before
+
+
+def test_hemesh_files_have_no_blocks(tmp_path):
+    document = gradmesh.loads(grid(2, 2), "grid.hemesh")
+    for edit in (lambda: gradmesh.merge(document, ["a"]), lambda: gradmesh.refine(document, "mesh")):
+        with pytest.raises(gradmesh.InputError, match="SVG documents only"):
+            edit()
