@@ -34,7 +34,8 @@ py::list meshes(const Document& document, const std::vector<std::string>& ids) {
 
 std::vector<std::string> ids(const Document& document) {
   std::vector<std::string> found;
-  for (const MeshEntry& entry : document.meshes()) found.push_back(entry.id);
+  for (const MeshEntry& entry : document.meshes())
+    if (!entry.kept) found.push_back(entry.id);
   return found;
 }
 
@@ -65,13 +66,15 @@ py::list report_list(const std::vector<MeshReport>& reports) {
 
 py::list simplify_document(Document& document, const std::vector<std::string>& ids,
                            SimplifyOptions options, const AnalysisPaths& analyses,
-                           bool remember_original, bool preview, const py::object& progress) {
+                           bool remember_original, bool keep_original, bool preview,
+                           const py::object& progress) {
   options.progress = progress_callback(progress);
   std::vector<MeshReport> reports;
   {
     const py::gil_scoped_release release;
-    reports = preview ? document.preview(ids, options, analyses)
-                      : document.simplify(ids, options, analyses, {remember_original});
+    reports = preview
+                  ? document.preview(ids, options, analyses)
+                  : document.simplify(ids, options, analyses, {remember_original, keep_original});
   }
   return report_list(reports);
 }
@@ -211,8 +214,8 @@ PYBIND11_MODULE(_core, m) {
       .def("ids", &ids)
       .def("meshes", &meshes, py::arg("ids"))
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
-           py::arg("analyses"), py::arg("remember_original"), py::arg("preview"),
-           py::arg("progress"))
+           py::arg("analyses"), py::arg("remember_original"), py::arg("keep_original"),
+           py::arg("preview"), py::arg("progress"))
       .def("update", &update_document, py::arg("ids"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"))

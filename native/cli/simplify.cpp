@@ -123,6 +123,8 @@ void add_simplify(CLI::App& program) {
   add_threads_option(command, a->options.threads);
   add_analysis_options(command, a->analyses);
   command.add_option("--report", a->report, "Write a report as JSON");
+  command.add_flag("--keep-original", a->writing.keep_original,
+                   "SVG: leave a hidden copy of each object as it was below the result");
   command.add_flag("!--forget-original", a->writing.remember_original,
                    "SVG: keep the file small, without the mesh as it was before");
   command.add_flag("--quiet", a->quiet, "Print nothing");

@@ -145,6 +145,8 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
                                            const SimplifyOptions& options,
                                            const AnalysisPaths& analyses,
                                            const WriteOptions& writing) {
+  if (writing.keep_original && kind() == DocumentKind::hemesh)
+    throw InputError(name_ + ": a .hemesh file holds one mesh, so no original can be kept in it.");
   std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
   std::vector<MeshReport> reports = reports_of(meshes);
   std::erase_if(meshes, [](const SimplifiedMesh& m) {

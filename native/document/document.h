@@ -33,6 +33,8 @@ struct MeshEntry {
   std::optional<PaintRole> role;
   /// Whether it is a group of blocks that gradmesh wrote.
   bool simplified = false;
+  /// Whether it is the hidden original of another one, chosen only by its own id.
+  bool kept = false;
 };
 
 struct MeshReport {
@@ -53,6 +55,8 @@ struct WriteOptions {
   /// SVG only: it remembers the mesh before it was first simplified (svg_group.h), which makes the
   /// file larger, and which later runs measure against.
   bool remember_original = true;
+  /// SVG only: a copy of the object as it was stays directly below it, hidden (svg_kept.h).
+  bool keep_original = false;
 };
 
 /// An SVG document or a .hemesh file, and the meshes in it: what the command line and the Python
@@ -75,7 +79,7 @@ class Document {
   /// All meshes; there may be none.
   const std::vector<MeshEntry>& meshes() const { return entries_; }
   /// The meshes of the objects with these ids, or inside elements with these ids; all where there
-  /// are no ids. Never empty.
+  /// are no ids. Hidden originals are left out unless they are named themselves. Never empty.
   virtual std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const = 0;
 
   virtual Mesh mesh(const MeshEntry& entry) const = 0;

@@ -6,6 +6,7 @@
 #include "error/edit_error.h"
 #include "io/blocks.h"
 #include "io/svg_group.h"
+#include "io/svg_kept.h"
 #include "io/svg_memory.h"
 #include "io/svg_mesh.h"
 #include "io/svg_visible.h"
@@ -22,6 +23,12 @@ bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
   return node != nullptr;
 }
 
+/// Whether the object is, or is inside of, the element that was named. A hidden original does not
+/// count where something around it was.
+bool is_named_by(const xmlNode* named, const MeshObject& object) {
+  return is_inside(object.node, named) && (!object.kept || is_inside(named, object.kept));
+}
+
 }  // namespace
 
 SvgMeshes::SvgMeshes(std::string_view bytes, const std::string& name)
@@ -33,27 +40,29 @@ void SvgMeshes::list_meshes() {
   objects_ = mesh_objects(svg_);
   entries_.clear();
   for (const MeshObject& o : objects_)
-    entries_.push_back({int(entries_.size()), o.id, o.role, o.gradient == nullptr});
+    entries_.push_back(
+        {int(entries_.size()), o.id, o.role, o.gradient == nullptr, o.kept != nullptr});
 }
 
 std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) const {
-  if (entries_.empty())
-    throw InputError(name() + ": no object in this document is painted by a mesh gradient.");
-  if (ids.empty()) return entries_;
+  const std::string nothing =
+      name() + ": no object in this document is painted by a mesh gradient.";
+  if (entries_.empty()) throw InputError(nothing);
   std::vector<const xmlNode*> places;
   for (const std::string& id : ids) {
     const xmlNode* place = svg_.find(id);
     if (!place) throw InputError(name() + ": there is no object with the id " + excerpt(id) + ".");
-    if (std::ranges::none_of(objects_,
-                             [&](const MeshObject& o) { return is_inside(o.node, place); }))
+    if (std::ranges::none_of(objects_, [&](const MeshObject& o) { return is_named_by(place, o); }))
       fail(place, "it is not painted by a mesh gradient");
     places.push_back(place);
   }
+  if (ids.empty()) places.push_back(svg_.root());
   std::vector<MeshEntry> found;
   for (const MeshEntry& entry : entries_)
     if (std::ranges::any_of(places,
-                            [&](const xmlNode* p) { return is_inside(object(entry).node, p); }))
+                            [&](const xmlNode* p) { return is_named_by(p, object(entry)); }))
       found.push_back(entry);
+  if (found.empty()) throw InputError(nothing);
   return found;
 }
 
@@ -101,6 +110,8 @@ std::vector<Mesh> SvgMeshes::ways_to_write(const Mesh& mesh, const Frame& frame)
 
 void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                         const WriteOptions& writing) {
+  if (writing.keep_original)
+    for (const SimplifiedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
   for (const auto& [entry, mesh, result, measured] : meshes) {
     const MeshObject& o = object(entry);
     const bool same_mesh = entry.simplified && !group_mesh(entry).edited;

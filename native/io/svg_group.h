@@ -24,6 +24,7 @@ namespace gradmesh {
 ///                   moved; may be absent
 ///   face            on a block's path: number of its first face; the others follow row by row
 ///   opacity         on the mask that holds the opacities, as blocks in grey, where there are any
+///   kept-for        on a hidden original: the id of the object that was simplified (svg_kept.h)
 ///   outer           on groups around the group that stand for the same object
 /// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A
 /// curve is `side | side`, a side `halfedge break halfedge ... halfedge`; curves are separated by

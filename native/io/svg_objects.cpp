@@ -21,28 +21,32 @@ bool contains(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The mesh gradients in force for fill and stroke; null where the paint is anything else.
-struct Paints {
+/// What is in force where an element stands.
+struct Context {
+  /// The mesh gradients for fill and stroke; null where the paint is anything else.
   xmlNode* fill = nullptr;
   xmlNode* stroke = nullptr;
+  /// MeshObject::kept.
+  const xmlNode* kept = nullptr;
 };
 
 class Collector {
  public:
   explicit Collector(SvgDocument& document) : document_(document) {}
 
-  void visit(xmlNode* node, Paints paints) {
+  void visit(xmlNode* node, Context context) {
     const std::string_view name = svg_name(node);
     const bool is_container = contains(containers, name);
     if (!is_container && !contains(paintables, name)) return;
-    if (is_mesh_group(node)) return add(node, group_role(node), nullptr);
-    update(node, "fill", paints.fill);
-    update(node, "stroke", paints.stroke);
+    if (attribute(node, "kept-for", gradmesh_namespace)) context.kept = node;
+    if (is_mesh_group(node)) return add(node, group_role(node), nullptr, context.kept);
+    update(node, "fill", context.fill);
+    update(node, "stroke", context.stroke);
     if (is_container) {
-      for (xmlNode* child : child_elements(node)) visit(child, paints);
+      for (xmlNode* child : child_elements(node)) visit(child, context);
     } else {
-      if (paints.fill && name != "line") add(node, PaintRole::fill, paints.fill);
-      if (paints.stroke) add(node, PaintRole::stroke, paints.stroke);
+      if (context.fill && name != "line") add(node, PaintRole::fill, context.fill, context.kept);
+      if (context.stroke) add(node, PaintRole::stroke, context.stroke, context.kept);
     }
   }
 
@@ -55,10 +59,10 @@ class Collector {
     gradient = referenced_mesh(document_, *paint);
   }
 
-  void add(xmlNode* node, PaintRole role, xmlNode* gradient) {
+  void add(xmlNode* node, PaintRole role, xmlNode* gradient, const xmlNode* kept) {
     std::string id = object_id(node);
     if (id.empty()) id = document_.give_id(node, std::string(svg_name(node)));
-    objects.push_back({node, std::move(id), role, gradient});
+    objects.push_back({node, std::move(id), role, gradient, kept});
   }
 
   SvgDocument& document_;
@@ -83,13 +87,15 @@ std::string fallback_color(std::string_view paint) {
   return close == paint.npos ? "" : std::string(trimmed(paint.substr(close + 1)));
 }
 
-std::string object_id(const xmlNode* node) {
+xmlNode* whole_object(xmlNode* node) {
   if (is_mesh_group(node))
-    for (const xmlNode* outer = parent_element(node);
+    for (xmlNode* outer = parent_element(node);
          outer && attribute(outer, "outer", gradmesh_namespace); outer = parent_element(outer))
       node = outer;
-  return attribute(node, "id").value_or("");
+  return node;
 }
+
+std::string object_id(xmlNode* node) { return attribute(whole_object(node), "id").value_or(""); }
 
 xmlNode* referenced_mesh(const SvgDocument& document, std::string_view paint) {
   const auto id = referenced_id(paint);

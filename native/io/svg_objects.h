@@ -23,6 +23,8 @@ struct MeshObject {
   /// The meshgradient that the paint names; its patches may be another's, through href. Null for
   /// groups.
   xmlNode* gradient = nullptr;
+  /// The hidden original (svg_kept.h) that it is, or is inside of; null for all others.
+  const xmlNode* kept = nullptr;
 };
 
 /// Every object painted by a mesh gradient, in document order, fill before stroke. The paint may
@@ -31,9 +33,11 @@ struct MeshObject {
 /// which paint nothing. An object without an id gets one.
 std::vector<MeshObject> mesh_objects(SvgDocument& document);
 
-/// The id by which the person knows an object: its own or, for a group of blocks inside a group
-/// that stands for the whole object, that group's. Empty where there is none.
-std::string object_id(const xmlNode* node);
+/// The element that stands for the whole object: itself or, for a group of blocks inside a group
+/// that does, that one.
+xmlNode* whole_object(xmlNode* node);
+/// Its id, by which the person knows the object. Empty where there is none.
+std::string object_id(xmlNode* node);
 
 /// The id in a paint `url(#id)`, with or without quotes; what follows is the fallback colour.
 std::optional<std::string> referenced_id(std::string_view paint);

@@ -50,6 +50,16 @@ std::string_view view(const xmlChar* text) {
   return text ? std::string_view(reinterpret_cast<const char*>(text)) : std::string_view();
 }
 
+/// In a namespace that `to` knows: that of the attribute may be declared by its own element.
+void copy_attribute(const xmlAttr* a, xmlNode* to) {
+  const std::string name(view(a->name)), value = text_of(a->children, a->parent);
+  if (a->ns)
+    set_attribute(to, name.c_str(), value, view(a->ns->href),
+                  std::string(view(a->ns->prefix)).c_str());
+  else
+    set_attribute(to, name.c_str(), value);
+}
+
 std::vector<xmlAttr*> attributes(const xmlNode* node) {
   std::vector<xmlAttr*> list;
   for (xmlAttr* a = node->properties; a; a = a->next) list.push_back(a);
@@ -82,12 +92,12 @@ bool names_id(std::string_view text, const std::string& id) {
   return false;
 }
 
-bool is_used(const xmlNode* node, const std::string& id) {
+bool is_used_in(const xmlNode* node, const std::string& id) {
   for (const xmlAttr* a : attributes(node))
     if (names_id(text_of(a->children, node), id)) return true;
   if (svg_name(node) == "style" && names_id(text_of(node->children, node), id)) return true;
   const auto children = child_elements(node);
-  return std::ranges::any_of(children, [&](const xmlNode* child) { return is_used(child, id); });
+  return std::ranges::any_of(children, [&](const xmlNode* child) { return is_used_in(child, id); });
 }
 
 }  // namespace
@@ -115,9 +125,7 @@ void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* gr
     const bool describes_shape =
         a->ns && (view(a->ns->prefix) == "sodipodi" ||
                   among({"original-d", "path-effect", "connector-curvature"}, name));
-    if (!describes_shape)
-      xmlSetNsProp(group, a->ns, a->name,
-                   reinterpret_cast<const xmlChar*>(text_of(a->children, shape).c_str()));
+    if (!describes_shape) copy_attribute(a, group);
     xmlRemoveProp(a);
   }
   for (const auto& [name, off] : effects) remove_attribute(group, name);
@@ -148,8 +156,7 @@ void keep_only_paint(const StyleSheet& styles, xmlNode* shape, const std::string
 }
 
 xmlNode* geometry_copy(const StyleSheet& styles, const xmlNode* shape, xmlNode* parent) {
-  xmlNode* copy = xmlDocCopyNode(const_cast<xmlNode*>(shape), shape->doc, 1);
-  xmlAddChild(parent, copy);
+  xmlNode* copy = add_copy(parent, shape);
   const bool text = svg_name(shape) == "text";
   for (xmlAttr* a : attributes(copy)) {
     const std::string_view name = view(a->name);
@@ -182,9 +189,13 @@ void set_clip_rule(const StyleSheet& styles, const xmlNode* shape, xmlNode* copy
   if (const auto rule = styles.inherited(shape, "fill-rule")) set_style(copy, "clip-rule", *rule);
 }
 
+bool is_used(const SvgDocument& document, const std::string& id) {
+  return is_used_in(document.root(), id);
+}
+
 void remove_if_unused(SvgDocument& document, const std::string& id) {
   xmlNode* node = id.empty() ? nullptr : document.find(id);
-  if (!node || is_used(document.root(), id)) return;
+  if (!node || is_used(document, id)) return;
   auto href = attribute(node, "href");
   if (!href) href = attribute(node, "href", xlink_namespace);
   remove_node(node);

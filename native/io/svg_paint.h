@@ -35,6 +35,9 @@ void set_clip_rule(const StyleSheet& styles, const xmlNode* shape, xmlNode* copy
 /// Sets one property of the style attribute.
 void set_style(xmlNode* node, const std::string& property, const std::string& value);
 
+/// Whether an attribute or a rule of the document names this id.
+bool is_used(const SvgDocument& document, const std::string& id);
+
 /// Removes the element with this id, and then what it alone used by href, if no attribute and no
 /// rule of the document names it.
 void remove_if_unused(SvgDocument& document, const std::string& id);

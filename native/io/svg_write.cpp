@@ -66,9 +66,11 @@ class MeshWriter {
   void remove_opacity_mask(xmlNode* group) {
     xmlNode* mask = opacity_mask(document_, group);
     if (!mask) return;
+    remove_attribute(group, "mask");
+    // A copy of the group may use it too.
+    if (is_used(document_, attribute(mask, "id").value_or(""))) return;
     const std::vector<std::string> gradients = remove_blocks(mask);
     remove_node(mask);
-    remove_attribute(group, "mask");
     for (const std::string& id : gradients) remove_if_unused(document_, id);
   }
 
@@ -79,7 +81,8 @@ class MeshWriter {
       fallback_ = fallback_color(*paint);
     const std::string fill_opacity =
         document_.styles().inherited(shape, "fill-opacity").value_or("1");
-    xmlNode* outer = xmlNewNode(shape->ns, reinterpret_cast<const xmlChar*>("g"));
+    // Not the shape's own namespace, which it may declare itself and take away with it.
+    xmlNode* outer = add_child(parent_element(shape), "g");
     xmlAddPrevSibling(shape, outer);
     move_group_attributes(document_.styles(), shape, outer);
 

@@ -24,6 +24,15 @@ xmlNode* add_child(xmlNode* parent, const char* name) {
   return xmlNewChild(parent, parent->ns, chars(name), nullptr);
 }
 
+xmlNode* add_copy(xmlNode* parent, const xmlNode* node) {
+  xmlNode* copy = xmlDocCopyNode(const_cast<xmlNode*>(node), parent->doc, 1);
+  xmlAddChild(parent, copy);
+  // It was made apart from the document, so that it declares every namespace itself; those that
+  // the document knows anyway are removed (XML_DOM_RECONNS_REMOVEREDUND, which no header names).
+  xmlDOMWrapReconcileNamespaces(nullptr, copy, 1);
+  return copy;
+}
+
 void set_attribute(xmlNode* node, const char* name, const std::string& value) {
   xmlSetNsProp(node, nullptr, chars(name), chars(value));
 }

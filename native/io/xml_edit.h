@@ -10,6 +10,9 @@ namespace gradmesh {
 /// A new element in the namespace of `parent`, as its last child.
 xmlNode* add_child(xmlNode* parent, const char* name);
 
+/// A copy of the element and all below it, ids too, as the last child of `parent`.
+xmlNode* add_copy(xmlNode* parent, const xmlNode* node);
+
 /// Sets an attribute in no namespace.
 void set_attribute(xmlNode* node, const char* name, const std::string& value);
 /// Sets an attribute in the namespace `space`, which is declared on the root with the given prefix

@@ -78,7 +78,7 @@ class Document:
 
     @property
     def ids(self) -> list[str]:
-        """Ids of all meshes, which need not be readable yet; may be empty."""
+        """Ids of all meshes but hidden originals; they need not be readable; may be empty."""
         return list(dict.fromkeys(self._core.ids()))
 
     @property
@@ -127,6 +127,7 @@ def simplify(
     time_budget: float = 0.0,
     threads: int = 0,
     remember_original: bool = True,
+    keep_original: bool = False,
     preview: bool = False,
     load_analysis: Optional[Path] = None,
     save_analysis: Optional[Path] = None,
@@ -152,6 +153,8 @@ def simplify(
     threads: 0 for all cores; the result is the same.
     remember_original: an SVG document keeps the mesh as it was before it was first simplified,
     compressed, and later runs measure against it. Without, files are smaller.
+    keep_original: an SVG document also keeps each object as it was, hidden, directly below the
+    result, with an id that ends in "-original". It is left out unless its own id is given.
     preview: only say what would become of each; the document stays as it is. With "manual" the
     error is told even where it is above epsilon.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe" and "gqe1"
@@ -181,6 +184,7 @@ def simplify(
         options=options,
         analyses=_analyses(load_analysis, save_analysis, analysis_cache),
         remember_original=remember_original,
+        keep_original=keep_original,
         preview=preview,
         progress=progress,
     )

@@ -168,6 +168,19 @@ TEST(SvgWrite, takes_the_place_of_the_object) {
   EXPECT_EQ(document.find("m"), nullptr);
 }
 
+TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
+  SvgDocument document = SvgDocument::parse(
+      after_writing(
+          "<rect xmlns=\"http://www.w3.org/2000/svg\" xmlns:n=\"urn:notes\" n:say=\"ripe\" "
+          "id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
+          grid_mesh()),
+      "d.svg");
+  xmlNode* group = document.find("p");
+  EXPECT_EQ(svg_name(group), "g");
+  EXPECT_EQ(attribute(group, "say", "urn:notes"), "ripe");
+  EXPECT_EQ(mesh_objects(document).size(), 1u);
+}
+
 TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
   SvgDocument document = SvgDocument::parse(
       after_writing("<rect id=\"p\" width=\"400\" height=\"400\" class=\"c\" clip-path=\"url(#k)\" "
