@@ -38,13 +38,13 @@ class Editing:
         with Inkscape() as inkscape, inkscape.window(self.svg) as window:
             window.key("5")  # fits the page into the window
             self.place_page(pixels(window.screenshot(folder / "page.png")))
+            self.corner = self.lone_shared_corner()
             middle = self.on_screen(240 + 340j)
             window.double_click(round(middle.real), round(middle.imag))
-            window.key("ctrl+a")
+            self.select(window)
             self.selected = pixels(window.screenshot(folder / "selected.png"))
             window.click(*MESH_TOOL)
             self.handles = pixels(window.screenshot(folder / "handles.png"))
-            self.corner = self.lone_shared_corner()
             start = self.on_screen(self.corner)
             end = start + DRAG
             window.drag(*(round(v) for v in (start.real, start.imag, end.real, end.imag)))
@@ -52,6 +52,10 @@ class Editing:
             window.key("ctrl+s")
             window.screenshot(folder / "saved.png")
         self.after = svg_meshes.Document(self.svg).blocks()
+
+    def select(self, window):
+        """All blocks of the group that has been entered."""
+        window.key("ctrl+a")
 
     def place_page(self, shot):
         """Finds the page, the only large thing on the screen that is not grey."""
