@@ -18,6 +18,8 @@ int count_across(const Mesh& mesh, Halfedge side) {
   return count;
 }
 
+}  // namespace
+
 std::optional<Grid> grid_from(const Mesh& mesh, Face face, int top) {
   const Halfedge first = mesh.sides(face)[top];
   const int columns = count_across(mesh, mesh.next(first));
@@ -32,8 +34,6 @@ std::optional<Grid> grid_from(const Mesh& mesh, Face face, int top) {
   if (boundary != 2 * (rows + columns)) return std::nullopt;
   return grid;
 }
-
-}  // namespace
 
 std::optional<Grid> find_grid(const Mesh& mesh) {
   for (int top = 0; top < 4; ++top)

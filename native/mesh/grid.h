@@ -22,4 +22,7 @@ struct Grid {
 /// agree; a mesh read row by row and all that is left of it starts at the same corner.
 std::optional<Grid> find_grid(const Mesh& mesh);
 
+/// The same with the side `top` of the patch `face` as the top of its first patch.
+std::optional<Grid> grid_from(const Mesh& mesh, Face face, int top);
+
 }  // namespace gradmesh

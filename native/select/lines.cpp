@@ -1,6 +1,7 @@
 #include "select/lines.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -22,31 +23,44 @@ struct Line {
   bool operator==(const Line&) const = default;
 };
 
-Grid grid_of(const Mesh& mesh) {
-  if (std::optional<Grid> grid = find_grid(mesh)) return std::move(*grid);
-  throw InputError(
-      "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
-      "out.");
+/// The grid's first patch, and which of its sides is the top. Of two patches that are merged the
+/// one nearer to it stays, so that it stays itself, and so do the numbers of rows and columns.
+struct Corner {
+  Face face;
+  int top;
+};
+
+Corner corner_of(const Mesh& mesh) {
+  const std::optional<Grid> grid = find_grid(mesh);
+  if (!grid)
+    throw InputError(
+        "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
+        "out.");
+  const Face face = mesh.face(grid->tops.front());
+  const std::array<Halfedge, 4> sides = mesh.sides(face);
+  return {face, int(std::ranges::find(sides, grid->tops.front()) - sides.begin())};
 }
 
 /// The edges along the line that is the `at`-th inside now, from one end to the other. Each can be
 /// merged after the one before: where that has made a T-junction the next one ends, and its merge
 /// takes the T-junction away again (paper, Fig. 4b). So the last leaves none.
-std::vector<Halfedge> edges_along(const Mesh& mesh, Along along, int at) {
-  const Grid grid = grid_of(mesh);
+std::vector<Halfedge> edges_along(const Mesh& mesh, Corner corner, Along along, int at) {
+  const Grid grid = grid_from(mesh, corner.face, corner.top).value();
   std::vector<Halfedge> edges;
   if (along == Along::rows) {
-    for (int column = 0; column < grid.columns; ++column) edges.push_back(grid.top(at, column));
+    for (int column = 0; column < grid.columns; ++column)
+      edges.push_back(mesh.next(mesh.next(grid.top(at - 1, column))));
   } else {
-    for (int row = 0; row < grid.rows; ++row) edges.push_back(mesh.prev(grid.top(row, at)));
+    for (int row = 0; row < grid.rows; ++row) edges.push_back(mesh.next(grid.top(row, at - 1)));
   }
   return edges;
 }
 
 class LineSelection {
  public:
-  LineSelection(MergeTrial& trial, StopWatch& watch) : trial_(trial), watch_(watch) {
-    const Grid grid = grid_of(trial.mesh());
+  LineSelection(MergeTrial& trial, StopWatch& watch)
+      : trial_(trial), watch_(watch), corner_(corner_of(trial.mesh())) {
+    const Grid grid = grid_from(trial.mesh(), corner_.face, corner_.top).value();
     for (int i = 1; i < grid.rows; ++i) lines_.push_back({Along::rows, i});
     for (int i = 1; i < grid.columns; ++i) lines_.push_back({Along::columns, i});
     total_ = lines_.size();
@@ -79,7 +93,7 @@ class LineSelection {
     };
     ParallelTrials(trial_).for_each(lines_.size(), stop, [&](MergeTrial& own, std::size_t i) {
       const Line& line = lines_[i];
-      errors[i] = own.error_with(edges_along(own.mesh(), line.along, line.number));
+      errors[i] = own.error_with(edges_along(own.mesh(), corner_, line.along, line.number));
     });
     for (std::size_t i = 0; i < lines_.size(); ++i)
       if (errors[i]) candidates_.push_back({lines_[i], *errors[i] - trial_.error(), 0});
@@ -91,7 +105,7 @@ class LineSelection {
       return other.along == line.along && other.number < line.number;
     };
     const int before = int(std::ranges::count_if(lines_, is_before));
-    return edges_along(trial_.mesh(), line.along, before + 1);
+    return edges_along(trial_.mesh(), corner_, line.along, before + 1);
   }
 
   /// Takes the first candidate out, or finds that it is not the cheapest; false: it is no
@@ -121,6 +135,7 @@ class LineSelection {
 
   MergeTrial& trial_;
   StopWatch& watch_;
+  const Corner corner_;
   /// The lines that are in the mesh, and those that may still go.
   std::vector<Line> lines_;
   std::vector<Candidate> candidates_;

@@ -95,6 +95,42 @@ TEST(Lines, leave_a_grid_and_say_its_error_truly) {
     }
 }
 
+/// The same mesh with the patches turned: each counts its sides from another corner.
+MeshParts turned(const MeshParts& parts, unsigned seed) {
+  std::mt19937 random(seed);
+  MeshParts result = parts;
+  std::vector<int> turns;
+  for (Patch& patch : result.patches) {
+    const int turn = turns.emplace_back(int(random() % 4));
+    std::array<Cubic<Value>, 4> sides;
+    std::array<Value, 4> twists;
+    for (int k = 0; k < 4; ++k) {
+      sides[k] = patch.side((k + turn) % 4);
+      twists[k] = patch.twist((k + turn) % 4);
+    }
+    patch = patch_from_sides(sides, twists);
+  }
+  for (CurveParts& curve : result.curves)
+    for (CurveSide* side : {&curve.a, &curve.b})
+      for (int& h : side->halfedges) h = h - h % 4 + (h % 4 - turns[h / 4] + 4) % 4;
+  return result;
+}
+
+TEST(Lines, are_the_same_however_the_patches_are_turned) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+    std::mt19937 random(seed);
+    const MeshParts parts = test::grid_parts(
+        {.rows = 4, .columns = 6, .position_noise = 0.04, .color_noise = 0.04}, random);
+    Mesh straight = build_mesh(parts), mesh = build_mesh(turned(parts, seed));
+    simplify(straight, line_options(0.06));
+    simplify(mesh, line_options(0.06));
+    EXPECT_EQ(validate(mesh), std::vector<std::string>{});
+    EXPECT_TRUE(find_grid(mesh));
+    EXPECT_LT(mesh.face_count(), 24);
+    EXPECT_EQ(mesh.face_count(), straight.face_count());
+  }
+}
+
 TEST(Lines, that_were_added_exactly_go_again_and_no_others) {
   const Mesh coarse = grid_mesh({.rows = 3,
                                  .columns = 2,
@@ -104,7 +140,8 @@ TEST(Lines, that_were_added_exactly_go_again_and_no_others) {
                                 7);
   Mesh mesh = build_mesh(subdivided(coarse, 3));
   ASSERT_EQ(mesh.face_count(), 54);
-  simplify(mesh, line_options(1e-3));
+  // FLIP charges 0.03 for a pixel that is rounded to the next level: this allows one in ten.
+  simplify(mesh, line_options(3e-3));
   ASSERT_EQ(mesh.face_count(), 6);
   const std::vector<Patch> left = patches(mesh), before = patches(coarse);
   for (int i = 0; i < 6; ++i) EXPECT_LE(test::difference(left[i], before[i]), 1e-6);
@@ -122,8 +159,7 @@ TEST(Lines, of_small_cost_go_first) {
       {.rows = 4, .columns = 1, .color_noise = 0.4, .color_model = ColorModel::bicubic}, 2);
   Mesh mesh = build_mesh(subdivided(coarse, 2));
   ASSERT_EQ(mesh.face_count(), 16);
-  SimplifyOptions options = line_options(1e-3);
-  simplify(mesh, options);
+  simplify(mesh, line_options(3e-3));
   const std::optional<Grid> grid = find_grid(mesh);
   ASSERT_TRUE(grid);
   EXPECT_EQ(grid->rows, 4);
