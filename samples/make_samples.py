@@ -12,9 +12,9 @@ import sys
 from pathlib import Path
 
 from pictures import ellipse, face, fruit, photo
-from variants import opacity, stroke, tensor, transformed, two
+from variants import opacity, smooth, stroke, tensor, transformed, two
 
-SAMPLES = [fruit, face, ellipse, photo, opacity, stroke, two, transformed, tensor]
+SAMPLES = [fruit, face, ellipse, photo, opacity, stroke, two, transformed, tensor, smooth]
 
 
 def main(folder):

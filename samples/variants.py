@@ -239,3 +239,57 @@ def tensor():
     body = f"""<rect id="background" width="440" height="440" style="fill:#f6f1e7"/>
 <path id="silk" d="{path_data(outline)}" style="fill:url(#silk-mesh) #7fd0e8"/>"""
     return document(440, 440, "Silk", meshgradient(mesh, "silk-mesh"), body)
+
+
+def smooth():
+    """A glass vase whose colours are smooth, type="bicubic", in units wider than they are high."""
+    half_widths = [(0, 27), (9, 20), (24, 18), (46, 34), (70, 44), (90, 37), (100, 30)]
+    rows, columns = len(half_widths) - 1, 5
+
+    def point(down, right):
+        y, half = half_widths[round(rows * down)]
+        rim = 3 * sin(pi * right) * (2 * down - 1)
+        return complex(50 + half * sin(pi * (right - 0.5)), y + rim)
+
+    def shade(down, right):
+        side = sin(pi * (right - 0.5))
+        lit = 1.05 - 0.75 * (side + 0.35) ** 2
+        glaze = mix(colour("#123a6b", 0.94), colour("#58c4c9", 0.72), max(0, min(1, lit)))
+        return mix(glaze, colour("#7a4fb0", 0.96), 0.6 * down**2)
+
+    mesh = Mesh(grid(rows, columns, point), grid(rows, columns, shade))
+    for column in (3, 2, 1):
+        mesh.split_column(column, 0.5)
+    for row in (5, 4, 3, 2, 0):
+        mesh.split_row(row, 0.5)
+    mesh.dab(colour("#ffffff", 0.95), 33 + 62j, 9, 17, 0.95)
+    mesh.dab(colour("#f3fbff", 0.9), 43 + 25j, 6, 9, 0.6)
+    mesh.dab(colour("#ff9fb0", 0.9), 68 + 82j, 12, 12, 0.5)
+    border = transposed(mesh.points)
+    edge = mesh.points[0] + border[-1][1:] + mesh.points[-1][-2::-1] + border[0][-2::-1]
+    outline = path_data([complex(80 + 3.2 * p.real, 150 + 4 * p.imag) for p in edge])
+    units = (
+        'gradientUnits="userSpaceOnUse" type="bicubic" gradientTransform="matrix(3.2,0,0,4,80,150)"'
+    )
+    defs = [
+        meshgradient(mesh, "vase-mesh", units),
+        linear("wall", (0, "#f7efe2", 1), (0.72, "#ead9c0", 1), (1, "#c9ad88", 1)),
+    ]
+    tulips = [(178, 96, "#e8475b"), (240, 62, "#f2a33c"), (304, 100, "#d9569a")]
+    stems = " ".join(
+        f"M {x},{y} C {x},{y + 40} {240 + 0.5 * (x - 240):g},190 {240 - 0.4 * (x - 240):g},500"
+        for x, y, _ in tulips
+    )
+    flowers = "\n".join(
+        f'<path id="tulip{i}" transform="translate({x},{y})" style="fill:{paint}"\n'
+        '   d="M -26,-34 L -12,-14 L 0,-40 L 12,-14 L 26,-34'
+        ' C 34,14 16,26 0,26 C -16,26 -34,14 -26,-34 Z"/>'
+        for i, (x, y, paint) in enumerate(tulips, 1)
+    )
+    body = f"""<rect id="background" width="480" height="600" style="fill:url(#wall)"/>
+<ellipse id="shadow" cx="266" cy="552" rx="150" ry="22" style="fill:#4a2f1a;fill-opacity:0.4"/>
+<path id="stems" style="fill:none;stroke:#4f8a3a;stroke-width:9"
+   d="{stems}"/>
+{flowers}
+<path id="vase" d="{outline}" style="fill:url(#vase-mesh) #58a4c9"/>"""
+    return document(480, 600, "Vase", "\n".join(defs), body)

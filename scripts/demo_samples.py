@@ -30,10 +30,11 @@ def patches(svg):
     return {mesh.id: mesh.patches for mesh in gradmesh.load(svg).meshes}
 
 
-def largest_error(svg):
-    """The largest error that the labels of simplified meshes state."""
+def outcome(svg):
+    """The largest error that the labels of blocks state; one mesh gradient has no such label."""
     labels = (element.get(LABEL, "") for element in ET.parse(svg).iter())
-    return max(float(found[1]) for found in map(ERROR.match, labels) if found)
+    errors = [float(found[1]) for found in map(ERROR.match, labels) if found]
+    return f"error {max(errors):.4f}" if errors else "still one mesh gradient"
 
 
 def can_be_simplified(svg):
@@ -59,7 +60,7 @@ def run(inkscape, sample, folder):
     inkscape.export_png(after, after.with_suffix(".png"))
     return (
         f"{sum(patches(after).values())} of {sum(meshes.values())} patches left, "
-        f"error {largest_error(after):.4f}, {seconds:.1f} s with Inkscape's own start"
+        f"{outcome(after)}, {seconds:.1f} s with Inkscape's own start"
     )
 
 

@@ -21,9 +21,10 @@ namespace {
 py::dict mesh_dict(const Document& document, const MeshEntry& entry) {
   py::object role = py::none();
   if (entry.role) role = py::str(*entry.role == PaintRole::fill ? "fill" : "stroke");
+  const Mesh mesh = document.mesh(entry);
   return py::dict(py::arg("id") = entry.id, py::arg("role") = role,
-                  py::arg("simplified") = entry.simplified,
-                  py::arg("patches") = document.mesh(entry).face_count());
+                  py::arg("simplified") = entry.simplified, py::arg("smooth") = mesh.is_smooth(),
+                  py::arg("patches") = mesh.face_count());
 }
 
 py::list meshes(const Document& document, const std::vector<std::string>& ids) {
@@ -41,7 +42,8 @@ std::vector<std::string> ids(const Document& document) {
 
 py::dict report_dict(const MeshReport& report) {
   const SimplifyResult& r = report.result;
-  return py::dict(py::arg("id") = report.id, py::arg("patches_before") = r.patches_before,
+  return py::dict(py::arg("id") = report.id, py::arg("method") = name(r.method),
+                  py::arg("patches_before") = r.patches_before,
                   py::arg("patches_after") = r.patches_after, py::arg("error") = r.error,
                   py::arg("evaluations") = r.evaluations, py::arg("stopped") = name(r.stopped),
                   py::arg("seconds") = r.seconds.total);

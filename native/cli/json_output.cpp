@@ -7,7 +7,7 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
   nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
   for (const auto& [id, result] : reports)
     meshes.push_back({{"id", id},
-                      {"method", name(options.method)},
+                      {"method", name(result.method)},
                       {"color_model", name(*options.color_model)},
                       {"metric", name(options.metric)},
                       {"epsilon", options.epsilon},

@@ -62,7 +62,8 @@ void run_report(ReportArguments& a, const CLI::App& command) {
 
   AnalysisFiles files(a.analyses);
   Document::Start start = before->start(entry, a.options, files);
-  {
+  // Single edges and regions of a smooth mesh cannot be merged, so they have no prices.
+  if (!start.mesh.is_smooth()) {
     ProgressBar bar(a.quiet);
     start.options.progress = bar.callback();
     report.edges = analyze_edges(start.mesh, start.options);

@@ -12,6 +12,7 @@
 #include "mesh/boundary.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
+#include "mesh/smooth_colors.h"
 #include "mesh/subdivide.h"
 
 namespace gradmesh {
@@ -61,7 +62,11 @@ Affine fitted(const Box& box, double length, glm::dvec2 middle) {
 class Converter {
  public:
   Converter(const Document& from, const MeshEntry& entry, const ConvertOptions& options)
-      : from_(from), entry_(entry), options_(options), source_(from.mesh(entry)) {
+      : from_(from),
+        entry_(entry),
+        options_(options),
+        read_(from.mesh(entry)),
+        source_(read_.is_smooth() ? build_mesh(with_smooth_colors(read_)) : read_) {
     from.frame(entry, source_, options.resolution);  // Throws where the mesh has no size.
   }
 
@@ -102,15 +107,16 @@ class Converter {
 
  private:
   /// The mesh subdivided, in the new coordinates.
-  MeshParts parts(int subdivide) const {
-    MeshParts result = subdivided(source_, subdivide);
+  MeshParts parts(int subdivide) const { return parts(source_, subdivide); }
+  MeshParts parts(const Mesh& mesh, int subdivide) const {
+    MeshParts result = subdivided(mesh, subdivide);
     transform(result, place_);
     return result;
   }
 
   Conversion start() const {
     Conversion conversion;
-    conversion.original = build_mesh(parts(1));
+    conversion.original = build_mesh(read_.is_smooth() ? parts(painted_mesh(read_), 1) : parts(1));
     return conversion;
   }
 
@@ -131,6 +137,8 @@ class Converter {
   const Document& from_;
   const MeshEntry& entry_;
   const ConvertOptions& options_;
+  const Mesh read_;
+  /// The same with colours that both kinds of documents understand.
   const Mesh source_;
   /// From the old mesh's coordinates to the new document's.
   Affine place_;

@@ -87,8 +87,11 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   start.options.view = view(entry);
   start.options.padding = padding();
   if (options.visible_only) start.options.visible = visible_area(entry);
-  start.options.ways_to_write = [this](const Mesh& mesh, const Frame& frame) {
-    return ways_to_write(mesh, frame);
+  Method& method = start.options.method;
+  if (start.mesh.is_smooth() && method != Method::manual) method = Method::lines;
+  start.options.masks_opacity = !stays_one_gradient(entry, method);
+  start.options.ways_to_write = [this, entry, method](const Mesh& mesh, const Frame& frame) {
+    return ways_to_write(entry, method, mesh, frame);
   };
   const AnalysisKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   start.options.analysis = &files.start(key, start.mesh);

@@ -92,7 +92,8 @@ class Document {
 
   /// What a run over a mesh begins with: the mesh, in the colour model that is asked for, and the
   /// options with what this document sets: the view, the padding, the ways to write, the original
-  /// where that is another mesh, and the analysis, which is one of `files`.
+  /// where that is another mesh, the method where the mesh is smooth, which is then `lines` unless
+  /// the person names edges, and the analysis, which is one of `files`.
   struct Start {
     Mesh mesh;
     SimplifyOptions options;
@@ -123,6 +124,19 @@ class Document {
   std::size_t analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
                       const AnalysisPaths& analyses) const;
 
+  /// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the
+  /// file and the element.
+  template <class Work>
+  auto naming(const MeshEntry& entry, const Work& work) const {
+    try {
+      return work();
+    } catch (const InputError& error) {
+      std::string reason = error.what();
+      if (reason.ends_with('.')) reason.pop_back();
+      throw InputError(describe(entry) + ": " + reason + ".");
+    }
+  }
+
   /// The document; the very bytes that were read where nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : original_; }
   /// Throws InputError where the path's extension is that of the other kind.
@@ -149,27 +163,18 @@ class Document {
   }
   /// What the object shows of the mesh, where that is known; nothing: all.
   virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
-  /// SimplifyOptions::ways_to_write.
-  virtual std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const = 0;
+  /// Whether what a method leaves of the mesh is written as one mesh gradient on the same object,
+  /// and not as blocks.
+  virtual bool stays_one_gradient(const MeshEntry&, Method) const { return false; }
+  /// SimplifyOptions::ways_to_write, for the mesh that a method leaves.
+  virtual std::vector<Mesh> ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
+                                          const Frame& frame) const = 0;
   /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
   virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;
   /// update() for these meshes.
   virtual std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) = 0;
   virtual std::string changed_bytes() const = 0;
-
-  /// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the
-  /// file and the element.
-  template <class Work>
-  auto naming(const MeshEntry& entry, const Work& work) const {
-    try {
-      return work();
-    } catch (const InputError& error) {
-      std::string reason = error.what();
-      if (reason.ends_with('.')) reason.pop_back();
-      throw InputError(describe(entry) + ": " + reason + ".");
-    }
-  }
 
   void mark_changed() { changed_ = true; }
 

@@ -48,8 +48,11 @@ class Draw {
 
   Drawing priced_drawing() const {
     const SimplifyOptions& options = start_.options;
-    if (options_.show == Show::regions) return regions(analyze_regions(mesh_, options));
-    const std::vector<EdgePrice> prices = analyze_edges(mesh_, options);
+    if (options_.show == Show::regions) {
+      return regions(document_.naming(entry_, [&] { return analyze_regions(mesh_, options); }));
+    }
+    const std::vector<EdgePrice> prices =
+        document_.naming(entry_, [&] { return analyze_edges(mesh_, options); });
     if (options_.show == Show::errors) return draw_errors(subject_, prices, measure());
     const double limit = options.kappa * options.epsilon;
     return draw_motorcycle(subject_, motorcycle_graph(mesh_, prices, limit), limit);

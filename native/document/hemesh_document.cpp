@@ -32,7 +32,8 @@ std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& 
   return entries_;
 }
 
-std::vector<Mesh> HemeshDocument::ways_to_write(const Mesh& mesh, const Frame&) const {
+std::vector<Mesh> HemeshDocument::ways_to_write(const MeshEntry&, Method, const Mesh& mesh,
+                                                const Frame&) const {
   return {build_mesh(read_hemesh(text_of(mesh), name()))};
 }
 

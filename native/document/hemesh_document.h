@@ -19,7 +19,8 @@ class HemeshDocument : public Document {
 
  protected:
   std::string describe(const MeshEntry&) const override { return name(); }
-  std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const override;
+  std::vector<Mesh> ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
+                                  const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;

@@ -20,6 +20,7 @@ ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
           {"role", role},
           {"simplified", entry.simplified},
           {"color_model", name(mesh.color_model())},
+          {"smooth", mesh.is_smooth()},
           {"patches", mesh.face_count()},
           {"points", std::ranges::distance(mesh.points())},
           {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)},

@@ -9,6 +9,7 @@
 #include "io/svg_kept.h"
 #include "io/svg_memory.h"
 #include "io/svg_mesh.h"
+#include "io/svg_mesh_writer.h"
 #include "io/svg_visible.h"
 #include "io/svg_write.h"
 #include "io/xml_node.h"
@@ -93,15 +94,31 @@ std::shared_ptr<const Mesh> SvgMeshes::remembered_original(const MeshEntry& entr
   return original ? std::make_shared<const Mesh>(build_mesh(*original)) : nullptr;
 }
 
+Affine SvgMeshes::view(const MeshEntry& entry) const {
+  const MeshObject& o = object(entry);
+  const Affine to_user = o.gradient ? mesh_to_user(svg_, o) : Affine();
+  return to_document(o) * to_user;
+}
+
 std::string SvgMeshes::describe(const MeshEntry& entry) const {
   return name() + ": " + gradmesh::describe(object(entry).node);
 }
 
 std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const {
-  return gradmesh::visible_area(svg_, object(entry));
+  const MeshObject& o = object(entry);
+  std::optional<VisibleArea> area = gradmesh::visible_area(svg_, o);
+  if (area && o.gradient) {
+    const Affine to_mesh = mesh_to_user(svg_, o).inverse();
+    for (std::vector<glm::dvec2>& polygon : area->outline)
+      for (glm::dvec2& p : polygon) p = to_mesh.point(p);
+  }
+  return area;
 }
 
-std::vector<Mesh> SvgMeshes::ways_to_write(const Mesh& mesh, const Frame& frame) const {
+std::vector<Mesh> SvgMeshes::ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
+                                           const Frame& frame) const {
+  if (stays_one_gradient(entry, method))
+    return {build_mesh(gradient_parts(mesh, frame.coons_tolerance))};
   std::vector<Mesh> ways;
   for (const std::vector<Block>& blocks : possible_blocks(mesh))
     ways.push_back(build_mesh(block_parts(mesh, blocks, frame.coons_tolerance)));
@@ -114,6 +131,10 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
     for (const SimplifiedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
   for (const auto& [entry, mesh, result, measured] : meshes) {
     const MeshObject& o = object(entry);
+    if (stays_one_gradient(entry, result.method)) {
+      write_mesh_gradient(svg_, o, mesh, result.frame.coons_tolerance);
+      continue;
+    }
     const bool same_mesh = entry.simplified && !group_mesh(entry).edited;
     const int before = same_mesh ? patches_before(o.node) : result.patches_before;
     std::string original;
@@ -145,6 +166,10 @@ Rectangle SvgMeshes::rectangle(const std::string& id) const {
   for (const MeshEntry& entry : entries_) {
     if (entry.id != id || entry.simplified) continue;
     const Mesh whole = mesh(entry);
+    if (whole.is_smooth())
+      throw InputError(describe(entry) +
+                       ": its colours follow those of the neighbours (type=\"bicubic\"), so that " +
+                       "its patches are not edited one by one.");
     const auto grid = find_grid(whole);
     if (!grid) throw InputError(describe(entry) + ": its mesh is not one rectangle of patches.");
     Rectangle chosen{entry, grid->rows, grid->columns, {}};
@@ -164,7 +189,7 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   result.frame = frame(entry, *original, resolution);
   const EditError error(*original, edited, result.frame, metric);
   result.error = std::numeric_limits<double>::infinity();
-  const std::vector<Mesh> ways = ways_to_write(edited, result.frame);
+  const std::vector<Mesh> ways = ways_to_write(entry, result.method, edited, result.frame);
   for (int way = 0; way < int(ways.size()); ++way)
     if (const double e = error.whole_frame(ways[std::size_t(way)]); e < result.error) {
       result.error = e;

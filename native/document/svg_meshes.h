@@ -21,7 +21,7 @@ class SvgMeshes : public Document {
   DocumentKind kind() const override { return DocumentKind::svg; }
   std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
   Mesh mesh(const MeshEntry& entry) const override;
-  Affine view(const MeshEntry& entry) const override { return to_document(object(entry)); }
+  Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
 
   /// The block whose path has this id. Throws InputError where it is something else.
@@ -36,7 +36,11 @@ class SvgMeshes : public Document {
   std::string describe(const MeshEntry& entry) const override;
   std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
   std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
-  std::vector<Mesh> ways_to_write(const Mesh& mesh, const Frame& frame) const override;
+  bool stays_one_gradient(const MeshEntry& entry, Method method) const override {
+    return method == Method::lines && object(entry).gradient;
+  }
+  std::vector<Mesh> ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
+                                  const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;

@@ -20,9 +20,9 @@ class GradientWriter {
   void write(xmlNode* gradient) {
     const Halfedge first = block_side(mesh_, block_.cell(0, 0), 0);
     const glm::dvec2 start = mesh_.position(mesh_.origin(first));
-    set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
-    set_attribute(gradient, "x", number(start.x));
-    set_attribute(gradient, "y", number(start.y));
+    const glm::dvec2 placed = format_.place.point(start);
+    set_attribute(gradient, "x", coordinate(placed.x));
+    set_attribute(gradient, "y", coordinate(placed.y));
     for (int row = 0; row < block_.rows; ++row) {
       xmlNode* meshrow = add_child(gradient, "meshrow");
       for (int column = 0; column < block_.columns; ++column)
@@ -51,7 +51,8 @@ class GradientWriter {
   void write_tensor(xmlNode* node, const Patch& patch) const {
     const BezierNet net = bezier_net(patch);
     const auto from_corner = [&](int i, int j, int corner_i, int corner_j) {
-      return point(net[i][j].position - net[corner_i][corner_j].position);
+      const glm::dvec2 offset = net[i][j].position - net[corner_i][corner_j].position;
+      return pair(format_.place.vector(offset));
     };
     set_attribute(node, "tensor",
                   from_corner(1, 1, 0, 0) + " " + from_corner(1, 2, 0, 3) + " " +
@@ -63,9 +64,14 @@ class GradientWriter {
     const bool opaque = format_.channel != MeshChannel::both;
     const glm::dvec3 shown(format_.channel == MeshChannel::opacity ? glm::dvec4(limited.a)
                                                                    : limited);
-    const double opacity = format_.exact ? limited.a : std::round(limited.a * 255) / 255;
     return "stop-color:" + color_text(shown) +
-           ";stop-opacity:" + (opaque ? "1" : format_exactly(opacity));
+           ";stop-opacity:" + (opaque ? "1" : opacity_text(limited.a));
+  }
+
+  std::string opacity_text(double opacity) const {
+    if (format_.exact) return format_exactly(opacity);
+    return format_.byte_opacity ? format_exactly(std::round(opacity * 255) / 255)
+                                : format_number(opacity);
   }
 
   std::string color_text(const glm::dvec3& color) const {
@@ -82,7 +88,9 @@ class GradientWriter {
   std::string number(double x) const {
     return format_.exact ? format_exactly(x) : format_number(x);
   }
-  std::string point(glm::dvec2 p) const { return number(p.x) + "," + number(p.y); }
+  std::string coordinate(double x) const { return std::abs(x) < format_.zero ? "0" : number(x); }
+  std::string pair(glm::dvec2 p) const { return coordinate(p.x) + "," + coordinate(p.y); }
+  std::string point(glm::dvec2 p) const { return pair(format_.place.point(p)); }
 
   const Mesh& mesh_;
   const Block& block_;
@@ -91,12 +99,18 @@ class GradientWriter {
 
 }  // namespace
 
+void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
+                      const GradientFormat& format) {
+  GradientWriter(mesh, block, format).write(gradient);
+}
+
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
                                  const Block& block, const GradientFormat& format,
                                  const std::string& prefix) {
   xmlNode* gradient = add_child(defs, "meshgradient");
   const std::string id = document.give_id(gradient, prefix);
-  GradientWriter(mesh, block, format).write(gradient);
+  set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
+  write_block_rows(gradient, mesh, block, format);
   return id;
 }
 

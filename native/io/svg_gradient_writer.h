@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "base/affine.h"
 #include "io/blocks.h"
 #include "io/svg_document.h"
 
@@ -11,7 +12,7 @@ namespace gradmesh {
 
 /// What of the colours a gradient holds. Blocks are written opaque, since neighbours both paint the
 /// pixels between them; the opacities of a mesh that has any are written as greys, for a mask. What
-/// paints nothing (svg_memory.h) can hold both.
+/// paints nothing (svg_memory.h) or all by itself (svg_mesh_writer.h) can hold both.
 enum class MeshChannel { color, opacity, both };
 
 struct GradientFormat {
@@ -20,7 +21,17 @@ struct GradientFormat {
   MeshChannel channel = MeshChannel::color;
   /// Numbers and colours to the last bit, instead of as many digits as Inkscape keeps, and bytes.
   bool exact = false;
+  /// Whether opacities have 8 bits too, as the greys of a mask have.
+  bool byte_opacity = true;
+  /// From the mesh's coordinates to those of the gradient.
+  Affine place = {};
+  /// A coordinate that is smaller is written as 0: it is what roundings have left of that.
+  double zero = 0;
 };
+
+/// Gives a meshgradient the block's start and rows.
+void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
+                      const GradientFormat& format);
 
 /// Adds to `defs` a meshgradient in userSpaceOnUse that holds the block, in Inkscape's own form
 /// (FACTS 1: closing end points present). Each point is rounded once and written absolutely, so

@@ -246,8 +246,12 @@ void check_limits(const MeshGrid& grid, const xmlNode* node) {
                      " reaches beyond 1e9 user units");
 }
 
+bool is_smooth(const xmlNode* gradient) {
+  return trimmed(attribute(gradient, "type").value_or("")) == "bicubic";
+}
+
 /// From the gradient's coordinates to the object's user space.
-Affine gradient_to_user(const MeshObject& object, bool in_box) {
+Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
   Affine to_user;
   if (const auto text = attribute(object.gradient, "gradientTransform")) {
     const auto transform = parse_transform(*text);
@@ -255,7 +259,7 @@ Affine gradient_to_user(const MeshObject& object, bool in_box) {
       fail(object.gradient, "its gradientTransform " + excerpt(*text) + " is malformed");
     to_user = *transform;
   }
-  if (in_box) {
+  if (uses_bounding_box(href_chain(document, object.gradient))) {
     const auto box = shape_box(object.node);
     if (!box)
       fail(object.node, "its mesh is placed by its bounding box (objectBoundingBox), which is " +
@@ -272,11 +276,7 @@ Affine gradient_to_user(const MeshObject& object, bool in_box) {
   return to_user;
 }
 
-}  // namespace
-
-MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
-  if (trimmed(attribute(gradient, "type").value_or("")) == "bicubic")
-    fail(gradient, "its type \"bicubic\" is not supported, only the default \"coons\" is");
+MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
   const auto chain = href_chain(document, gradient);
   const auto holder = std::find_if(chain.begin(), chain.end(), [](const xmlNode* node) {
     return !child_elements(node, "meshrow").empty();
@@ -292,13 +292,36 @@ MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient
   return grid;
 }
 
+}  // namespace
+
+MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
+  if (is_smooth(gradient))
+    fail(gradient,
+         "its type \"bicubic\" is not supported here, where a mesh has several gradients");
+  return read_grid(document, gradient);
+}
+
 MeshParts read_mesh(const SvgDocument& document, const MeshObject& object) {
-  MeshGrid grid = read_mesh_gradient(document, object.gradient);
-  const Affine to_user =
-      gradient_to_user(object, uses_bounding_box(href_chain(document, object.gradient)));
-  for (Patch& patch : grid.patches) transform(patch, to_user);
-  check_limits(grid, object.gradient);
-  return {std::move(grid.patches), grid_curves(grid.rows, grid.columns), ColorModel::bilinear};
+  MeshGrid grid = read_grid(document, object.gradient), in_user = grid;
+  const Affine to_user = gradient_to_user(document, object);
+  for (Patch& patch : in_user.patches) transform(patch, to_user);
+  check_limits(in_user, object.gradient);
+  MeshParts parts{{}, grid_curves(grid.rows, grid.columns)};
+  parts.smooth = is_smooth(object.gradient);
+  parts.patches = std::move(parts.smooth ? grid.patches : in_user.patches);
+  return parts;
+}
+
+Affine mesh_to_user(const SvgDocument& document, const MeshObject& object) {
+  return is_smooth(object.gradient) ? gradient_to_user(document, object) : Affine();
+}
+
+Affine mesh_to_gradient(const SvgDocument& document, const MeshObject& object) {
+  return is_smooth(object.gradient) ? Affine() : gradient_to_user(document, object).inverse();
+}
+
+bool in_bounding_box(const SvgDocument& document, const xmlNode* gradient) {
+  return uses_bounding_box(href_chain(document, gradient));
 }
 
 }  // namespace gradmesh

@@ -24,9 +24,18 @@ struct MeshGrid {
 /// them). Throws InputError at all that Inkscape could not paint, and at type="bicubic".
 MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient);
 
-/// The object's mesh in its user space: gradientTransform and gradientUnits applied. Throws
-/// InputError as above, and where the units are the object's bounding box and that is not known or
-/// without width or height.
+/// The object's mesh: in its user space, gradientTransform and gradientUnits applied. A smooth mesh
+/// (type="bicubic") stays in the coordinates of its meshgradient, where Inkscape measures the
+/// distances on which its colours depend. Throws InputError as above but for that type, and where
+/// the units are the object's bounding box and that is not known or without width or height.
 MeshParts read_mesh(const SvgDocument& document, const MeshObject& object);
+
+/// From the coordinates of read_mesh to the object's user space, and to those of its meshgradient.
+/// Throw as read_mesh does.
+Affine mesh_to_user(const SvgDocument& document, const MeshObject& object);
+Affine mesh_to_gradient(const SvgDocument& document, const MeshObject& object);
+
+/// Whether the meshgradient's units are its object's bounding box, as it says itself or by href.
+bool in_bounding_box(const SvgDocument& document, const xmlNode* gradient);
 
 }  // namespace gradmesh

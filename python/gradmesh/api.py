@@ -26,6 +26,7 @@ class MeshInfo:
     role: Optional[str]  #: "fill" or "stroke": what of the object it paints; None in a .hemesh file
     simplified: bool  #: whether it is a group of blocks that gradmesh wrote
     patches: int
+    smooth: bool  #: whether its type is "bicubic": then only whole lines can be taken out
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,7 @@ class Result:
     evaluations: int  #: merges that were painted and measured
     stopped: str  #: "done", "budget", "cancelled" or "nothing to merge"
     seconds: float
+    method: str  #: the one asked for, or "lines" where the mesh is smooth
 
 
 @dataclass(frozen=True)
@@ -147,8 +149,9 @@ def simplify(
     method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
     "gqe1" weigh patches saved against error by `omega`; "lines" takes whole rows and columns out of
-    a mesh that is one rectangle of patches, which it stays; "manual" merges the half-edges `edges`,
-    in this order, and raises InputError where one of them cannot be merged within epsilon.
+    a mesh that is one rectangle of patches, which stays one mesh gradient on the same object, and is
+    used for smooth meshes whatever else is asked for; "manual" merges the half-edges `edges`, in
+    this order, and raises InputError where one of them cannot be merged within epsilon.
     time_budget: seconds for each mesh, after which the best so far is kept; 0: no limit.
     threads: 0 for all cores; the result is the same.
     remember_original: an SVG document keeps the mesh as it was before it was first simplified,

@@ -267,6 +267,21 @@ TEST(SvgMesh, LengthsOfTheStart) {
   EXPECT_EQ(start("x=\"1in\" y=\"3px\""), glm::dvec2(96, 3));
 }
 
+TEST(SvgMesh, SmoothMeshesStayInTheCoordinatesOfTheirGradient) {
+  const std::string attributes = "gradientTransform=\"matrix(2,0,0,5,7,1)\" type=\" bicubic \"";
+  SvgDocument document = parse_mesh(mesh(row(square), attributes));
+  const MeshParts smooth = read_only_mesh(document);
+  EXPECT_TRUE(smooth.smooth);
+  EXPECT_EQ(smooth.patches, read_gradient(mesh(row(square))).patches);
+  const MeshObject object = mesh_objects(document).at(0);
+  EXPECT_EQ(mesh_to_user(document, object).point({10, 20}), glm::dvec2(27, 101));
+  // Not inherited by href either.
+  EXPECT_FALSE(read_only_mesh(*std::make_unique<SvgDocument>(parse_mesh(
+                                  "<meshgradient id=\"base\" type=\"bicubic\">" + row(square) +
+                                  "</meshgradient><meshgradient id=\"m1\" href=\"#base\"/>")))
+                   .smooth);
+}
+
 TEST(SvgMesh, HrefGivesRowsAndUnits) {
   const std::string base =
       "<meshgradient id=\"base\" x=\"5\" y=\"5\" "
@@ -321,8 +336,6 @@ TEST(SvgMesh, BadMeshesAreNamed) {
   EXPECT_EQ(complaint(mesh(row(square) + row(""))), m + "row 2 has 0 patches but row 1 has 1.");
   EXPECT_EQ(complaint(mesh(row("") + row(square))), m + "row 1 has no patches.");
   EXPECT_EQ(complaint(mesh("")), m + "it has no meshrow.");
-  EXPECT_EQ(complaint(mesh(row(square), "type=\"bicubic\"")),
-            m + "its type \"bicubic\" is not supported, only the default \"coons\" is.");
   EXPECT_EQ(complaint(mesh(row(next_square))), m + "row 1, patch 1 has 3 stops but needs 4.");
   EXPECT_EQ(complaint(mesh(row(square + square))), m + "row 1, patch 2 has 4 stops but needs 3.");
   EXPECT_EQ(complaint(mesh(row(square) + row(patch(stop("l 0,10"))))),

@@ -34,18 +34,20 @@ def inkscape():
         yield running
 
 
-def simplified(folder, epsilon):
+def simplified(folder, epsilon, method="grid"):
     files = {}
     for sample in PAINTED:
         files[sample] = folder / f"{sample}.svg"
         source = SAMPLES / f"{sample}.svg"
-        gradmesh("simplify", source, "-o", files[sample], "--epsilon", epsilon, "--method", "grid")
+        options = ["--epsilon", epsilon, "--method", method]
+        gradmesh("simplify", source, "-o", files[sample], *options)
     return files
 
 
 @pytest.fixture(scope="module")
 def coarse(tmp_path_factory):
-    """The samples, simplified so much that all have T-junctions or lost whole lines."""
+    """The samples, simplified so much that all have T-junctions or lost whole lines. Of those whose
+    type is "bicubic" only lines can go."""
     return simplified(tmp_path_factory.mktemp("coarse"), COARSE)
 
 
@@ -77,8 +79,17 @@ def blocks(inkscape, coarse, tmp_path_factory):
     return bare_pictures(inkscape, tmp_path_factory.mktemp("blocks"), coarse, RESOLUTIONS)
 
 
+@pytest.fixture(scope="module")
+def gradients(inkscape, tmp_path_factory):
+    """Of the samples with whole lines taken out, still one gradient each."""
+    folder = tmp_path_factory.mktemp("gradients")
+    return bare_pictures(inkscape, folder, simplified(folder, COARSE, "lines"), (700,))
+
+
 @pytest.mark.parametrize("sample, painted", OBJECTS)
-def test_gradmesh_paints_a_mesh_as_inkscape_does(meshes, sample, painted):
+@pytest.mark.parametrize("which", ["meshes", "gradients"])
+def test_gradmesh_paints_a_mesh_as_inkscape_does(request, which, sample, painted):
+    meshes = request.getfixturevalue(which)
     theirs, ours = meshes[painted, 700]
     assert flip(theirs, ours) <= SAME
     # Nor does it differ at the mesh's own outline, which Inkscape does not smooth.
@@ -136,7 +147,8 @@ def counts(svg):
 def assert_same_meshes(before, after, folder):
     assert before.read_bytes() != after.read_bytes(), "Inkscape has written nothing of its own"
     assert counts(before) == counts(after)
-    assert any(simplified for _, simplified, *_ in counts(before).values())
+    is_group = any(simplified for _, simplified, *_ in counts(before).values())
+    assert is_group != (before.stem == "smooth")
     for painted in counts(before):
         for source, png in ((before, "before.png"), (after, "after.png")):
             gradmesh("render", source, "--id", painted, "-o", folder / png)

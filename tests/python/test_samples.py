@@ -23,6 +23,7 @@ PAINTED = {
     "two": {"cap": 280, "stalk": 36},
     "transformed": {"leaf": 112},
     "tensor": {"silk": 36},
+    "smooth": {"vase": 88},
 }
 OBJECTS = [(sample, painted) for sample, objects in PAINTED.items() for painted in objects]
 SVG = "{http://www.w3.org/2000/svg}"

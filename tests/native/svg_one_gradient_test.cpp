@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include "document/document.h"
+#include "geom/written.h"
+#include "io/svg_gradient_writer.h"
+#include "io/svg_mesh.h"
+#include "io/svg_mesh_writer.h"
+#include "io/svg_number.h"
+#include "io/xml_node.h"
+#include "mesh/build.h"
+#include "mesh/grid.h"
+#include "meshes.h"
+
+namespace gradmesh {
+namespace {
+
+using test::difference;
+using test::grid_mesh;
+
+/// A meshgradient of 2 x 2 squares of 10 units from (0, 0), with a tensor and an opacity.
+std::string rows() {
+  const std::string stop = "<stop path=\"l ", paint = "\" style=\"stop-color:#";
+  const auto patch = [&](const std::string& stops) {
+    return "<meshpatch>" + stops + "</meshpatch>";
+  };
+  return "<meshrow>" +
+         patch(stop + "10,0" + paint + "ff0000;stop-opacity:0.37\"/>" + stop + "0,10" + paint +
+               "808000\"/>" + stop + "-10,0" + paint + "408040\"/>" + stop + "0,-10" + paint +
+               "800080\"/>") +
+         patch(stop + "10,0\"/>" + stop + "0,10" + paint + "00ff00\"/>" + stop + "-10,0" + paint +
+               "008080\"/>") +
+         "</meshrow><meshrow>" +
+         patch(stop + "0,10\"/>" + stop + "-10,0" + paint + "102030\"/>" + stop + "0,-10" + paint +
+               "0000ff\"/>") +
+         patch(stop + "0,10\"/>" + stop + "-10,0" + paint + "ffffff\"/>") + "</meshrow>";
+}
+
+std::string gradient(const std::string& id, const std::string& attributes,
+                     const std::string& content = rows()) {
+  return "<meshgradient id=\"" + id + "\" " + attributes + ">" + content + "</meshgradient>";
+}
+
+const std::string user_space = "gradientUnits=\"userSpaceOnUse\"";
+
+SvgDocument parse(const std::string& defs, const std::string& body) {
+  return SvgDocument::parse(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:xlink=\"http://www.w3.org/1999/xlink\"><defs>" +
+          defs + "</defs>" + body + "</svg>",
+      "drawing.svg");
+}
+
+Mesh read(const SvgDocument& document, const MeshObject& object) {
+  return build_mesh(read_mesh(document, object));
+}
+
+/// Takes all lines out of a mesh.
+Mesh one_patch(const Mesh& mesh) {
+  Mesh merged = mesh;
+  SimplifyOptions options;
+  options.method = Method::lines;
+  options.epsilon = 1;
+  options.resolution = 50;
+  simplify(merged, options);
+  EXPECT_EQ(merged.face_count(), 1);
+  return merged;
+}
+
+/// Replaces the mesh of the object `which` by one patch; the document, after what was read back was
+/// found to be what was written.
+SvgDocument reduced(const std::string& defs, const std::string& body, int which = 0) {
+  SvgDocument document = parse(defs, body);
+  const auto before = mesh_objects(document);
+  const Mesh mesh = one_patch(read(document, before.at(which)));
+  write_mesh_gradient(document, before.at(which), mesh, 1e-3);
+  const auto after = mesh_objects(document);
+  EXPECT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].node, before[i].node);
+    EXPECT_EQ(after[i].role, before[i].role);
+  }
+  const Mesh again = read(document, after.at(which));
+  EXPECT_EQ(again.is_smooth(), mesh.is_smooth());
+  EXPECT_EQ(again.face_count(), 1);
+  // Half a unit of the ninth digit, scaled, and nine times that in the twists.
+  EXPECT_LE(difference(again.patch(Face{0}), as_written(mesh.patch(*mesh.faces().begin()), 1e-3)),
+            2e-6);
+  return document;
+}
+
+std::string text(const xmlNode* node, const char* name) {
+  return attribute(node, name).value_or("(none)");
+}
+
+TEST(OneGradient, keeps_the_object_and_what_else_it_says) {
+  const std::string body =
+      "<g id=\"g\"><rect id=\"a\"/><rect id=\"b\" class=\"c\" transform=\"scale(2)\" width=\"20\" "
+      "height=\"20\" style=\"stroke:#123456;fill:url(#m) #abcdef;opacity:0.5\"/><rect "
+      "id=\"z\"/></g>";
+  const SvgDocument document = reduced(gradient("m", user_space), body);
+  const xmlNode* object = document.find("b");
+  EXPECT_EQ(text(object, "class"), "c");
+  EXPECT_EQ(text(object, "transform"), "scale(2)");
+  EXPECT_EQ(text(object, "style"), "fill:url(#b-mesh1) #abcdef;opacity:0.5;stroke:#123456");
+  EXPECT_EQ(text(object->next, "id"), "z");
+  EXPECT_EQ(text(object->prev, "id"), "a");
+  EXPECT_EQ(document.find("m"), nullptr);
+  EXPECT_EQ(parent_element(document.find("b-mesh1")), document.root()->children);
+}
+
+TEST(OneGradient, keeps_units_and_transform_and_short_numbers) {
+  const SvgDocument document =
+      reduced(gradient("m", user_space + " x=\"5.5\" y=\"0\" "
+                                         "gradientTransform=\"matrix(3,0.7,-0.3,0.1,17,0.05)\""),
+              "<rect id=\"b\" fill=\"url(#m)\"/>");
+  const xmlNode* mesh = document.find("b-mesh1");
+  EXPECT_EQ(text(mesh, "gradientUnits"), "userSpaceOnUse");
+  EXPECT_EQ(text(mesh, "gradientTransform"), "matrix(3,0.7,-0.3,0.1,17,0.05)");
+  EXPECT_EQ(text(mesh, "x"), "5.5");
+  EXPECT_EQ(text(mesh, "y"), "0");
+  const auto stops = child_elements(child_elements(child_elements(mesh)[0])[0]);
+  ASSERT_EQ(stops.size(), 4u);
+  EXPECT_TRUE(text(stops[0], "path").ends_with(" 25.5,0")) << text(stops[0], "path");
+  EXPECT_TRUE(text(stops[1], "path").ends_with(" 25.5,20")) << text(stops[1], "path");
+  EXPECT_EQ(text(stops[0], "style"), "stop-color:#ff0000;stop-opacity:0.37");
+  EXPECT_EQ(text(stops[1], "style"), "stop-color:#00ff00;stop-opacity:1");
+}
+
+TEST(OneGradient, stays_in_the_units_of_a_bounding_box) {
+  for (const std::string units : {"", "gradientUnits=\"objectBoundingBox\" "}) {
+    const SvgDocument document =
+        reduced(gradient("m", units + "gradientTransform=\"scale(0.05)\""),
+                "<rect id=\"b\" x=\"3\" y=\"7\" width=\"30\" height=\"70\" fill=\"url(#m)\"/>");
+    const xmlNode* mesh = document.find("b-mesh1");
+    EXPECT_EQ(text(mesh, "gradientUnits"), "objectBoundingBox");
+    EXPECT_EQ(text(mesh, "x"), "0");
+  }
+}
+
+TEST(OneGradient, has_its_rows_itself_where_the_old_one_borrowed_them) {
+  const std::string defs =
+      gradient("rows", user_space) + gradient("m", "x=\"3\" y=\"4\" xlink:href=\"#rows\"", "");
+  {
+    const SvgDocument document = reduced(defs, "<rect id=\"b\" stroke=\"url(#m)\"/>");
+    const xmlNode* mesh = document.find("b-mesh1");
+    EXPECT_EQ(attribute(mesh, "href", xlink_namespace), std::nullopt);
+    EXPECT_EQ(text(mesh, "gradientUnits"), "userSpaceOnUse");
+    EXPECT_EQ(text(mesh, "x"), "3");
+    EXPECT_EQ(document.find("rows"), nullptr);
+    EXPECT_EQ(document.find("m"), nullptr);
+  }
+  const SvgDocument document =
+      reduced(defs, "<rect id=\"b\" stroke=\"url(#m)\"/><rect id=\"c\" fill=\"url(#rows)\"/>");
+  EXPECT_NE(document.find("rows"), nullptr);
+  EXPECT_EQ(document.find("m"), nullptr);
+}
+
+TEST(OneGradient, leaves_the_old_one_to_others) {
+  const std::string shared =
+      "<g id=\"g\" fill=\"url(#m) #fff\"><rect id=\"a\"/><rect id=\"b\"/></g>";
+  SvgDocument document = reduced(gradient("m", user_space), shared, 1);
+  EXPECT_EQ(text(document.find("b"), "style"), "fill:url(#b-mesh1) #fff");
+  EXPECT_EQ(text(document.find("a"), "style"), "(none)");
+  EXPECT_EQ(text(document.find("g"), "fill"), "url(#m) #fff");
+  EXPECT_EQ(read(document, mesh_objects(document).at(0)).face_count(), 4);
+}
+
+TEST(OneGradient, is_for_one_of_two_paints) {
+  const std::string body = "<rect id=\"b\" fill=\"url(#m)\" stroke=\"url(#m)\"/>";
+  SvgDocument document = reduced(gradient("m", user_space), body, 1);
+  EXPECT_EQ(text(document.find("b"), "fill"), "url(#m)");
+  EXPECT_EQ(text(document.find("b"), "style"), "stroke:url(#b-mesh1)");
+  EXPECT_NE(document.find("m"), nullptr);
+}
+
+TEST(OneGradient, of_a_smooth_mesh_stays_smooth_and_in_its_own_coordinates) {
+  const std::string attributes =
+      user_space + " type=\"bicubic\" gradientTransform=\"matrix(1,0,0.4,2,9,1)\"";
+  const SvgDocument document =
+      reduced(gradient("m", attributes), "<rect id=\"b\" fill=\"url(#m)\"/>");
+  const xmlNode* mesh = document.find("b-mesh1");
+  EXPECT_EQ(text(mesh, "type"), "bicubic");
+  EXPECT_EQ(text(mesh, "gradientTransform"), "matrix(1,0,0.4,2,9,1)");
+  SvgDocument again = SvgDocument::parse(document.serialize(), "again.svg");
+  const MeshObject object = mesh_objects(again).at(0);
+  EXPECT_EQ(read(again, object).position(Point{0}), glm::dvec2(0, 0));
+  EXPECT_EQ(mesh_to_user(again, object).point({10, 10}), glm::dvec2(23, 21));
+  EXPECT_EQ(mesh_to_gradient(again, object), Affine());
+}
+
+TEST(OneGradient, parts_are_those_of_the_grid_in_its_order) {
+  const Mesh mesh = grid_mesh({.rows = 2, .columns = 3, .position_noise = 0.1});
+  const MeshParts parts = gradient_parts(mesh, 1e-3);
+  ASSERT_EQ(parts.patches.size(), 6u);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(parts.patches[i], as_written(mesh.patch(Face{i}), 1e-3));
+  EXPECT_TRUE(find_grid(build_mesh(parts)));
+}
+
+}  // namespace
+}  // namespace gradmesh
