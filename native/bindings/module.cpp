@@ -114,6 +114,14 @@ py::dict refine_document(Document& document, const std::string& id, bool rows, b
                           {metric_named(metric), resolution}));
 }
 
+py::list to_one_mesh_document(Document& document, const std::vector<std::string>& ids,
+                              const std::string& metric, int resolution) {
+  py::list list;
+  for (const EditReport& report : to_one_mesh(document, ids, {metric_named(metric), resolution}))
+    list.append(edit_dict(report));
+  return list;
+}
+
 DocumentKind kind_named(const std::string& name) {
   if (name == "svg") return DocumentKind::svg;
   if (name == "hemesh") return DocumentKind::hemesh;
@@ -226,6 +234,8 @@ PYBIND11_MODULE(_core, m) {
       .def("refine", &refine_document, py::kw_only(), py::arg("id"), py::arg("rows"),
            py::arg("columns"), py::arg("place"), py::arg("row"), py::arg("column"),
            py::arg("whole"), py::arg("metric"), py::arg("resolution"))
+      .def("to_one_mesh", &to_one_mesh_document, py::kw_only(), py::arg("ids"), py::arg("metric"),
+           py::arg("resolution"))
       .def("draw", &draw_document, py::kw_only(), py::arg("id"), py::arg("show"),
            py::arg("picture"), py::arg("options"), py::arg("analyses"), py::arg("progress"))
       .def("render", &render, py::arg("id"), py::arg("resolution"))

@@ -1,11 +1,16 @@
 #include "document/edits.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "document/svg_meshes.h"
+#include "error/edit_error.h"
+#include "io/svg_mesh_writer.h"
 #include "io/xml_node.h"
 #include "mesh/build.h"
+#include "mesh/grid.h"
 #include "mesh/subdivide.h"
 #include "ops/merge_faces.h"
 #include "ops/split.h"
@@ -94,7 +99,58 @@ class Refiner {
   const Range rows_, columns_;
 };
 
+constexpr int most_patches = 100000;
+
+/// Whether all patches that meet at a point have one colour there, but for rounding to 8 bits.
+bool has_one_color_at_each_point(const Mesh& mesh) {
+  std::map<Point, glm::dvec4> colors;
+  for (const Face f : mesh.faces()) {
+    const Patch patch = mesh.patch(f);
+    const auto sides = mesh.sides(f);
+    for (int k = 0; k < 4; ++k) {
+      const glm::dvec4 color = patch.corner(k).color;
+      const auto [known, is_new] = colors.emplace(mesh.origin(sides[std::size_t(k)]), color);
+      for (int i = 0; i < 4; ++i)
+        if (std::abs(known->second[i] - color[i]) > 1.001 / 255) return false;
+    }
+  }
+  return true;
+}
+
+/// The same surface as one grid.
+Mesh as_grid(Mesh mesh) {
+  Journal journal(mesh);
+  extend_stems(journal, most_patches);
+  Mesh plain = build_mesh(subdivided(mesh, 1));
+  if (!find_grid(plain)) throw InputError("its patches do not make up one rectangle");
+  if (!has_one_color_at_each_point(plain))
+    throw InputError("it has several colours at one point, which one mesh gradient cannot hold");
+  return plain;
+}
+
 }  // namespace
+
+std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::string>& ids,
+                                    const MeasureOptions& measure) {
+  SvgMeshes& meshes = svg(document);
+  std::vector<std::pair<MeshEntry, Mesh>> grids;
+  std::vector<EditReport> reports;
+  for (const MeshEntry& entry : meshes.selected(ids)) {
+    if (!entry.simplified) continue;
+    const Mesh before = meshes.mesh(entry);
+    const Mesh& grid =
+        grids.emplace_back(entry, meshes.naming(entry, [&] { return as_grid(before); })).second;
+    const Frame frame = meshes.frame(entry, before, measure.resolution);
+    const Mesh written = build_mesh(gradient_parts(grid, frame.coons_tolerance));
+    const EditError error(before, before, frame, measure.metric);
+    reports.push_back(
+        {entry.id, before.face_count(), grid.face_count(), error.whole_frame(written)});
+  }
+  if (grids.empty())
+    throw InputError(document.name() + ": only simplified meshes can be made one mesh gradient.");
+  meshes.write_as_one(grids, measure.resolution);
+  return reports;
+}
 
 EditReport merge_blocks(Document& document, const std::vector<std::string>& ids,
                         const MeasureOptions& measure) {

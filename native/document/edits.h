@@ -44,4 +44,12 @@ struct RefineOptions {
 EditReport refine(Document& document, const std::string& id, const RefineOptions& options,
                   const MeasureOptions& measure = {});
 
+/// Makes of simplified meshes objects with one ordinary mesh gradient again: every T-junction's
+/// line goes on across the mesh, which is exact but for the rounding of colours at new points to 8
+/// bits. The error is against the simplified mesh. Those of the ids that name other meshes are left
+/// out. Throws where no mesh is simplified, where one is no rectangle (holes, branches), has
+/// several colours at one point, or would have more than 100,000 patches.
+std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::string>& ids,
+                                    const MeasureOptions& measure = {});
+
 }  // namespace gradmesh

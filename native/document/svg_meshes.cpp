@@ -10,6 +10,7 @@
 #include "io/svg_memory.h"
 #include "io/svg_mesh.h"
 #include "io/svg_mesh_writer.h"
+#include "io/svg_restore.h"
 #include "io/svg_visible.h"
 #include "io/svg_write.h"
 #include "io/xml_node.h"
@@ -189,6 +190,8 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   result.frame = frame(entry, *original, resolution);
   const EditError error(*original, edited, result.frame, metric);
   result.error = std::numeric_limits<double>::infinity();
+  // A rectangle that was one mesh gradient stays one.
+  if (!entry.simplified && find_grid(edited)) result.method = Method::lines;
   const std::vector<Mesh> ways = ways_to_write(entry, result.method, edited, result.frame);
   for (int way = 0; way < int(ways.size()); ++way)
     if (const double e = error.whole_frame(ways[std::size_t(way)]); e < result.error) {
@@ -198,6 +201,18 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   replace({{entry, edited, result, original}}, metric, {});
   mark_changed();
   return result.error;
+}
+
+void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes,
+                             int resolution) {
+  std::vector<double> tolerances;
+  for (const auto& [entry, mesh] : meshes)
+    tolerances.push_back(frame(entry, mesh, resolution).coons_tolerance);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    write_mesh_gradient(svg_, restore_shape(svg_, object(meshes[i].first)), meshes[i].second,
+                        tolerances[i]);
+  list_meshes();
+  mark_changed();
 }
 
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {

@@ -32,6 +32,10 @@ class SvgMeshes : public Document {
   /// original that is remembered, or else the mesh as it was. `entry` is then one no more.
   double rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
 
+  /// Makes of groups of blocks the objects that they stand for again, each painted by one mesh
+  /// gradient. The meshes are grids with one colour at each point. All entries are then new.
+  void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution);
+
  protected:
   std::string describe(const MeshEntry& entry) const override;
   std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "io/svg_group.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
 
@@ -109,6 +110,14 @@ void set_style(xmlNode* node, const std::string& property, const std::string& va
   remove_attribute(node, property.c_str());
 }
 
+std::string take_style(xmlNode* node, const std::string& property) {
+  Declarations style = style_of(node);
+  const auto found = style.extract(property);
+  if (!found) return "";
+  write_style(node, style);
+  return found.mapped();
+}
+
 void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* group) {
   Declarations of_group, of_shape;
   for (const auto& [name, value] : style_of(shape))
@@ -141,6 +150,22 @@ void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* gr
     if (among({"title", "desc"}, svg_name(child))) {
       xmlUnlinkNode(child);
       xmlAddChild(group, child);
+    }
+}
+
+void return_group_attributes(xmlNode* group, xmlNode* shape) {
+  for (const auto& [name, value] : style_of(group)) set_style(shape, name, value);
+  for (xmlAttr* a : attributes(group)) {
+    const std::string_view name = view(a->name);
+    if (!a->ns && among({"id", "style"}, name)) continue;
+    if (a->ns && view(a->ns->href) == gradmesh_namespace) continue;
+    xmlSetNsProp(shape, a->ns, a->name,
+                 reinterpret_cast<const xmlChar*>(text_of(a->children, group).c_str()));
+  }
+  for (xmlNode* child : child_elements(group))
+    if (among({"title", "desc"}, svg_name(child))) {
+      xmlUnlinkNode(child);
+      xmlAddChild(shape, child);
     }
 }
 

@@ -17,6 +17,10 @@ namespace gradmesh {
 /// They are then no longer the shape's.
 void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* group);
 
+/// The reverse: gives the shape all attributes of the group but its id and those of our own
+/// namespace, and its title and description.
+void return_group_attributes(xmlNode* group, xmlNode* shape);
+
 /// Whether the group clips, masks or filters what it holds.
 bool has_effects(const StyleSheet& styles, const xmlNode* group);
 
@@ -37,6 +41,8 @@ void set_style(xmlNode* node, const std::string& property, const std::string& va
 
 /// Whether an attribute or a rule of the document names this id.
 bool is_used(const SvgDocument& document, const std::string& id);
+/// Takes one property out of the style attribute; its value, empty where there is none.
+std::string take_style(xmlNode* node, const std::string& property);
 
 /// Removes the element with this id, and then what it alone used by href, if no attribute and no
 /// rule of the document names it.

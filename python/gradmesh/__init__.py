@@ -27,6 +27,7 @@ from .api import (
     render,
     save,
     simplify,
+    to_one_mesh,
     update,
 )
 
@@ -50,5 +51,6 @@ __all__ = [
     "render",
     "save",
     "simplify",
+    "to_one_mesh",
     "update",
 ]

@@ -261,6 +261,27 @@ def refine(
     return Edit(**edit)
 
 
+def to_one_mesh(
+    document: Document,
+    ids: Union[str, Iterable[str]] = (),
+    *,
+    metric: str = "flip",
+    resolution: int = 700,
+) -> list[Edit]:
+    """Makes objects with one ordinary mesh gradient of simplified meshes again, in place.
+
+    Every T-junction's line goes on across the mesh, so nothing changes but colours at new points by
+    rounding; the errors are against the simplified meshes. Raises InputError, also where none of
+    the meshes is simplified; the document is then unchanged.
+    """
+    edits = document._core.to_one_mesh(
+        ids=[ids] if isinstance(ids, str) else list(ids),
+        metric=metric,
+        resolution=_pixels(resolution),
+    )
+    return [Edit(**edit) for edit in edits]
+
+
 def analyze(
     document: Document,
     path: Path,

@@ -167,3 +167,66 @@ def test_hemesh_files_have_no_blocks(tmp_path):
     for edit in (lambda: gradmesh.merge(document, ["a"]), lambda: gradmesh.refine(document, "mesh")):
         with pytest.raises(gradmesh.InputError, match="SVG documents only"):
             edit()
+
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.mark.parametrize("sample", ["fruit", "transformed", "stroke", "two", "face", "opacity"])
+def test_one_mesh_again(sample):
+    """Simplified and made one mesh: an ordinary object, that looks like the simplified one."""
+    file = SAMPLES / f"{sample}.svg"
+    original, document = gradmesh.load(file), gradmesh.load(file)
+    gradmesh.simplify(document, epsilon=0.02, **SMALL)
+    edits = gradmesh.to_one_mesh(document, **SMALL)
+    was = elements(original)
+    now = elements(document)
+    for mesh, edit in zip(document.meshes, edits):
+        assert edit.id == mesh.id and edit.patches_after == mesh.patches >= edit.patches_before
+        assert not mesh.simplified
+        assert now[mesh.id].tag == was[mesh.id].tag
+        assert now[mesh.id].get("d") == was[mesh.id].get("d")
+        assert now[mesh.id].get("transform") == was[mesh.id].get("transform")
+        assert edit.error < 0.01
+    # What only the groups needed is gone.
+    left = [e.tag for e in ET.fromstring(document.to_bytes()).iter()]
+    there = [e.tag for e in ET.fromstring(original.to_bytes()).iter()]
+    assert left.count(SVG + "meshgradient") == len(edits)
+    for tag in ("clipPath", "mask", "g", "path"):
+        assert left.count(SVG + tag) == there.count(SVG + tag), tag
+
+
+STYLED = """<svg xmlns="http://www.w3.org/2000/svg" width="300" height="300">
+<style>.soft {{ opacity: 0.8 }}</style>
+<defs>{gradient}</defs>
+<rect id="box" class="soft" x="10" y="10" width="200" height="200" rx="9" transform="rotate(3)"
+  style="fill:url(#m) #abc;fill-opacity:0.5;fill-rule:evenodd;{style}"><title>A box</title></rect>
+</svg>"""
+
+
+@pytest.mark.parametrize("style", ["stroke:none", "stroke:#102030;stroke-width:3"])
+def test_styles_come_back(style):
+    fruit = (SAMPLES / "fruit.svg").read_text()
+    gradient = re.search(r"<meshgradient.*?</meshgradient>", fruit, re.S).group(0)
+    gradient = gradient.replace("pear-mesh", "m")
+    document = gradmesh.loads(STYLED.format(gradient=gradient, style=style))
+    gradmesh.simplify(document, epsilon=0.02, **SMALL)
+    assert elements(document)["box"].tag == SVG + "g"
+    gradmesh.to_one_mesh(document)
+    box = elements(document)["box"]
+    assert box.tag == SVG + "rect" and box.get("rx") == "9" and box.get("transform") == "rotate(3)"
+    declared = dict(part.split(":", 1) for part in box.get("style").split(";"))
+    assert re.fullmatch(r"url\(#.+\) #abc", declared["fill"])
+    assert [child.text for child in box] == ["A box"]
+    if style == "stroke:none":
+        assert float(declared["opacity"]) == pytest.approx(0.4)
+    else:
+        assert float(declared["opacity"]) == pytest.approx(0.8)
+        assert float(declared["fill-opacity"]) == pytest.approx(0.5)
+        assert declared["stroke"] == "#102030" and declared["stroke-width"] == "3"
+
+
+def test_a_mesh_that_is_not_simplified_is_none_of_its_business():
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    with pytest.raises(gradmesh.InputError, match="only simplified meshes"):
+        gradmesh.to_one_mesh(document)
