@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What all items of Inkscape's Extensions > Gradient Mesh share: a document to gradmesh, and back.
+
+Inkscape shows every byte on stderr in a dialog that waits for a person. So a run that succeeds is
+silent; one that does not, or that was only to tell something, writes plain sentences and leaves the
+document as it is.
+"""
+
+import io
+import os
+import sys
+import traceback
+from contextlib import contextmanager
+
+from gradmesh_text import _, log, sentence
+
+try:
+    import inkex
+    from inkex.elements import load_svg
+    from lxml import etree
+
+    import gradmesh
+except ImportError as missing:
+    sys.exit(
+        _(
+            "Gradient meshes cannot be changed because a part of the extension does not load in "
+            "Python {version} ({error}): install gradmesh again for this Python, as its README "
+            "says."
+        ).format(version=sys.version.split()[0], error=missing)
+    )
+
+
+NAMESPACE = "urn:gradmesh"
+etree.register_namespace("gradmesh", NAMESPACE)
+#: Of elements that Show Analysis has added.
+MARK = f"{{{NAMESPACE}}}analysis"
+
+
+class Gradmesh:
+    """Mixed into effects and readers: refusals in one sentence, faults in the log."""
+
+    def add_arguments(self, pars):
+        def refuse(message):
+            raise inkex.AbortExtension(settings_do_not_work(message))
+
+        pars.error = refuse  # argparse would print its usage too
+
+    def run(self, args=None, output=inkex.base.stdout):
+        try:
+            super().run(args, output)
+        except Exception as error:  # pylint: disable=broad-except
+            where = log(traceback.format_exc())
+            fault = _("Nothing was done because of a fault in gradmesh ({fault}).")
+            if where:
+                fault = _("Nothing was done because of a fault in gradmesh ({fault}), described in {file}.")
+            inkex.errormsg(fault.format(fault=type(error).__name__, file=where))
+            sys.exit(1)
+
+
+class _GradmeshDocument(Gradmesh):
+    """Reads the document with gradmesh, too; its meshes are in `meshes`."""
+
+    def load(self, stream):
+        data = getattr(stream, "buffer", stream).read()
+        # Inkscape sends a copy under a temporary name and says the real one here.
+        name = os.path.basename(os.environ.get("DOCUMENT_PATH") or "") or _("the document")
+        with refusals_as_sentences():
+            self.meshes = gradmesh.loads(data, name)
+        return super().load(io.BytesIO(data))
+
+    def selected_meshes(self):
+        """Ids of the selected objects that a mesh paints, those in selected groups, and those whose
+        blocks are selected."""
+        if not self.options.ids:
+            raise inkex.AbortExtension(
+                _("Select an object that is painted by a gradient mesh first.")
+            )
+        touched = {
+            element.get("id")
+            for chosen in self.chosen_elements()
+            for element in (*chosen.iter("*"), *chosen.iterancestors("{*}g"))
+        }
+        found = [name for name in self.meshes.ids if name in touched]
+        if not found:
+            raise inkex.AbortExtension(
+                _("None of the selected objects is painted by a gradient mesh; select one that is.")
+            )
+        return found
+
+    def chosen_elements(self):
+        missing = [name for name in self.options.ids if self.svg.getElementById(name) is None]
+        if missing:
+            raise inkex.AbortExtension(
+                _('There is no object with the id "{id}".').format(id=missing[0])
+            )
+        return list(self.svg.selection)
+
+
+class GradmeshEffect(_GradmeshDocument, inkex.EffectExtension):
+    """An effect on gradient meshes of the document."""
+
+    def take_over(self):
+        """Makes what gradmesh made of the document the document."""
+        self.document = load_svg(self.meshes.to_bytes())
+
+
+class GradmeshOutput(_GradmeshDocument, inkex.OutputExtension):
+    """Writes what is not SVG."""
+
+
+@contextmanager
+def refusals_as_sentences():
+    """What gradmesh refuses ends the run with its sentence."""
+    try:
+        yield
+    except gradmesh.InputError as error:
+        raise inkex.AbortExtension(sentence(error)) from error
+    except ValueError as error:
+        raise inkex.AbortExtension(settings_do_not_work(error)) from error
+
+
+def settings_do_not_work(why):
+    return sentence(_("These settings do not work: {why}").format(why=why))

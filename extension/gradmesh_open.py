@@ -1,0 +1,20 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""File > Open of .hemesh files: an SVG document with the mesh."""
+
+import os
+
+from gradmesh_effect import Gradmesh, gradmesh, inkex, refusals_as_sentences
+
+
+class Open(Gradmesh, inkex.InputExtension):
+    """Makes an SVG document of a .hemesh file."""
+
+    def load(self, stream):
+        with refusals_as_sentences():
+            mesh = gradmesh.loads(stream.read(), os.path.basename(self.options.input_file))
+            return gradmesh.convert(mesh, "svg").document.to_bytes()
+
+
+if __name__ == "__main__":
+    Open().run()

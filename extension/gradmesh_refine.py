@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Extensions > Gradient Mesh > Refine Here: splits patches, to add detail in one place."""
+
+from gradmesh_effect import GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_text import _
+
+
+class Refine(GradmeshEffect):
+    """Splits the patches of the selected block or mesh, here alone or across the whole mesh."""
+
+    def add_arguments(self, pars):
+        super().add_arguments(pars)
+        pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
+        pars.add_argument("--direction", default="both")
+        pars.add_argument("--place", type=float, default=50)
+        pars.add_argument("--whole", type=inkex.Boolean, default=False)
+        pars.add_argument("--row", type=int, default=0)
+        pars.add_argument("--column", type=int, default=0)
+
+    def effect(self):
+        options = self.options
+        if len(options.ids) != 1:
+            raise inkex.AbortExtension(
+                _("Select one block of a simplified mesh, or one object painted by a gradient mesh.")
+            )
+        self.chosen_elements()
+        with refusals_as_sentences():
+            gradmesh.refine(
+                self.meshes,
+                options.ids[0],
+                direction=options.direction,
+                place=options.place / 100,
+                row=options.row or None,
+                column=options.column or None,
+                whole=options.whole,
+            )
+        self.take_over()
+
+
+if __name__ == "__main__":
+    Refine().run()

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Extensions > Gradient Mesh > Show Analysis: a layer with what the methods know of a mesh."""
+
+from lxml import etree
+
+from gradmesh_cache import analysis_cache, prune
+from gradmesh_effect import MARK, GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_text import _
+from gradmesh_window import LongWork
+
+LAYER_NAMES = {
+    "edges": _("Edges of {id}"),
+    "errors": _("Errors of {id}"),
+    "faces": _("Patches of {id}"),
+    "motorcycle": _("Motorcycle graph of {id}"),
+    "regions": _("Regions of {id}"),
+}
+
+
+class ShowAnalysis(GradmeshEffect):
+    """Draws a layer of ordinary paths above the selected meshes."""
+
+    def add_arguments(self, pars):
+        super().add_arguments(pars)
+        pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
+        pars.add_argument("--show", default="errors")
+        pars.add_argument("--epsilon", type=float, default=0.01)
+        pars.add_argument("--metric", default="flip")
+
+    def effect(self):
+        for name in self.selected_meshes():
+            with refusals_as_sentences():
+                drawing = LongWork(
+                    _("{id} is analyzed.").format(id=name), lambda tell: self.draw(name, tell)
+                ).run()
+            self.svg.append(self.layer(name, drawing))
+
+    def draw(self, name, tell):
+        cache = analysis_cache()
+        drawing = gradmesh.draw(
+            self.meshes,
+            self.options.show,
+            name,
+            picture=False,
+            metric=self.options.metric,
+            epsilon=self.options.epsilon,
+            analysis_cache=cache,
+            progress=tell,
+        )
+        if cache:
+            prune(cache)
+        return drawing
+
+    def layer(self, name, drawing):
+        """The layers of the drawing in one of their own; it is in the document's coordinates."""
+        layer = inkex.Layer.new(LAYER_NAMES[self.options.show].format(id=name))
+        layer.set(MARK, self.options.show)
+        layer.set_id(self.svg.get_unique_id("analysis"))
+        root = inkex.load_svg(drawing.encode("utf-8")).getroot()
+        layer.style = {"font-family": root.get("font-family"), "fill": "black"}
+        for group in root.findall(inkex.addNS("g", "svg")):
+            layer.append(group)
+        etree.cleanup_namespaces(layer)
+        return layer
+
+
+if __name__ == "__main__":
+    ShowAnalysis().run()

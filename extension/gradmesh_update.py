@@ -1,0 +1,26 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Extensions > Gradient Mesh > Update after Editing: blocks that were edited fit together again."""
+
+from gradmesh_effect import GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_text import _
+
+
+class Update(GradmeshEffect):
+    """Makes the blocks of the selected simplified meshes fit together after they were edited."""
+
+    def effect(self):
+        ids = self.selected_meshes()
+        with refusals_as_sentences():
+            results = gradmesh.update(self.meshes, ids)
+        if not any(result.changed for result in results):
+            raise inkex.AbortExtension(
+                _("{meshes}: all blocks fit together, so there was nothing to do.").format(
+                    meshes=", ".join(result.id for result in results)
+                )
+            )
+        self.take_over()
+
+
+if __name__ == "__main__":
+    Update().run()

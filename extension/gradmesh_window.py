@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""A small window beside long work: how far it is, and a button that stops it.
+
+Inkscape waits for an extension, blocked, and cannot stop it. The window opens only where the work
+takes longer than a person waits without wondering; without GTK or a display the work runs alone.
+"""
+
+import os
+import sys
+import threading
+from contextlib import contextmanager
+
+from gradmesh_text import _, log_file
+
+PATIENCE = 1.5  # seconds until the window opens
+REFRESH = 100  # milliseconds
+
+
+class LongWork:
+    """Runs work(progress) in a thread of its own; progress is that of gradmesh.simplify()."""
+
+    def __init__(self, title, work):
+        self.title = title
+        self._work = work
+        self._ended = threading.Event()
+        self._stop = False
+        self._seen = (0, 0, 0, 0.0)
+        self._result = self._failure = None
+
+    def run(self):
+        """What the work returns or raises; where it was stopped it says so itself."""
+        thread = threading.Thread(target=self._run, daemon=True)
+        thread.start()
+        if not self._ended.wait(PATIENCE):
+            with stderr_in_the_log():
+                show(self)
+        thread.join()
+        if self._failure:
+            raise self._failure
+        return self._result
+
+    def _run(self):
+        try:
+            self._result = self._work(self._progress)
+        except BaseException as failure:  # pylint: disable=broad-except
+            self._failure = failure
+        finally:
+            self._ended.set()
+
+    def _progress(self, *seen):
+        self._seen = seen
+        return not self._stop
+
+    @property
+    def ended(self):
+        return self._ended.is_set()
+
+    @property
+    def share(self):
+        """How much is done, 0 to 1."""
+        done, total, _patches, _error = self._seen
+        return min(done / total, 1) if total else 0
+
+    @property
+    def words(self):
+        if self._stop:
+            return _("Stopping: the best so far is kept …")
+        patches = self._seen[2]
+        return _("{patches} patches so far").format(patches=patches) if patches else _("Preparing …")
+
+    def stop(self):
+        self._stop = True
+
+
+def show(work):
+    """Opens the window until the work has ended; returns at once where that is not possible."""
+    gtk, glib = toolkit()
+    if gtk is None:
+        return
+    window = gtk.Window(title=_("Gradient Mesh"), window_position=gtk.WindowPosition.CENTER)
+    window.set_keep_above(True)
+    window.set_default_size(380, -1)
+    window.set_resizable(False)
+    column = gtk.Box(orientation=gtk.Orientation.VERTICAL, spacing=12, margin=18)
+    column.add(gtk.Label(label=work.title, xalign=0, wrap=True, max_width_chars=48))
+    bar = gtk.ProgressBar()
+    column.add(bar)
+    row = gtk.Box(spacing=12)
+    words = gtk.Label(xalign=0)
+    row.pack_start(words, True, True, 0)
+    button = gtk.Button(label=_("Stop"), tooltip_text=_("Keeps the best result so far"))
+    row.pack_end(button, False, False, 0)
+    column.add(row)
+    window.add(column)
+
+    def stop(*_):
+        work.stop()
+        button.set_sensitive(False)
+        return True  # closing the window stops the work, which then closes the window
+
+    def refresh():
+        bar.set_fraction(work.share)
+        words.set_text(work.words)
+        if work.ended:
+            gtk.main_quit()
+        return not work.ended
+
+    button.connect("clicked", stop)
+    window.connect("delete-event", stop)
+    window.show_all()
+    glib.timeout_add(REFRESH, refresh)
+    gtk.main()
+    window.destroy()
+
+
+def toolkit():
+    """The modules Gtk and GLib, or nothing where they or a display are missing."""
+    try:
+        import gi
+
+        gi.require_version("Gtk", "3.0")
+        from gi.repository import GLib, Gtk
+    except (ImportError, ValueError):
+        return None, None
+    return (Gtk, GLib) if Gtk.init_check(None)[0] else (None, None)
+
+
+@contextmanager
+def stderr_in_the_log():
+    """What GTK grumbles would open a dialog in Inkscape."""
+    sys.stderr.flush()
+    before = os.dup(2)
+    try:
+        with log_file() as log:
+            os.dup2(log.fileno(), 2)
+    except OSError:
+        with open(os.devnull, "wb") as nowhere:
+            os.dup2(nowhere.fileno(), 2)
+    try:
+        yield
+    finally:
+        os.dup2(before, 2)
+        os.close(before)
