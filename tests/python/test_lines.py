@@ -175,6 +175,13 @@ def test_what_needs_single_patches_says_that_it_cannot(tmp_path):
         assert done.stderr.count("\n") == 1
 
 
+def test_its_patches_are_not_edited_one_by_one():
+    vase = gradmesh.load(VASE)
+    with pytest.raises(gradmesh.InputError, match='"vase".*bicubic'):
+        gradmesh.refine(vase, "vase")
+    assert vase.to_bytes() == VASE.read_bytes()
+
+
 def test_a_smooth_mesh_is_listed_drawn_and_reported(tmp_path, simplified):
     (mesh,) = json.loads(run("info", "--json", VASE).stdout)["meshes"]
     assert (mesh["smooth"], mesh["patches"], mesh["t_junctions"]) == (True, 88, 0)
