@@ -1,7 +1,12 @@
 #!/usr/bin/env python3
-"""Writes docs/images/before-after.png: a sample and its patches, painted by a real Inkscape.
+"""Writes the README's pictures into docs/images/, all from the real thing.
 
     make_readme_pictures.py       (after scripts/setup)
+
+before-after.png   a sample and its patches, painted by Inkscape
+dialog.png         the dialog in Inkscape's window, with its preview
+nodes.png          what the mesh tool shows of the sample, before and after
+report.png         the report on it, in Chromium
 """
 
 import sys
@@ -14,13 +19,14 @@ from PIL import Image, ImageDraw, ImageFont
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests" / "python"))
 
-from built import SAMPLES  # noqa: E402, which also makes gradmesh importable
+import browser  # noqa: E402
+from built import SAMPLES, gradmesh as run, install_extension  # noqa: E402, makes gradmesh importable
 from inkscape_harness import Inkscape  # noqa: E402
 from svg_meshes import SVG, Document  # noqa: E402
 
 import gradmesh  # noqa: E402
 
-SAMPLE, MESH, WIDTH = "fruit", "pear", 340
+SAMPLE, MESH_ID, WIDTH = "fruit", "pear", 340
 
 
 def curve(points):
@@ -32,7 +38,7 @@ def curve(points):
 def with_patches(svg, out):
     """Writes the document with the sides of all its patches drawn on top."""
     document = Document(svg)
-    nets = list(document.blocks().values()) or [document.net(document.by_id[MESH])]
+    nets = list(document.blocks().values()) or [document.net(document.by_id[MESH_ID])]
     lines = [line for net in nets for line in (*net[::3], *net.T[::3])]
     for color, width in (("#ffffff", 2.4), ("#1b3a5c", 1)):
         style = f"fill:none;stroke:{color};stroke-width:{width}"
@@ -45,7 +51,7 @@ def panels(folder):
     """(caption, SVG file) from left to right."""
     before, after = SAMPLES / f"{SAMPLE}.svg", folder / "after.svg"
     document = gradmesh.load(before)
-    (result,) = gradmesh.simplify(document, MESH)
+    (result,) = gradmesh.simplify(document, MESH_ID)
     gradmesh.save(document, after)
     return [
         ("before", before),
@@ -55,25 +61,92 @@ def panels(folder):
     ]
 
 
-def main(out):
-    with tempfile.TemporaryDirectory() as name, Inkscape() as inkscape:
-        folder = Path(name)
-        pictures = []
+def side_by_side(pictures, out, gap=8):
+    """Writes a sheet of (caption, picture), from left to right."""
+    height = max(picture.height for _, picture in pictures)
+    width = sum(picture.width + gap for _, picture in pictures) - gap
+    sheet = Image.new("RGB", (width, height + 36), "white")
+    draw = ImageDraw.Draw(sheet)
+    font = ImageFont.truetype("DejaVuSans.ttf", 18)
+    left = 0
+    for caption, picture in pictures:
+        sheet.paste(picture, (left, 0))
+        draw.text((left + picture.width // 2, height + 19), caption, "black", font, anchor="mm")
+        left += picture.width + gap
+    sheet.save(out, optimize=True)
+
+
+def before_after(folder, out):
+    pictures = []
+    with Inkscape() as inkscape:
         for caption, svg in panels(folder):
             png = inkscape.export_png(svg, folder / "picture.png", width=WIDTH)
             with Image.open(png) as picture:
                 pictures.append((caption, picture.convert("RGB")))
-    height = max(picture.height for _, picture in pictures)
-    sheet = Image.new("RGB", (len(pictures) * (WIDTH + 8) - 8, height + 36), "white")
-    draw = ImageDraw.Draw(sheet)
-    font = ImageFont.truetype("DejaVuSans.ttf", 18)
-    for i, (caption, picture) in enumerate(pictures):
-        left = i * (WIDTH + 8)
-        sheet.paste(picture, (left, 0))
-        draw.text((left + WIDTH // 2, height + 19), caption, "black", font, anchor="mm")
-    out.parent.mkdir(parents=True, exist_ok=True)
-    sheet.save(out, optimize=True)
+    side_by_side(pictures, out)
+
+
+# Where things are on the harness's screen once the page fits the window.
+PEAR, SUBMENU, SIMPLIFY, LIVE_PREVIEW = (750, 480), (460, 238), (779, 338), (24, 472)
+MESH_TOOL, WINDOW, MESH = (16, 511), (0, 0, 1110, 960), (500, 270, 930, 830)
+
+
+def shot(window, folder, area):
+    with Image.open(window.screenshot(folder / "shot.png")) as picture:
+        return picture.convert("RGB").crop(area)
+
+
+def dialog(folder, out):
+    with Inkscape() as inkscape:
+        inkscape.install(install_extension(folder / "installed"))
+        with inkscape.window(SAMPLES / f"{SAMPLE}.svg") as window:
+            window.key("5")
+            window.click(*PEAR)
+            window.key("alt+n")
+            window.click(*SUBMENU)
+            window.key("Right")
+            window.click(*SIMPLIFY)
+            window.click(*LIVE_PREVIEW)
+            shot(window, folder, WINDOW).save(out, optimize=True)
+
+
+def nodes(folder, out):
+    """The handles of all blocks at once, as of one mesh."""
+    after = folder / "after.svg"
+    document = gradmesh.load(SAMPLES / f"{SAMPLE}.svg")
+    (result,) = gradmesh.simplify(document, MESH_ID)
+    gradmesh.save(document, after)
+    pictures = []
+    for patches, svg in (
+        (result.patches_before, SAMPLES / f"{SAMPLE}.svg"),
+        (result.patches_after, after),
+    ):
+        with Inkscape() as inkscape, inkscape.window(svg) as window:
+            window.key("5")
+            window.double_click(*PEAR)
+            window.key("ctrl+a")
+            window.click(*MESH_TOOL)
+            pictures.append((f"{patches} patches", shot(window, folder, MESH)))
+    side_by_side(pictures, out)
+
+
+def report(folder, out):
+    page = folder / "report.html"
+    run("report", SAMPLES / f"{SAMPLE}.svg", folder / "after.svg", "-o", page)
+    with browser.chromium(1100, 900) as chromium:
+        chromium.get(page.as_uri())
+        chromium.save_screenshot(str(out))
+
+
+def main(images):
+    images.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        before_after(folder, images / "before-after.png")
+        dialog(folder, images / "dialog.png")
+        nodes(folder, images / "nodes.png")
+        report(folder, images / "report.png")
 
 
 if __name__ == "__main__":
-    main(ROOT / "docs" / "images" / "before-after.png")
+    main(ROOT / "docs" / "images")
