@@ -1,90 +1,100 @@
 #include "io/atomic_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <random>
 #include <system_error>
 
 #include "base/error.h"
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
 
 namespace gradmesh {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-
- private:
-  int fd_;
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
 };
+using File = std::unique_ptr<std::FILE, Close>;
 
-[[noreturn]] void fail(const fs::path& path, const char* what, int error) {
-  throw InputError(path.string() + " cannot be " + what + ": " +
-                   std::generic_category().message(error) + ".");
+#ifdef _WIN32
+
+File open_to_read(const fs::path& path) { return File(_wfopen(path.c_str(), L"rb")); }
+File create(const fs::path& path) { return File(_wfopen(path.c_str(), L"wbx")); }
+int bring_to_disk(std::FILE* file) { return _commit(_fileno(file)); }
+
+#else
+
+File open_to_read(const fs::path& path) { return File(std::fopen(path.c_str(), "rb")); }
+/// Null with errno EEXIST where there is such a file already.
+File create(const fs::path& path) { return File(std::fopen(path.c_str(), "wbx")); }
+int bring_to_disk(std::FILE* file) { return fsync(fileno(file)); }
+
+#endif
+
+[[noreturn]] void fail(const fs::path& path, const char* what, std::error_code error) {
+  throw InputError(path.string() + " cannot be " + what + ": " + error.message() + ".");
 }
 
-/// Permissions of the file that is replaced, else those that the process gives new files.
-mode_t permissions(const fs::path& path) {
-  struct stat status;
-  if (::stat(path.c_str(), &status) == 0) return status.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
-}
+std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// False with errno set where the bytes did not reach the disk.
-bool store(int fd, std::string_view bytes, mode_t mode) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes.remove_prefix(std::size_t(written));
+/// A new file in the folder; its path goes to `path`. Null with errno where none can be made.
+File create_temporary(const fs::path& folder, fs::path& path) {
+  std::random_device random;
+  for (int tries = 0; tries < 100; ++tries) {
+    path = folder / (".gradmesh-" + std::to_string(random()));
+    if (File file = create(path); file || errno != EEXIST) return file;
   }
-  return ::fchmod(fd, mode) == 0 && ::fsync(fd) == 0;
+  return nullptr;
+}
+
+/// Writes the bytes to the disk and closes the file.
+std::error_code store(File file, std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() ||
+      std::fflush(file.get()) != 0 || bring_to_disk(file.get()) != 0)
+    return last_error();
+  return std::fclose(file.release()) == 0 ? std::error_code() : last_error();
 }
 
 }  // namespace
 
 std::string read_bytes(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) fail(path, "read", errno);
+  const File file = open_to_read(path);
+  if (!file) fail(path, "read", last_error());
   std::string bytes;
   char block[1 << 16];
-  for (;;) {
-    const ssize_t count = ::read(file.get(), block, sizeof block);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(path, "read", errno);
-    if (count == 0) return bytes;
-    bytes.append(block, std::size_t(count));
-  }
+  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
+    bytes.append(block, count);
+  if (std::ferror(file.get())) fail(path, "read", last_error());
+  return bytes;
 }
 
 void write_bytes(const fs::path& path, std::string_view bytes) {
-  std::error_code ignored;
+  std::error_code ignored, error;
   // Through a link, the file that it names is replaced, never the link.
   const fs::path target =
       fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
-  if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
+  const fs::file_status replaced = fs::status(target, ignored);
+  if (fs::exists(replaced) && !fs::is_regular_file(replaced))
     throw InputError(path.string() + " cannot be written: it is not a regular file.");
 
-  std::string temporary = (target.parent_path() / ".gradmesh-XXXXXX").string();
-  const Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (file.get() < 0) fail(path, "written", errno);
-  if (!store(file.get(), bytes, permissions(target)) ||
-      ::rename(temporary.c_str(), target.c_str()) != 0) {
-    const int error = errno;
-    ::unlink(temporary.c_str());
+  fs::path temporary;
+  File file = create_temporary(target.parent_path(), temporary);
+  if (!file) fail(path, "written", last_error());
+  // Before anything is in it that others must not read.
+  if (fs::exists(replaced)) fs::permissions(temporary, replaced.permissions(), error);
+  if (!error) error = store(std::move(file), bytes);
+  if (!error) fs::rename(temporary, target, error);
+  if (error) {
+    file.reset();
+    fs::remove(temporary, ignored);
     fail(path, "written", error);
   }
 }

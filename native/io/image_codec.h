@@ -6,8 +6,8 @@
 
 namespace gradmesh {
 
-/// What the module `gradmesh_images` offers to image_file.cpp. Both functions return what is wrong,
-/// in one line, or nothing: errors do not cross the border of a module as exceptions.
+/// What the module `gradmesh_images` offers to image_module.cpp. Both functions return what is
+/// wrong, in one line, or nothing: errors do not cross the border of a module as exceptions.
 struct ImageCodec {
   /// Any file that OpenImageIO reads, as read_image gives it.
   std::string (*read)(const std::string& path, Image& image);
@@ -17,5 +17,11 @@ struct ImageCodec {
 
 }  // namespace gradmesh
 
+#ifdef _WIN32
+#define GRADMESH_MODULE_EXPORT __declspec(dllexport)
+#else
+#define GRADMESH_MODULE_EXPORT __attribute__((visibility("default")))
+#endif
+
 /// The one symbol of the module.
-extern "C" __attribute__((visibility("default"))) const gradmesh::ImageCodec gradmesh_image_codec;
+extern "C" GRADMESH_MODULE_EXPORT const gradmesh::ImageCodec gradmesh_image_codec;
