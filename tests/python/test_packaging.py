@@ -1,0 +1,184 @@
+"""What is carried to other machines: the zip for Inkscape, the Debian package, the wheel."""
+
+import os
+import re
+import shutil
+import stat
+import subprocess
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from built import BUILD, PYTHON, ROOT, SAMPLES
+from inkscape_harness import Inkscape, missing
+
+import gradmesh
+
+INKEX = Path("/usr/share/inkscape/extensions")
+FACE = SAMPLES / "face.svg"
+MINOR = int(subprocess.check_output([PYTHON, "-c", "import sys; print(sys.version_info.minor)"]))
+SIMPLIFY = "import gradmesh, sys; d = gradmesh.load(sys.argv[1]); gradmesh.simplify(d, method='grid')"
+DRAW = SIMPLIFY + "; assert 'image/png' in gradmesh.draw(d, 'edges')"
+
+
+def needs(*programs):
+    absent = [program for program in programs if shutil.which(program) is None]
+    return pytest.mark.skipif(bool(absent), reason=f"not installed: {', '.join(absent)}")
+
+
+def run(*command, **options):
+    """The standard output of a command that succeeds."""
+    done = subprocess.run(
+        [str(part) for part in command], capture_output=True, text=True, timeout=300, **options
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def in_python(code, *folders):
+    """Runs code on a sample with these folders of packages, away from the build."""
+    path = os.pathsep.join(map(str, folders))
+    return run(PYTHON, "-B", "-c", code, FACE, cwd="/", env={**os.environ, "PYTHONPATH": path})
+
+
+def files_below(folder):
+    return {str(path.relative_to(folder)) for path in folder.rglob("*") if not path.is_dir()}
+
+
+def is_as_written(folder, sources):
+    return all((folder / source.name).read_bytes() == source.read_bytes() for source in sources)
+
+
+DIALOGS = sorted((ROOT / "inx").glob("*.inx"))
+SCRIPTS = sorted((ROOT / "extension").glob("*.py"))
+LIBRARIES = {"libhwy.so.1", "libtbb.so.12"}
+PACKAGE = sorted((ROOT / "python" / "gradmesh").glob("*.py"))
+
+
+@pytest.fixture(scope="module")
+def archive():
+    """The zip that the target extension-zip writes."""
+    run("cmake", "--build", BUILD, "--target", "extension-zip")
+    (archive,) = BUILD.glob(f"gradmesh-{gradmesh.__version__}-inkscape-*.zip")
+    return archive
+
+
+@pytest.fixture(scope="module")
+def unpacked_zip(archive, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("zip")
+    with zipfile.ZipFile(archive) as packed:
+        modes = [entry.external_attr >> 16 for entry in packed.infolist()]
+        assert not any(map(stat.S_ISLNK, modes))  # the extension manager writes what links say
+        packed.extractall(folder)
+    return folder
+
+
+def test_the_zip_holds_the_whole_extension(unpacked_zip):
+    (folder,) = unpacked_zip.iterdir()
+    assert folder.name == "gradmesh"
+    assert is_as_written(folder, DIALOGS + SCRIPTS)
+    assert is_as_written(folder / "gradmesh", PACKAGE)
+    rest = files_below(folder) - {path.name for path in DIALOGS + SCRIPTS}
+    rest -= {f"gradmesh/{path.name}" for path in PACKAGE}
+    (module,) = (name for name in rest if re.match(r"gradmesh/_core\.", name))
+    rest = {name for name in rest - {module} if not re.fullmatch(r"locale/\w+/LC_MESSAGES/.*\.mo", name)}
+    libraries = {f"gradmesh/{name}" for name in LIBRARIES}
+    assert rest - {"gradmesh/LICENSE.oneTBB-Highway"} == {"LICENSE", *libraries}
+
+
+def test_the_module_in_the_zip_takes_what_lies_beside_it(unpacked_zip):
+    """These are the libraries that neither Inkscape nor its Python bring."""
+    (module,) = unpacked_zip.rglob("_core.*")
+    beside = set(re.findall(rf"=> {re.escape(str(module.parent))}/(\S+)", run("ldd", module)))
+    assert beside == LIBRARIES
+    in_python(SIMPLIFY, unpacked_zip / "gradmesh")
+
+
+#: Installs an archive as Extensions > Manage Extensions does with a chosen file.
+MANAGE = """
+import sys
+from inkman.target import ExtensionsTarget
+ExtensionsTarget("extension", "Extensions", "extensions")._install(sys.argv[1], {})
+"""
+
+
+@pytest.mark.skipif(bool(missing()), reason=missing())
+@pytest.mark.skipif(not (INKEX / "inkman").is_dir(), reason="there is no extension manager")
+def test_the_extension_manager_installs_the_zip(archive, tmp_path):
+    with Inkscape(values={"org.gradmesh.simplify.method": "grid"}) as inkscape:
+        manager = os.pathsep.join(map(str, (INKEX, INKEX / "inkman" / "inkman")))
+        run(PYTHON, "-B", "-c", MANAGE, archive, env={**inkscape.env, "PYTHONPATH": manager})
+        assert len(list(inkscape.extensions.rglob("gradmesh_simplify.inx"))) == 1
+        out = tmp_path / "out.svg"
+        inkscape.run_extension("org.gradmesh.simplify", FACE, out, select=["face"])
+    assert [mesh.simplified for mesh in gradmesh.load(out).meshes] == [True]
+
+
+@pytest.fixture(scope="module")
+def debian_package(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("deb")
+    run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder)
+    (package,) = folder.glob("*.deb")
+    return package
+
+
+@needs("cpack", "dpkg", "dpkg-deb", "dpkg-shlibdeps")
+def test_the_debian_package_runs_from_any_root(debian_package, tmp_path):
+    run("dpkg", "-x", debian_package, tmp_path)
+    usr = tmp_path / "usr"
+    assert is_as_written(usr / "share/inkscape/extensions/gradmesh", DIALOGS + SCRIPTS)
+    assert is_as_written(usr / "lib/python3/dist-packages/gradmesh", PACKAGE)
+    assert (usr / "share/doc/gradmesh/copyright").read_bytes() == (ROOT / "LICENSE").read_bytes()
+    assert {path.parts[0] for path in map(Path, files_below(tmp_path))} == {"usr"}
+
+    # Inkscape names all folders of extensions, where ours has the package's name.
+    extensions, packages = usr / "share/inkscape/extensions", usr / "lib/python3/dist-packages"
+    path = os.pathsep.join(map(str, (extensions, INKEX, packages)))
+    written = run(
+        *(PYTHON, "-B", extensions / "gradmesh/gradmesh_simplify.py", "--id=face", "--method=grid", FACE),
+        env={**os.environ, "PYTHONPATH": path, "XDG_CACHE_HOME": str(tmp_path / "cache")},
+    )
+    assert "gradmesh:" in written
+
+    picture = tmp_path / "face.png"
+    run(usr / "bin/gradmesh", "render", FACE, "-o", picture, "--resolution", 64)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    in_python(DRAW, packages)
+
+
+@needs("cpack", "dpkg", "dpkg-deb", "dpkg-shlibdeps")
+def test_the_debian_package_names_what_it_needs(debian_package):
+    depends = run("dpkg-deb", "--field", debian_package, "Depends")
+    names = set(re.findall(r"(?:^|, )([\w.+-]+)", depends))
+    assert {"libc6", "libhwy1", "libtbb12", "libxml2", "libopenimageio2.4"} <= names
+    assert {"python3", "python3-numpy"} <= names
+    assert f"python3 (>= 3.{MINOR}), python3 (<< 3.{MINOR + 1})" in depends
+    assert run("dpkg-deb", "--field", debian_package, "Package").strip() == "gradmesh"
+    assert "inkscape" in run("dpkg-deb", "--field", debian_package, "Recommends")
+
+
+def has_modules(*names):
+    code = f"import importlib.util as u, sys; sys.exit(not all(map(u.find_spec, {names})))"
+    return subprocess.run([PYTHON, "-c", code]).returncode == 0
+
+
+@pytest.mark.skipif(
+    not has_modules("pip", "setuptools", "wheel"),
+    reason="not installed: python3-pip, python3-setuptools or python3-wheel",
+)
+def test_the_wheel_is_installed_by_pip(tmp_path):
+    source, dist, target = (tmp_path / name for name in ("source", "dist", "target"))
+    shutil.copytree(ROOT / "python", source / "python")  # setuptools leaves files beside its sources
+    for name in ("pyproject.toml", "setup.py", "README.md", "CMakeLists.txt"):
+        shutil.copy(ROOT / name, source)
+    offline = {**os.environ, "GRADMESH_BUILD": str(BUILD), "PIP_NO_INDEX": "1"}
+    pip = (PYTHON, "-m", "pip", "--disable-pip-version-check")
+    run(*pip, "wheel", source, "--no-build-isolation", "--no-deps", "-w", dist, env=offline)
+    (wheel,) = dist.iterdir()
+    assert re.fullmatch(rf"gradmesh-[\d.]+-cp3{MINOR}-cp3{MINOR}-linux_\w+\.whl", wheel.name)
+    run(*pip, "install", "--no-deps", "--target", target, wheel, env=offline)
+    assert is_as_written(target / "gradmesh", PACKAGE)
+    in_python(DRAW, target)
+    version = in_python("import gradmesh; print(gradmesh.__version__)", target).strip()
+    assert wheel.name.split("-")[1] == version
