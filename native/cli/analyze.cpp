@@ -25,7 +25,7 @@ void run_analyze(AnalyzeArguments& a) {
     a.options.progress = bar.callback();
     prices = document->analyze(a.ids, a.options, a.analyses);
   }
-  if (!a.quiet) std::printf("%s: %zu prices\n", a.analyses.save.c_str(), prices);
+  if (!a.quiet) std::printf("%s: %zu prices\n", a.analyses.save.string().c_str(), prices);
 }
 
 }  // namespace
