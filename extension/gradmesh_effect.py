@@ -12,7 +12,7 @@ import sys
 import traceback
 from contextlib import contextmanager
 
-from gradmesh_text import _, log, sentence
+from gradmesh_text import _, log, sentence, why_it_does_not_load
 
 try:
     import inkex
@@ -21,13 +21,7 @@ try:
 
     import gradmesh
 except ImportError as missing:
-    sys.exit(
-        _(
-            "Gradient meshes cannot be changed because a part of the extension does not load in "
-            "Python {version} ({error}): install gradmesh again for this Python, as its README "
-            "says."
-        ).format(version=sys.version.split()[0], error=missing)
-    )
+    sys.exit(why_it_does_not_load(missing))
 
 
 NAMESPACE = "urn:gradmesh"

@@ -95,6 +95,24 @@ def test_the_module_in_the_zip_takes_what_lies_beside_it(unpacked_zip):
     in_python(SIMPLIFY, unpacked_zip / "gradmesh")
 
 
+def test_the_extension_says_for_which_python_it_was_built(unpacked_zip, tmp_path):
+    extension = shutil.copytree(unpacked_zip / "gradmesh", tmp_path / "gradmesh")
+    (module,) = (extension / "gradmesh").glob("_core.*")
+    other = module.name.replace(f"cpython-3{MINOR}", f"cpython-3{MINOR + 1}")
+    module.rename(module.with_name(other))
+    done = subprocess.run(
+        [PYTHON, "-B", "gradmesh_simplify.py", FACE],
+        cwd=extension,
+        env={**os.environ, "PYTHONPATH": str(INKEX), "LANGUAGE": "C"},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 1 and done.stdout == ""
+    (sentence,) = done.stderr.splitlines()
+    built, running = f"built for Python 3.{MINOR + 1},", f"runs Python 3.{MINOR}:"
+    assert built in sentence and running in sentence
+
+
 #: Installs an archive as Extensions > Manage Extensions does with a chosen file.
 MANAGE = """
 import sys
