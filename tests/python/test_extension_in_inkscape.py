@@ -1,23 +1,38 @@
-"""The extension in a real Inkscape: what it does to the document, and what it looks like."""
+"""The extension in a real Inkscape: what its items do to a document, and what it looks like."""
 
-import json
+import os
 import re
+import subprocess
 import xml.etree.ElementTree as ET
+from itertools import combinations
+from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
 import inkscape_harness
-from built import SAMPLES, gradmesh as run, install_extension
+from built import PYTHON, SAMPLES, gradmesh as run, install_extension
 from inkscape_harness import Inkscape
+
+pytest.importorskip("numpy")
+pytest.importorskip("PIL.Image")
+
+import svg_meshes
+from pictures import difference, export, flip, info, write_bare_mesh
+from test_pictures import SAME
+from test_update import Group
 
 import gradmesh
 
-RAW_ID = "org.gradmesh.simplify"
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-VIEW = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}namedview"
+SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
+VIEW, FILE_NAME = SODIPODI + "namedview", SODIPODI + "docname"
 LABEL_TEXT = re.compile(r"Gradient mesh: (\d+) of (\d+) patches, (FLIP|SSIM) (\d\.\d{4})")
 EPSILON = 0.01
+PAGE = 0.003  # the page has other pixels than the mesh was measured at
+RAW_ID = "org.gradmesh.simplify"
+INKEX = Path("/usr/share/inkscape/extensions")
 
 reason = inkscape_harness.missing()
 pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
@@ -29,26 +44,252 @@ def extension(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def inkscape(extension):
-    with Inkscape() as running:
+def inkscape(extension, tmp_path_factory):
+    with pytest.MonkeyPatch.context() as patch, Inkscape() as running:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
         running.install(extension)
         yield running
-
-
-def meshes(svg):
-    """By id what `gradmesh info` knows of each mesh."""
-    return {mesh["id"]: mesh for mesh in json.loads(run("info", "--json", svg).stdout)["meshes"]}
 
 
 def by_id(svg):
     return {element.get("id"): element for element in ET.parse(svg).iter() if element.get("id")}
 
 
+def set_values(inkscape, item="simplify", **values):
+    inkscape.set_values({f"org.gradmesh.{item}.{name}": value for name, value in values.items()})
+
+
 def simplified(inkscape, sample, out, ids, **values):
-    """The document out of Inkscape after the extension ran on `ids` with these values."""
-    inkscape.set_values({f"{RAW_ID}.{name}": value for name, value in values.items()})
+    """The document out of Inkscape after Simplify ran on `ids` with these values."""
+    set_values(inkscape, **values)
     inkscape.run_extension(RAW_ID, SAMPLES / f"{sample}.svg", out, select=ids)
     return by_id(out)
+
+
+def all_but_the_view(svg):
+    """The document, whatever file it was read from and window it was seen in."""
+    return ET.canonicalize(from_file=svg, exclude_tags=[VIEW], exclude_attrs=[FILE_NAME])
+
+
+def written(path):
+    """The actions that write the document as it is now."""
+    return [f"export-filename:{path}", "export-do"]
+
+
+def chosen(item, *ids):
+    """The actions that select these objects and run an item."""
+    select = ["select-clear", f"select-by-id:{','.join(ids)}"] if ids else ["select-clear"]
+    return [*select, f"org.gradmesh.{item.replace('_', '-')}.noprefs"]
+
+
+class Item(NamedTuple):
+    """One item of the menu, with its values, and what it is tried on."""
+
+    name: str
+    document: str  # of those that `documents` makes
+    select: str  # an object, or which blocks of the document
+    within: float  # how far, in FLIP, the pictures may differ; 0: not but for rounding
+    values: dict = {}
+
+
+ONE_MESH = {"amount": "strong", "result": "one-mesh", "resolution": 600}
+HERE = {"place": 30, "row": 1, "column": 1}
+ITEMS = {
+    "simplify": Item("simplify", "whole", "pear", EPSILON, {"resolution": 600}),
+    "simplify to one mesh": Item("simplify", "whole", "pear", 2 * EPSILON, ONE_MESH),
+    "merge": Item("merge", "simple", "pair", 2 * EPSILON),
+    "refine": Item("refine", "simple", "block", 0, HERE),
+    "refine across": Item("refine", "simple", "block", 0, {"whole": "true"}),
+    "refine the whole": Item("refine", "whole", "pear", 0, {"direction": "rows"}),
+    "update": Item("update", "torn", "pear", EPSILON),
+    "to one mesh": Item("to_one_mesh", "simple", "pear", 0),
+}
+
+
+@pytest.fixture(scope="module")
+def documents(tmp_path_factory):
+    """The sample "fruit" with its pear as it is, simplified, and torn by an edit."""
+    folder = tmp_path_factory.mktemp("documents")
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    gradmesh.save(document, folder / "whole.svg")
+    gradmesh.simplify(document, "pear", method="motorcycle", epsilon=0.02)
+    for name in ("simple", "torn"):
+        gradmesh.save(document, folder / f"{name}.svg")
+    group = Group(folder / "torn.svg")
+    corner = group.shared_corner(3)
+    group.move(group.owners(corner)[0], corner, 3 + 2j)
+    return folder
+
+
+def selection(which, document):
+    """The ids of the object, of the first block, or of the blocks that merge with least error."""
+    if which == "block":
+        return [next(iter(svg_meshes.Document(document).blocks()))]
+    if which != "pair":
+        return [which]
+    errors = {}
+    for pair in combinations(svg_meshes.Document(document).blocks(), 2):
+        try:
+            edit = gradmesh.merge(gradmesh.load(document), pair, resolution=100)
+            errors[pair] = edit.error
+        except gradmesh.InputError:  # no neighbours, or no rectangle
+            continue
+    return min(errors, key=errors.get)
+
+
+class Ran(NamedTuple):
+    """What Inkscape has written before an item of the menu ran, after it, and after one undo."""
+
+    item: Item
+    before: Path
+    after: Path
+    undone: Path
+
+
+@pytest.fixture(scope="module", params=ITEMS, ids=lambda name: name.replace(" ", "-"))
+def ran(request, inkscape, documents, tmp_path_factory):
+    item = ITEMS[request.param]
+    document = documents / f"{item.document}.svg"
+    folder = tmp_path_factory.mktemp("ran")
+    ran = Ran(item, *(folder / f"{name}.svg" for name in ("before", "after", "undone")))
+    set_values(inkscape, item.name, **item.values)
+    actions = chosen(item.name, *selection(item.select, document)) + written(ran.after)
+    actions = [*written(ran.before), *actions, "undo", *written(ran.undone)]
+    inkscape.run_actions(document, actions)
+    return ran
+
+
+def alike(before, after, within):
+    """Whether two pictures are the same within this FLIP, or with 0 but for a level up or down:
+    colours at new points have eight bits."""
+    if within:
+        return flip(before, after) <= within
+    return (difference(before, after) > 1).mean() <= 0.001
+
+
+def stated(svg):
+    """The error in the label of the pear, against the mesh as it was at first."""
+    return float(LABEL_TEXT.fullmatch(by_id(svg)["pear"].get(LABEL))[4])
+
+
+def test_an_item_changes_the_mesh_but_not_the_picture(inkscape, documents, ran):
+    was, found = info(ran.before)["pear"], info(ran.after)["pear"]
+    if ran.item.name in ("simplify", "merge"):
+        assert found["patches"] < was["patches"]
+    elif ran.item.name in ("refine", "to_one_mesh"):
+        assert found["patches"] > was["patches"]
+    assert all_but_the_view(ran.after) != all_but_the_view(ran.before)
+    first, before, after = export(inkscape, [documents / "whole.svg", ran.before, ran.after])
+    assert alike(before, after, ran.item.within)
+    if ran.item.name == "merge":
+        assert flip(first, after) <= stated(ran.after)
+
+
+def test_one_undo_brings_everything_back(ran):
+    assert all_but_the_view(ran.undone) == all_but_the_view(ran.before)
+
+
+def others(svg):
+    """The objects that have no mesh, with all that is in them, in their order."""
+    layer = by_id(svg)["layer1"]
+    return [ET.tostring(element) for element in layer if element.get("id") != "pear"]
+
+
+def test_an_item_leaves_other_objects(ran):
+    assert others(ran.after) == others(ran.before)
+    order = [[element.get("id") for element in by_id(svg)["layer1"]] for svg in ran[1:3]]
+    assert order[0] == order[1]
+
+
+def test_inkscape_opens_and_saves_it_again_without_change(inkscape, ran):
+    (again,) = export(inkscape, [ran.after], kind="svg")
+    assert info(again) == info(ran.after)
+    assert all_but_the_view(again) == all_but_the_view(ran.after)
+
+
+def test_undone_it_is_saved_byte_for_byte_as_after_an_item_of_inkscapes_own(inkscape, tmp_path):
+    """Any extension, undone, leaves the attributes of the root in another order."""
+    set_values(inkscape, resolution=100)
+    own, ours = tmp_path / "own.svg", tmp_path / "ours.svg"
+    items = {
+        own: ["select-by-id:stem", "org.inkscape.color.brighter.noprefs"],
+        ours: chosen("simplify", "pear"),
+    }
+    for file, actions in items.items():
+        changed = tmp_path / f"changed-{file.name}"
+        actions = [*actions, *written(changed), "undo", *written(file)]
+        inkscape.run_actions(SAMPLES / "fruit.svg", actions)
+        assert changed.read_bytes() != file.read_bytes()
+    assert ours.read_bytes() == own.read_bytes()
+
+
+def test_analysis_comes_above_and_goes(inkscape, tmp_path):
+    set_values(inkscape, "show_analysis", show="regions")
+    files = [tmp_path / f"{name}.svg" for name in ("before", "shown", "removed")]
+    before, shown, removed = files
+    actions = [*written(before), *chosen("show_analysis", "pear"), *written(shown)]
+    actions += [*chosen("remove_analysis"), *written(removed)]
+    inkscape.run_actions(SAMPLES / "fruit.svg", actions)
+
+    layer = list(ET.parse(shown).getroot())[-1]
+    assert (layer.get("{urn:gradmesh}analysis"), layer.get(LABEL)) == ("regions", "Regions of pear")
+    assert others(shown) == others(before) and info(shown)["pear"] == info(before)["pear"]
+    assert all_but_the_view(removed) == all_but_the_view(before)
+
+    pictures = export(inkscape, files)
+    drawn = difference(*pictures[:2]) > 16
+    assert 0.01 < drawn.mean() < 0.3
+    assert not drawn[:60].any(), "drawn beside the pear"
+    assert (difference(pictures[0], pictures[2]) == 0).all()
+
+
+def test_hemesh_is_saved_and_opened(inkscape, tmp_path):
+    saved, opened = tmp_path / "saved.hemesh", tmp_path / "opened.svg"
+    inkscape.run_actions(SAMPLES / "fruit.svg", written(saved))
+    inkscape.run_actions(saved, written(opened))
+
+    ours, converted = tmp_path / "ours.hemesh", tmp_path / "converted.svg"
+    run("convert", SAMPLES / "fruit.svg", ours)
+    run("convert", ours, converted)
+    assert saved.read_bytes() == ours.read_bytes()
+    assert list(info(opened).values()) == list(info(converted).values())
+    bare, ours = tmp_path / "bare.svg", tmp_path / "ours.png"
+    document = svg_meshes.Document(opened)
+    write_bare_mesh(document, document.by_id["mesh"], bare)
+    run("render", opened, "--like-inkscape", "-o", ours)
+    (painted,) = export(inkscape, [bare])
+    assert flip(painted, ours) <= SAME
+    (reopened,) = export(inkscape, [opened], kind="svg")
+    assert info(reopened) == info(opened)
+
+
+def test_inkex_compares_the_output(extension, tmp_path):
+    """As inkex.tester has it, with the sample itself as what is expected."""
+    before, after = tmp_path / "before.svg", SAMPLES / "fruit.svg"
+    layer = '<g xmlns:m="urn:gradmesh" m:analysis="edges"><path d="M 0,0 9,9"/></g></svg>'
+    before.write_text(after.read_text().replace("</svg>", layer))
+    check = tmp_path / "check.py"
+    check.write_text(
+        "import unittest\n"
+        "from inkex.tester import ComparisonMixin, TestCase\n"
+        "from gradmesh_remove_analysis import RemoveAnalysis\n"
+        "class Comparison(ComparisonMixin, TestCase):\n"
+        "    effect_class = RemoveAnalysis\n"
+        f"    compare_file = {str(before)!r}\n"
+        "    comparisons = [()]\n"
+        "    def get_compare_cmpfile(self, args, addout=None):\n"
+        f"        return {str(after)!r}\n"
+        "unittest.main()\n"
+    )
+    done = subprocess.run(
+        [PYTHON, check],
+        cwd=extension,
+        env={**os.environ, "PYTHONPATH": f"{extension}{os.pathsep}{INKEX}"},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "Ran 1 test" in done.stderr
 
 
 @pytest.mark.parametrize(
@@ -63,10 +304,11 @@ def simplified(inkscape, sample, out, ids, **values):
 )
 def test_the_mesh_is_smaller_and_looks_the_same(inkscape, tmp_path, sample, ids):
     before, after = SAMPLES / f"{sample}.svg", tmp_path / "after.svg"
-    elements = simplified(inkscape, sample, after, ids, epsilon=EPSILON)
-    found, was = meshes(after), meshes(before)
+    elements = simplified(inkscape, sample, after, ids)
+    found, was = info(after), info(before)
     for name in ids:
-        patches, all_patches, metric, error = LABEL_TEXT.fullmatch(elements[name].get(LABEL)).groups()
+        label = elements[name].get(LABEL)
+        patches, all_patches, metric, error = LABEL_TEXT.fullmatch(label).groups()
         assert elements[name].tag == SVG + "g"
         assert int(patches) == found[name]["patches"] < was[name]["patches"] == int(all_patches)
         assert metric == "FLIP" and 0 < float(error) <= EPSILON
@@ -74,28 +316,15 @@ def test_the_mesh_is_smaller_and_looks_the_same(inkscape, tmp_path, sample, ids)
         inkscape.export_png(svg, tmp_path / f"{when}.png", width=700)
         for when, svg in (("before", before), ("after", after))
     ]
-    assert float(run("compare", *pictures).stdout) <= EPSILON + 0.003
+    assert float(run("compare", *pictures).stdout) <= EPSILON + PAGE
 
 
 @pytest.fixture(scope="module")
 def untouched(inkscape, tmp_path_factory):
     """What Inkscape makes of the sample "two" without the extension."""
     plain = tmp_path_factory.mktemp("untouched") / "plain.svg"
-    inkscape.run_actions(SAMPLES / "two.svg", [f"export-filename:{plain}", "export-do"])
+    inkscape.run_actions(SAMPLES / "two.svg", written(plain))
     return plain
-
-
-def all_but_the_view(svg):
-    """The document, whatever window it was seen in."""
-    return ET.canonicalize(from_file=svg, exclude_tags=[VIEW])
-
-
-def test_other_objects_stay(inkscape, untouched, tmp_path):
-    before = by_id(untouched)
-    after = simplified(inkscape, "two", tmp_path / "after.svg", ["cap"])
-    for name in ("background", "shadow", "stalk"):
-        assert after[name].attrib == before[name].attrib
-    assert meshes(tmp_path / "after.svg")["stalk"] == meshes(SAMPLES / "two.svg")["stalk"]
 
 
 def test_preferences_reach_the_extension(inkscape, tmp_path):
@@ -103,10 +332,12 @@ def test_preferences_reach_the_extension(inkscape, tmp_path):
         elements = simplified(inkscape, "fruit", tmp_path / "after.svg", ["pear"], **values)
         return LABEL_TEXT.fullmatch(elements["pear"].get(LABEL)).groups()
 
-    coarse, fine = label(epsilon="0.03"), label(epsilon="0.003")
+    coarse = label(amount="custom", epsilon="0.03", resolution=200)
+    fine = label(amount="custom", epsilon="0.003", resolution=200)
     assert int(coarse[0]) < int(fine[0])
     assert float(fine[3]) <= 0.003 < float(coarse[3]) <= 0.03
-    assert label(metric="ssim")[2] == "SSIM"
+    assert label(metric="ssim", resolution=200)[2] == "SSIM"
+    assert int(label(amount="patches", patches=40, resolution=200)[0]) <= 40
 
 
 STALK = 36  # patches, so few that every method is quick
@@ -119,18 +350,20 @@ METHODS = [
     ("random", {"seed": 2}),
 ]
 EDGES = "100, 120"
+NO_ERROR = {"amount": "custom", "epsilon": 0}
 
 
 @pytest.mark.parametrize("method, values", METHODS, ids=[method for method, _ in METHODS])
 def test_every_method_with_its_settings(inkscape, tmp_path, method, values):
     """The same comes out as from Python: so every value has reached the core."""
     values = {"method": method, "resolution": 100, **values}
-    (expected,) = gradmesh.simplify(gradmesh.load(SAMPLES / "two.svg"), "stalk", **values)
+    document = gradmesh.load(SAMPLES / "two.svg")
+    (expected,) = gradmesh.simplify(document, "stalk", visible_only=True, **values)
     elements = simplified(inkscape, "two", tmp_path / "after.svg", ["stalk"], **values)
     left, _, metric, error = LABEL_TEXT.fullmatch(elements["stalk"].get(LABEL)).groups()
     assert int(left) == expected.patches_after < STALK
     assert (metric, error) == ("FLIP", f"{expected.error:.4f}") and 0 < float(error) <= EPSILON
-    assert meshes(tmp_path / "after.svg")["stalk"]["patches"] == int(left)
+    assert info(tmp_path / "after.svg")["stalk"]["patches"] == int(left)
 
 
 def test_named_edges(inkscape, tmp_path):
@@ -144,14 +377,14 @@ def test_named_edges(inkscape, tmp_path):
     "values, words",
     [
         ({"preview": "true", "edges": EDGES}, "stalk: 34 of 36 patches would be left"),
-        ({"preview": "true", "edges": EDGES, "epsilon": 0}, "above the largest error, 0."),
-        ({"edges": EDGES, "epsilon": 0}, "half-edge 100"),
+        ({"preview": "true", "edges": EDGES, **NO_ERROR}, "above the largest error, 0."),
+        ({"edges": EDGES, **NO_ERROR}, "half-edge 100"),
         ({"method": "magic"}, "'magic'"),
     ],
 )
 def test_what_is_only_said_changes_nothing(inkscape, untouched, tmp_path, values, words):
     values = {"method": "manual", "resolution": 100, **values}
-    inkscape.set_values({f"{RAW_ID}.{name}": value for name, value in values.items()})
+    set_values(inkscape, **values)
     after = tmp_path / "after.svg"
     said = inkscape.said_by_extension(RAW_ID, SAMPLES / "two.svg", after, select=["stalk"])
     assert words in said and said.count("\n") == 1 and said.endswith(".\n")
@@ -161,9 +394,9 @@ def test_what_is_only_said_changes_nothing(inkscape, untouched, tmp_path, values
 def test_twice_is_once_more(inkscape, tmp_path):
     """What Inkscape saved is simplified again, and the label still counts from the first mesh."""
     once, twice = tmp_path / "once.svg", tmp_path / "twice.svg"
-    simplified(inkscape, "fruit", once, ["pear"], epsilon="0.005")
-    inkscape.set_values({f"{RAW_ID}.epsilon": "0.03"})
+    simplified(inkscape, "fruit", once, ["pear"], amount="gentle", resolution=300)
+    set_values(inkscape, amount="strong", resolution=300)
     inkscape.run_extension(RAW_ID, once, twice, select=["pear"])
     left, all_patches, *_ = LABEL_TEXT.fullmatch(by_id(twice)["pear"].get(LABEL)).groups()
-    assert int(left) == meshes(twice)["pear"]["patches"] < meshes(once)["pear"]["patches"]
+    assert int(left) == info(twice)["pear"]["patches"] < info(once)["pear"]["patches"]
     assert all_patches == "132"
