@@ -1,5 +1,6 @@
 #include "document/convert.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <stdexcept>
@@ -50,6 +51,23 @@ void join_colors(MeshParts& parts) {
   }
 }
 
+/// Whether every patch's colours are the bilinear mixture of its corners', to half a level of 8
+/// bits: then smaller patches come no closer. True of what was an SVG document before.
+bool has_bilinear_colors(const Mesh& mesh) {
+  for (const Face f : mesh.faces()) {
+    const Patch patch = mesh.patch(f);
+    Patch bilinear = patch;
+    make_color_bilinear(bilinear);
+    for (const double u : {0.2, 0.5, 0.8})
+      for (const double v : {0.2, 0.5, 0.8}) {
+        const glm::dvec4 off = patch.at(u, v).color - bilinear.at(u, v).color;
+        for (int i = 0; i < 4; ++i)
+          if (std::abs(off[i]) > 0.5 / 255) return false;
+      }
+  }
+  return true;
+}
+
 /// Between the coordinates of SVG and .hemesh, so that the mesh's longer side has `length` units
 /// and its middle lies at `middle`.
 Affine fitted(const Box& box, double length, glm::dvec2 middle) {
@@ -77,7 +95,8 @@ class Converter {
     const SvgPage page{size.x + 2 * margin, size.y + 2 * margin};
     place_ = fitted(box, length, {page.width / 2, page.height / 2}) * from_.view(entry_);
     Conversion conversion = start();
-    MeshParts patches = as_bilinear(parts(options_.subdivide.value_or(4)));
+    MeshParts patches =
+        as_bilinear(parts(options_.subdivide.value_or(has_bilinear_colors(source_) ? 1 : 4)));
     join_colors(patches);
     const Mesh mesh = build_mesh(patches);
     const std::string outline = outline_path(conversion.original);

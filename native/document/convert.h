@@ -10,7 +10,8 @@ namespace gradmesh {
 struct ConvertOptions {
   /// Every patch is split exactly into subdivide x subdivide, 1..32: SVG knows no colours but the
   /// bilinear mixtures of four, so that smaller patches are closer to the original. By default 4
-  /// towards SVG and 1 towards .hemesh, where it loses nothing.
+  /// towards SVG, unless all colours are such mixtures already, and 1 towards .hemesh, where it
+  /// loses nothing.
   std::optional<int> subdivide;
   /// How the error is measured; 16..8192 pixels along the longer side.
   MetricKind metric = MetricKind::flip;

@@ -165,7 +165,9 @@ Rectangle SvgMeshes::block(const std::string& id) const {
 
 Rectangle SvgMeshes::rectangle(const std::string& id) const {
   for (const MeshEntry& entry : entries_) {
-    if (entry.id != id || entry.simplified) continue;
+    if (entry.id != id) continue;
+    if (entry.simplified)
+      throw InputError(describe(entry) + ": it is made of blocks; choose one of them.");
     const Mesh whole = mesh(entry);
     if (whole.is_smooth())
       throw InputError(describe(entry) +

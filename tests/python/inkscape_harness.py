@@ -179,6 +179,7 @@ class Inkscape:
             "INKSCAPE_PROFILE_DIR": str(self.home / "profile"),
             "XDG_CONFIG_HOME": str(self.home / "config"),
             "XDG_DATA_HOME": str(self.home / "data"),
+            "XDG_CACHE_HOME": str(self.home / "cache"),
             "GDK_BACKEND": "x11",
             "GSETTINGS_BACKEND": "memory",
             "GIO_USE_VFS": "local",

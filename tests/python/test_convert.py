@@ -98,6 +98,7 @@ def test_from_svg_nothing_is_lost(tmp_path):
     assert converted(FRUIT, there) == (132, 0)
     assert error(FRUIT, there) == 0
     assert converted(there, back, "--subdivide", 1) == (132, 0)
+    assert converted(there, back) == (132, 0)  # as the colours are bilinear already
     sizes = [abs(x) for p in elements(there)["points"] for x in p["position"]]
     assert max(sizes) == pytest.approx(1, abs=0.05)
 

@@ -144,6 +144,11 @@ def test_a_refined_mesh_merges_back(simplified):
     assert result.patches_after <= patches + 3
 
 
+def test_a_whole_group_is_too_much_to_refine(simplified):
+    with pytest.raises(gradmesh.InputError, match="made of blocks; choose one of them"):
+        gradmesh.refine(simplified, "pear")
+
+
 @pytest.mark.parametrize(
     "options, words",
     [

@@ -411,7 +411,7 @@ def test_hemesh_in_and_out(extension, run, tmp_path):
     assert saved.stderr == "" and saved.stdout.startswith("HEMESH")
     opened = run(saved.stdout, item="open")
     assert opened.stderr == ""
-    assert patches(opened.stdout) >= 132
+    assert patches(opened.stdout) == 132  # colours from SVG need no smaller patches
     assert "holds one gradient mesh" in refused(run(SAMPLES / "two.svg", item="save"))
     assert run(SAMPLES / "two.svg", "--id=cap", item="save").stdout.startswith("HEMESH")
     bad = run("HEMESH\nnot a mesh\n", item="open")

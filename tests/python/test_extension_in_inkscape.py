@@ -44,9 +44,8 @@ def extension(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def inkscape(extension, tmp_path_factory):
-    with pytest.MonkeyPatch.context() as patch, Inkscape() as running:
-        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+def inkscape(extension):
+    with Inkscape() as running:
         running.install(extension)
         yield running
 

@@ -18,9 +18,8 @@ STRONG, ONLY_SAY, APPLY, CLOSE = (313, 152), (35, 410), (554, 510), (465, 510)
 DIALOG, CANVAS, STATUS = (0, 0, 598, 528), (620, 140, 1370, 900), (450, 960, 1060, 1000)
 
 
-def test_say_apply_and_undo(tmp_path, monkeypatch):
+def test_say_apply_and_undo(tmp_path):
     image = pytest.importorskip("PIL.Image")
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     svg = tmp_path / "fruit.svg"
     svg.write_bytes((SAMPLES / "fruit.svg").read_bytes())
 
