@@ -437,3 +437,50 @@ def test_the_german_catalogue_is_complete():
         ["msgfmt", "--statistics", "-o", os.devnull, "-"], input=merged.stdout, capture_output=True
     )
     assert re.fullmatch(rb"\d+ translated messages\.\n", done.stderr), done.stderr
+
+
+def test_a_killed_run_writes_nothing(extension, tmp_path):
+    """Inkscape takes what an extension wrote; half a document would be the person's loss."""
+    running = subprocess.Popen(
+        [PYTHON, "gradmesh_simplify.py", "--id=photo", "--resolution=4000", SAMPLES / "photo.svg"],
+        cwd=extension,
+        env={
+            **os.environ,
+            "PYTHONPATH": str(INKEX),
+            "XDG_CACHE_HOME": str(tmp_path / "cache"),
+            "DISPLAY": "",
+        },
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    with pytest.raises(subprocess.TimeoutExpired):
+        running.communicate(timeout=3)  # long before it ends
+    running.kill()
+    assert running.communicate() == (b"", b"")
+
+
+def test_long_work_is_stopped_and_says_what_became_of_it(extension):
+    """Without a display, as in a batch run; the window only calls stop()."""
+    check = (
+        "from gradmesh_window import LongWork\n"
+        "def work(tell):\n"
+        "    seen.append(tell(1, 4, 30, 0.001))\n"
+        "    long.stop()\n"
+        "    seen.append(tell(2, 4, 20, 0.002))\n"
+        "    return 'the best so far'\n"
+        "seen = []\n"
+        "long = LongWork('Something', work)\n"
+        "assert long.run() == 'the best so far' and seen == [True, False], seen\n"
+        "assert long.share == 0.5 and 'Stopping' in long.words\n"
+        "def fail(tell):\n"
+        "    raise ValueError('no mesh')\n"
+        "try:\n"
+        "    LongWork('Something', fail).run()\n"
+        "except ValueError as error:\n"
+        "    assert str(error) == 'no mesh'\n"
+        "else:\n"
+        "    raise AssertionError\n"
+    )
+    env = {**os.environ, "DISPLAY": "", "LANGUAGE": "en"}
+    done = subprocess.run([PYTHON, "-c", check], cwd=extension, env=env, capture_output=True)
+    assert (done.returncode, done.stderr) == (0, b"")
