@@ -84,6 +84,10 @@ Reconciled SvgMeshes::group_mesh(const MeshEntry& group) const {
   });
 }
 
+bool SvgMeshes::remembers(const MeshEntry& group) const {
+  return attribute(object(group).node, "original", gradmesh_namespace).has_value();
+}
+
 std::string SvgMeshes::original_memory(const MeshEntry& group) const {
   const auto memory = attribute(object(group).node, "original", gradmesh_namespace);
   return memory && recall(*memory) && !group_mesh(group).edited ? *memory : "";
@@ -200,7 +204,9 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
       result.error = e;
       result.way = way;
     }
-  replace({{entry, edited, result, original}}, metric, {});
+  WriteOptions writing;
+  writing.remember_original = !entry.simplified || remembers(entry);
+  replace({{entry, edited, result, original}}, metric, writing);
   mark_changed();
   return result.error;
 }
@@ -210,6 +216,8 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
   std::vector<double> tolerances;
   for (const auto& [entry, mesh] : meshes)
     tolerances.push_back(frame(entry, mesh, resolution).coons_tolerance);
+  // All are looked at before the first is changed.
+  for (const auto& [entry, mesh] : meshes) check_restorable(svg_, object(entry));
   for (std::size_t i = 0; i < meshes.size(); ++i)
     write_mesh_gradient(svg_, restore_shape(svg_, object(meshes[i].first)), meshes[i].second,
                         tolerances[i]);
@@ -222,6 +230,7 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     const MeshObject& group;
     Mesh mesh;
     double coons_tolerance;
+    bool remembers;
   };
   // All are read before the first is written.
   std::vector<UpdateReport> reports;
@@ -233,17 +242,18 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     if (!group.edited) continue;
     Mesh mesh = naming(entry, [&] { return build_mesh(group.parts); });
     const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
-    edited.push_back({object(entry), std::move(mesh), frame.coons_tolerance});
+    edited.push_back({object(entry), std::move(mesh), frame.coons_tolerance, remembers(entry)});
   }
   if (reports.empty())
     throw InputError(name() + ": only meshes that were simplified before can be updated.");
 
-  for (const auto& [group, mesh, coons_tolerance] : edited) {
+  for (const auto& [group, mesh, coons_tolerance, remembers] : edited) {
     const int patches = mesh.face_count();
     // Painted in the order of before, in which the person has seen them.
     const std::vector<Block> blocks = possible_blocks(mesh)[1];
     write_mesh(svg_, group,
-               {mesh, blocks, coons_tolerance, mesh_label(patches), patches, remember(mesh)});
+               {mesh, blocks, coons_tolerance, mesh_label(patches), patches,
+                remembers ? remember(mesh) : ""});
   }
   list_meshes();
   return reports;

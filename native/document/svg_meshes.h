@@ -54,6 +54,8 @@ class SvgMeshes : public Document {
   const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
   /// The mesh of a group as a person has left it, made to fit together again.
   Reconciled group_mesh(const MeshEntry& group) const;
+  /// Whether the person wants the group to remember its original.
+  bool remembers(const MeshEntry& group) const;
   /// What the group remembers of the mesh before it was first simplified, as the attribute's value:
   /// empty where it remembers nothing, or nothing that counts since it was edited.
   std::string original_memory(const MeshEntry& group) const;

@@ -20,6 +20,12 @@ xmlNode* outermost_group(xmlNode* group) {
   return group;
 }
 
+int count_mesh_groups(const xmlNode* node) {
+  int count = is_mesh_group(node);
+  for (const xmlNode* child : child_elements(node)) count += count_mesh_groups(child);
+  return count;
+}
+
 class ShapeRestorer {
  public:
   ShapeRestorer(SvgDocument& document, const MeshObject& object)
@@ -29,8 +35,14 @@ class ShapeRestorer {
         stroke_(object.role == PaintRole::stroke),
         id_(object_id(object.node)) {}
 
-  MeshObject run() {
+  void check() {
+    if (count_mesh_groups(outermost_) > 1)
+      fail(group_, "the fill and the stroke of its object are both made of blocks");
     find_holder();
+  }
+
+  MeshObject run() {
+    check();
     xmlNode* shape = take_shape();
     xmlAddPrevSibling(outermost_, shape);
     const std::string fallback = collect_gradients();
@@ -137,6 +149,10 @@ class ShapeRestorer {
 };
 
 }  // namespace
+
+void check_restorable(SvgDocument& document, const MeshObject& group) {
+  ShapeRestorer(document, group).check();
+}
 
 MeshObject restore_shape(SvgDocument& document, const MeshObject& group) {
   return ShapeRestorer(document, group).run();

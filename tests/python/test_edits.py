@@ -235,3 +235,24 @@ def test_a_mesh_that_is_not_simplified_is_none_of_its_business():
     document = gradmesh.load(SAMPLES / "fruit.svg")
     with pytest.raises(gradmesh.InputError, match="only simplified meshes"):
         gradmesh.to_one_mesh(document)
+
+
+def test_a_fill_and_a_stroke_of_blocks_are_left_as_they_are():
+    fruit = (SAMPLES / "fruit.svg").read_text()
+    gradient = re.search(r"<meshgradient.*?</meshgradient>", fruit, re.S).group(0)
+    gradient = gradient.replace("pear-mesh", "m")
+    style = "stroke:url(#m);stroke-width:9"
+    document = gradmesh.loads(STYLED.format(gradient=gradient, style=style))
+    gradmesh.simplify(document, epsilon=0.02, **SMALL)
+    assert [mesh.simplified for mesh in document.meshes] == [True, True]
+    before = document.to_bytes()
+    with pytest.raises(gradmesh.InputError, match="the fill and the stroke"):
+        gradmesh.to_one_mesh(document)
+    assert document.to_bytes() == before
+
+
+def test_what_was_forgotten_stays_forgotten():
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    gradmesh.simplify(document, epsilon=0.02, remember_original=False, **SMALL)
+    gradmesh.refine(document, list(blocks(document))[0], row=1, column=1)
+    assert elements(document)["pear"].get("{urn:gradmesh}original") is None
