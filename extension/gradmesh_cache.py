@@ -5,19 +5,24 @@ A folder in the user's cache that may be deleted at any time. It is bounded: wha
 longest goes first.
 """
 
+from contextlib import contextmanager
+
 from gradmesh_text import cache_folder
 
 LARGEST = 64 * 2**20  # bytes
 
 
+@contextmanager
 def analysis_cache():
-    """The folder, made where it is not there yet; None where that fails."""
+    """The folder, made where it is not there yet, or None where that fails; bounded afterwards."""
     folder = cache_folder() / "analyses"
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError:
-        return None
-    return folder
+        yield None
+        return
+    yield folder
+    prune(folder)
 
 
 def prune(folder, largest=LARGEST):

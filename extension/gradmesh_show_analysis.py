@@ -4,7 +4,7 @@
 
 from lxml import etree
 
-from gradmesh_cache import analysis_cache, prune
+from gradmesh_cache import analysis_cache
 from gradmesh_effect import MARK, GradmeshEffect, gradmesh, inkex, refusals_as_sentences
 from gradmesh_text import _
 from gradmesh_window import LongWork
@@ -37,20 +37,17 @@ class ShowAnalysis(GradmeshEffect):
             self.svg.append(self.layer(name, drawing))
 
     def draw(self, name, tell):
-        cache = analysis_cache()
-        drawing = gradmesh.draw(
-            self.meshes,
-            self.options.show,
-            name,
-            picture=False,
-            metric=self.options.metric,
-            epsilon=self.options.epsilon,
-            analysis_cache=cache,
-            progress=tell,
-        )
-        if cache:
-            prune(cache)
-        return drawing
+        with analysis_cache() as cache:
+            return gradmesh.draw(
+                self.meshes,
+                self.options.show,
+                name,
+                picture=False,
+                metric=self.options.metric,
+                epsilon=self.options.epsilon,
+                analysis_cache=cache,
+                progress=tell,
+            )
 
     def layer(self, name, drawing):
         """The layers of the drawing in one of their own; it is in the document's coordinates."""

@@ -4,7 +4,7 @@
 
 import re
 
-from gradmesh_cache import analysis_cache, prune
+from gradmesh_cache import analysis_cache
 from gradmesh_effect import GradmeshEffect, gradmesh, inkex, refusals_as_sentences
 from gradmesh_text import _
 from gradmesh_window import LongWork
@@ -101,13 +101,10 @@ class Simplify(GradmeshEffect):
         )
 
     def simplify(self, ids, options, tell):
-        cache = analysis_cache()
-        results = gradmesh.simplify(
-            self.meshes, ids, **options, analysis_cache=cache, progress=tell
-        )
-        if cache:
-            prune(cache)
-        return results
+        with analysis_cache() as cache:
+            return gradmesh.simplify(
+                self.meshes, ids, **options, analysis_cache=cache, progress=tell
+            )
 
     def why_nothing_changed(self, results):
         names = ", ".join(result.id for result in results)
