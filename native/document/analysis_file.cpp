@@ -171,8 +171,9 @@ std::filesystem::path AnalysisFiles::cached(const AnalysisKey& key) const {
 }
 
 Analysis AnalysisFiles::from_cache(const AnalysisKey& key, const Mesh& mesh) const {
+  if (paths_.cache.empty()) return {key, {}};
   const std::filesystem::path file = cached(key);
-  if (paths_.cache.empty() || !std::filesystem::exists(file)) return {key, {}};
+  if (!std::filesystem::exists(file)) return {key, {}};
   try {
     for (Analysis& analysis : read(file))
       if (analysis.key == key && !misfit(analysis, mesh)) return analysis;

@@ -8,7 +8,6 @@
 namespace gradmesh {
 namespace {
 
-constexpr double same_place = 1e-9;
 /// Colours that differ by less are the same but for rounding.
 constexpr double same_color = 1e-9;
 

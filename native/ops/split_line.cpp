@@ -4,13 +4,11 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/subdivide.h"
 #include "ops/split.h"
 
 namespace gradmesh {
 namespace {
-
-/// Places on a curve that are closer are one; as subdivided() has it.
-constexpr double same_place = 1e-9;
 
 /// A point on a whole side of a curve.
 struct Place {

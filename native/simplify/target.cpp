@@ -76,7 +76,6 @@ class TargetSearch {
   StopWatch watch_{0, {}};
   Analysis analysis_;
   bool over_ = false, found_ = false;
-  int evaluations_ = 0;
   SimplifyResult best_;
   Mesh best_mesh_;
 };
