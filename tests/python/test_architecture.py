@@ -15,14 +15,15 @@ RANK = {
     "ops": 3,
     "io": 3,
     "raster": 3,
-    "error": 4,
-    "select": 5,
-    "draw": 6,
-    "simplify": 6,
-    "document": 7,
-    "report": 7,
-    "bindings": 8,
-    "cli": 8,
+    "fit": 4,
+    "error": 5,
+    "select": 6,
+    "draw": 7,
+    "simplify": 7,
+    "document": 8,
+    "report": 8,
+    "bindings": 9,
+    "cli": 9,
 }
 
 #: Libraries that only some folders may know.
@@ -35,6 +36,7 @@ OWNERS = {
     r"CLI/": {"cli"},
     r"nlohmann/": {"io", "document", "report", "cli"},
     r"tbb/": {"base"},
+    r"Eigen/": {"fit"},
 }
 
 SOURCES = sorted(p for p in NATIVE.rglob("*") if p.suffix in {".h", ".cpp"})

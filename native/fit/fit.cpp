@@ -1,0 +1,61 @@
+#include "fit/fit.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include "base/parallel.h"
+#include "fit/equations.h"
+
+namespace gradmesh {
+namespace {
+
+Eigen::VectorXd by_column(const std::vector<double>& by_unknown, const Columns& columns) {
+  Eigen::VectorXd result(columns.count);
+  for (std::size_t i = 0; i < by_unknown.size(); ++i) {
+    if (columns.place[i] >= 0) result.segment<2>(columns.place[i]).setConstant(by_unknown[i]);
+    if (columns.color[i] >= 0) result.segment<3>(columns.color[i]).setConstant(by_unknown[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Fit::Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces,
+         const Freedom& freedom)
+    : journal_(journal),
+      target_(target),
+      unknowns_(unknowns_of(journal.mesh(), faces, freedom)),
+      influenced_(influences(journal, unknowns_)) {}
+
+std::vector<Value> Fit::step(const std::vector<double>& damping) const {
+  const Mesh& mesh = journal_.mesh();
+  const Columns columns(unknowns_);
+  std::vector<NormalEquations> equations(influenced_.size());
+  parallel_for(influenced_.size(), [&](std::size_t i) {
+    equations[i] = normal_equations(mesh, influenced_[i], columns, target_);
+  });
+  const Eigen::VectorXd solution = solve(equations, by_column(damping, columns));
+
+  std::vector<Value> step(unknowns_.size());
+  if (!solution.allFinite()) return step;
+  const glm::dmat2 to_mesh = glm::inverse(target_.frame().to_pixels.linear);
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    if (const int c = columns.place[i]; c >= 0)
+      step[i].position = to_mesh * glm::dvec2(solution(c), solution(c + 1));
+    if (const int c = columns.color[i]; c >= 0)
+      step[i].color = {solution(c), solution(c + 1), solution(c + 2), 0.0};
+    if (unknowns_[i].kind == Unknown::color) {
+      const glm::dvec4 now = mesh[unknowns_[i].corners.front()].color;
+      step[i].color = glm::clamp(now + step[i].color, 0.0, 1.0) - now;
+    }
+  }
+  return step;
+}
+
+void Fit::apply(const std::vector<Value>& step, const std::vector<bool>& stays) {
+  journal_.begin();
+  for (std::size_t i = 0; i < unknowns_.size(); ++i)
+    if (!stays[i]) change(journal_, unknowns_[i], step[i]);
+}
+
+}  // namespace gradmesh

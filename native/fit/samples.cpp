@@ -1,0 +1,53 @@
+#include "fit/samples.h"
+
+#include <memory>
+
+namespace gradmesh {
+namespace {
+
+using Basis = std::array<double, 4>;
+
+Basis basis(double t) {
+  const double t2 = t * t, t3 = t2 * t;
+  return {1 - 3 * t2 + 2 * t3, t - 2 * t2 + t3, t3 - t2, 3 * t2 - 2 * t3};
+}
+
+Basis basis_derivative(double t) {
+  const double t2 = t * t;
+  return {6 * t2 - 6 * t, 1 - 4 * t + 3 * t2, 3 * t2 - 2 * t, 6 * t - 6 * t2};
+}
+
+std::array<double, 16> products(const Basis& u, const Basis& v) {
+  std::array<double, 16> result;
+  for (std::size_t k = 0; k < 16; ++k) result[k] = u[k / 4] * v[k % 4];
+  return result;
+}
+
+void set_row(Eigen::MatrixXd& matrix, int row, const std::array<double, 16>& values) {
+  for (int k = 0; k < 16; ++k) matrix(row, k) = values[std::size_t(k)];
+}
+
+Samples make_samples(int rows, int columns) {
+  const int count = rows * columns;
+  Samples s{Eigen::MatrixXd(count, 16), Eigen::MatrixXd(count, 16), Eigen::MatrixXd(count, 16)};
+  for (int i = 0; i < count; ++i) {
+    const double u = (i / columns + 0.5) / rows, v = (i % columns + 0.5) / columns;
+    set_row(s.at, i, products(basis(u), basis(v)));
+    set_row(s.by_u, i, products(basis_derivative(u), basis(v)));
+    set_row(s.by_v, i, products(basis(u), basis_derivative(v)));
+  }
+  return s;
+}
+
+}  // namespace
+
+std::array<double, 16> basis_products(double u, double v) { return products(basis(u), basis(v)); }
+
+const Samples& samples_of(int rows, int columns) {
+  static thread_local std::array<std::unique_ptr<Samples>, most_samples * most_samples> made;
+  auto& place = made[std::size_t((rows - 1) * most_samples + columns - 1)];
+  if (!place) place = std::make_unique<Samples>(make_samples(rows, columns));
+  return *place;
+}
+
+}  // namespace gradmesh
