@@ -89,6 +89,19 @@ double EditError::after_edits(const Journal& journal, std::size_t depth, double 
   return trial_.sum / pixels;
 }
 
+std::vector<double> EditError::change_by_face(std::size_t face_slots) const {
+  std::vector<double> change(face_slots, 0.0);
+  const Window& window = trial_.measured;
+  for (int y = window.y0; y < window.y1; ++y) {
+    const std::uint32_t* top = trial_.painting.top.at(window.x0, y);
+    const float *now = trial_.map.at(window.x0, y), *before = state_->map.at(window.x0, y);
+    for (int i = 0; i < window.width(); ++i)
+      if (const Face face = TopFace(top[i]).face(); face.valid())
+        change[std::size_t(face.value)] += double(now[i]) - before[i];
+  }
+  return change;
+}
+
 void EditError::accept(const Journal& journal) {
   if (!own_state_) state_ = own_state_ = std::make_shared<State>(*state_);
   State& state = *own_state_;

@@ -37,6 +37,9 @@ class EditError {
   /// number above that.
   double after_edits(const Journal& journal, std::size_t depth,
                      double limit = std::numeric_limits<double>::infinity());
+  /// By how much the last after_edits, whose error was at most its limit, changed the sum of the
+  /// map, by the face that is now on top: by its slot, for all of the journal's mesh.
+  std::vector<double> change_by_face(std::size_t face_slots) const;
   /// Accepts the journal's mesh, which must be that of the last after_edits, whose error must be
   /// at most its limit.
   void accept(const Journal& journal);

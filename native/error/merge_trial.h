@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "error/edit_error.h"
+#include "error/fit_trial.h"
 #include "mesh/region.h"
 #include "ops/journal.h"
 #include "ops/merge_region.h"
@@ -53,6 +54,8 @@ class MergeTrial {
   /// A mesh and a trial of its own, as they are here now, for another thread.
   struct Fork;
   std::unique_ptr<Fork> fork();
+  /// The same, of a trial that goes on with fits.
+  std::unique_ptr<FitTrial::Fork> fork_to_fit(std::shared_ptr<const FitTarget> target);
 
  private:
   friend class RegionTrial;

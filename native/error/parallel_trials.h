@@ -7,16 +7,17 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "error/merge_trial.h"
 
 namespace gradmesh {
 
 /// Tries many things that do not depend on each other, on all cores: each thread has a trial of its
-/// own, with its own mesh, journal and window, which all start from the same state.
+/// own, with its own mesh, journal and window, which all start from the same state. Trial: a
+/// MergeTrial or another that can be forked.
+template <class Trial>
 class ParallelTrials {
  public:
   /// As long as it lives `trial` must be, between calls of for_each, as it was at first.
-  explicit ParallelTrials(MergeTrial& trial) : trials_{&trial} {
+  explicit ParallelTrials(Trial& trial) : trials_{&trial} {
     while (trials_.size() < thread_count()) {
       forks_.push_back(trial.fork());
       trials_.push_back(&forks_.back()->trial);
@@ -42,8 +43,8 @@ class ParallelTrials {
   }
 
  private:
-  std::vector<std::unique_ptr<MergeTrial::Fork>> forks_;
-  std::vector<MergeTrial*> trials_;
+  std::vector<std::unique_ptr<typename Trial::Fork>> forks_;
+  std::vector<Trial*> trials_;
 };
 
 }  // namespace gradmesh

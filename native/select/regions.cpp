@@ -170,7 +170,7 @@ class Growth {
   const double limit_;
   StopWatch& watch_;
   const double error_;
-  ParallelTrials trials_;
+  ParallelTrials<MergeTrial> trials_;
   std::set<Region> seen_, kept_;
   /// Seen, but not tried yet.
   std::vector<Region> reached_;

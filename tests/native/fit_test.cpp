@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include "error/fit_trial.h"
+#include "random_meshes.h"
+#include "same_mesh.h"
+
+/// Fits: the mesh is linear in what they may change, and they come closer to the picture.
+namespace gradmesh {
+namespace {
+
+Mesh junction_mesh(ColorModel model, unsigned seed) {
+  std::mt19937 random(seed);
+  const MeshParts parts = test::grid_parts(
+      {.rows = 4, .columns = 4, .position_noise = 0.08, .color_noise = 0.1, .color_model = model},
+      random);
+  return test::changed_mesh(parts, seed, 8);
+}
+
+std::vector<Face> faces_of(const Mesh& mesh) {
+  std::vector<Face> faces;
+  for (const Face f : mesh.faces()) faces.push_back(f);
+  return faces;
+}
+
+Value random_value(const Unknown& unknown, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Value v;
+  if (unknown.moves_place) v.position = 5.0 * glm::dvec2(unit(random), unit(random));
+  if (unknown.moves_color) v.color = 0.1 * glm::dvec4(unit(random), unit(random), unit(random), 0);
+  return v;
+}
+
+TEST(Fit, patches_are_linear_in_the_unknowns) {
+  for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
+    for (unsigned seed = 0; seed < 8; ++seed) {
+      Mesh mesh = junction_mesh(model, seed);
+      const Mesh before = mesh;
+      Journal journal(mesh);
+      const auto unknowns = unknowns_of(mesh, faces_of(mesh), {});
+      const auto influenced = influences(journal, unknowns);
+      EXPECT_TRUE(test::same(mesh, before));
+
+      std::mt19937 random(seed);
+      std::vector<Value> by;
+      for (const Unknown& unknown : unknowns) by.push_back(random_value(unknown, random));
+      journal.begin();
+      for (std::size_t i = 0; i < unknowns.size(); ++i) change(journal, unknowns[i], by[i]);
+      EXPECT_EQ(influenced.size(), std::size_t(mesh.face_count()));
+      for (const InfluencedFace& face : influenced) {
+        Patch expected = before.patch(face.face);
+        for (const Influence& influence : face.by)
+          for (std::size_t k = 0; k < 16; ++k) {
+            const Value& v = by[std::size_t(influence.unknown)];
+            expected.c[k / 4][k % 4] +=
+                Value{v.position * influence.place[k], v.color * influence.color[k]};
+          }
+        EXPECT_LT(test::difference(mesh.patch(face.face), expected), 1e-9) << "seed " << seed;
+      }
+    }
+}
+
+TEST(Fit, unknowns_of_some_faces_change_no_others_than_their_neighbours) {
+  Mesh mesh = test::grid_mesh({.rows = 5, .columns = 5});
+  Journal journal(mesh);
+  const Face middle{12};
+  const auto twists =
+      influences(journal, unknowns_of(mesh, {middle}, {.tangents = false, .colors = false}));
+  ASSERT_EQ(twists.size(), 1u);
+  EXPECT_EQ(twists[0].face, middle);
+  std::vector<Face> seen;
+  for (const auto& face : influences(journal, unknowns_of(mesh, {middle}, {.colors = false})))
+    seen.push_back(face.face);
+  EXPECT_EQ(seen, (std::vector{Face{7}, Face{11}, Face{12}, Face{13}, Face{17}}));
+  EXPECT_EQ(influences(journal, unknowns_of(mesh, {middle}, {})).size(), 9u);
+}
+
+TEST(Fit, colors_are_shared_where_they_were_and_nowhere_else) {
+  Mesh mesh = test::grid_mesh({.rows = 2, .columns = 2});
+  const auto count = [&](const Mesh& m) {
+    return std::ranges::count_if(unknowns_of(m, faces_of(m), {}),
+                                 [](const Unknown& u) { return u.kind == Unknown::color; });
+  };
+  EXPECT_EQ(count(mesh), 9);
+  Journal journal(mesh);
+  journal.begin();
+  journal.edit(mesh.sides(Face{0})[2]).color.r += 0.1;  // at the point in the middle
+  EXPECT_EQ(count(mesh), 10);
+}
+
+/// Moves the unknowns of one face at random, and fits it: the picture comes back.
+TEST(Fit, finds_back_what_was_moved) {
+  for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      Mesh mesh = test::grid_mesh({.rows = 3,
+                                   .columns = 3,
+                                   .position_noise = 0.05,
+                                   .color_noise = 0.2,
+                                   .color_model = model},
+                                  seed);
+      const Mesh original = mesh;
+      const Frame frame = fit_frame(original, {}, 200);
+      const auto target = std::make_shared<const FitTarget>(original, frame);
+      std::mt19937 random(seed);
+      {
+        Journal journal(mesh);
+        journal.begin();
+        for (const Unknown& unknown : unknowns_of(mesh, {Face{4}}, {}))
+          change(journal, unknown, random_value(unknown, random));
+      }
+      FitTrial trial(mesh, EditError(original, mesh, frame, MetricKind::flip), target);
+      const double before = trial.error();
+      trial.improve({Face{4}}, 8);
+      EXPECT_LT(trial.error(), 0.4 * before) << "seed " << seed;
+      EXPECT_NEAR(trial.error(),
+                  EditError(original, original, frame, MetricKind::flip).whole_frame(mesh), 1e-9);
+    }
+}
+
+TEST(FitTrial, prices_and_refused_merges_leave_everything_as_it_was) {
+  for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
+    for (unsigned seed = 0; seed < 4; ++seed) {
+      Mesh mesh = junction_mesh(model, seed);
+      const Mesh before = mesh;
+      const Frame frame = fit_frame(mesh, {}, 150);
+      FitTrial trial(mesh, EditError(before, mesh, frame, MetricKind::ssim),
+                     std::make_shared<const FitTarget>(before, frame));
+      int priced = 0;
+      for (const Halfedge h : before.halfedges()) {
+        if (!before.is_leaf(h) || !leaf_across(before, h).valid()) continue;
+        const Region region = region_of_edge(before, h);
+        const double price = trial.price(region, 1);
+        priced += std::isfinite(price);
+        EXPECT_TRUE(test::same(mesh, before));
+        EXPECT_FALSE(trial.try_merge({region}, -1, 3));
+        EXPECT_TRUE(test::same(mesh, before));
+        EXPECT_EQ(trial.error(), 0);
+      }
+      EXPECT_GT(priced, 4);
+    }
+}
+
+/// What Eq. 5 makes of two patches strays further from them than a fit.
+TEST(FitTrial, fitted_merges_cost_less) {
+  double merged = 0, fitted = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    Mesh mesh = junction_mesh(ColorModel::bicubic, seed);
+    const Mesh original = mesh;
+    const Frame frame = fit_frame(mesh, {}, 150);
+    const EditError error(original, mesh, frame, MetricKind::flip);
+    for (const Halfedge h : original.halfedges()) {
+      if (!original.is_leaf(h) || !leaf_across(original, h).valid()) continue;
+      Mesh copy = original;
+      FitTrial trial(copy, EditError(original, copy, frame, MetricKind::flip),
+                     std::make_shared<const FitTarget>(original, frame));
+      const Region region = region_of_edge(original, h);
+      const double price = trial.price(region, 1);
+      if (!trial.try_merge({region}, 1, 0)) continue;
+      EXPECT_LE(price, trial.error() + 1e-12);
+      merged += trial.error();
+      fitted += price;
+      const double before = trial.error();
+      trial.improve(faces_of(copy), 3);
+      EXPECT_LE(trial.error(), before);
+      EXPECT_NEAR(trial.error(), error.whole_frame(copy), 1e-9);
+    }
+  }
+  EXPECT_LT(fitted, 0.6 * merged);
+}
+
+}  // namespace
+}  // namespace gradmesh
