@@ -23,7 +23,8 @@ void check_edges(const SimplifyOptions& options) {
 
 void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) {
   const Method m = options.method;
-  if (!analyses.save.empty() && m != Method::motorcycle && m != Method::gqe && m != Method::gqe1)
+  if (!analyses.save.empty() && m != Method::motorcycle && m != Method::gqe && m != Method::gqe1 &&
+      m != Method::best)
     throw std::invalid_argument(std::string("the method ") + name(m) +
                                 " needs no analysis, so there is none to save.");
 }

@@ -18,6 +18,8 @@ const char* name(Method method) {
       return "gqe";
     case Method::gqe1:
       return "gqe1";
+    case Method::best:
+      return "best";
     case Method::lines:
       return "lines";
     case Method::manual:

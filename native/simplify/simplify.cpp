@@ -8,6 +8,7 @@
 #include "error/merge_trial.h"
 #include "mesh/grid.h"
 #include "ops/merge.h"
+#include "select/best.h"
 #include "select/gqe.h"
 #include "select/grid.h"
 #include "select/lines.h"
@@ -93,6 +94,8 @@ void select(const SimplifyOptions& options, MergeTrial& trial, Analysis& analysi
       const auto regions = price_regions(trial, analysis, options.epsilon, watch);
       return select_gqe(trial, regions, {options.omega, options.method == Method::gqe1}, watch);
     }
+    case Method::best:
+      break;  // Run::select_best
     case Method::lines:
       return take_out_lines(trial, watch);
     case Method::manual:
@@ -159,17 +162,26 @@ class Run {
     result.frame = frame_;
     result.patches_before = mesh_.face_count();
     result.seconds.rasterize = watch_.seconds();
+    std::optional<FittedMesh> best;
     try {
-      select(options_, trial_, analysis_, watch_);
+      if (options_.method == Method::best)
+        best = select_best();
+      else
+        select(options_, trial_, analysis_, watch_);
     } catch (...) {
       trial_.undo_all();
       throw;
     }
     result.evaluations = trial_.evaluations();
-    result.error_added_up = trial_.error();
+    result.error_added_up = best ? best->error : trial_.error();
     result.seconds.select = watch_.seconds() - result.seconds.rasterize;
 
-    verify(trial_, options_, result);
+    if (best) {
+      mesh_ = std::move(best->mesh);
+      measure(mesh_, trial_.measure(), options_, result);
+    } else {
+      verify(trial_, options_, result);
+    }
     result.patches_after = mesh_.face_count();
     result.stopped = why_stopped(watch_, result);
     result.seconds.total = watch_.seconds();
@@ -183,6 +195,23 @@ class Run {
   }
 
  private:
+  /// Merges as gqe does; the mesh that fits make of that, where they keep to epsilon.
+  std::optional<FittedMesh> select_best() {
+    // Both before anything is merged.
+    const auto target = std::make_shared<const FitTarget>(original_, frame_);
+    const auto start = trial_.fork();
+    const auto regions = price_regions(trial_, analysis_, options_.epsilon, watch_);
+    select_gqe(trial_, regions, {options_.omega, false}, watch_);
+    const auto error_as_written = [this](const Mesh& mesh) {
+      SimplifyResult written;
+      written.frame = frame_;
+      measure(mesh, trial_.measure(), options_, written);
+      return written.error;
+    };
+    return merge_and_fit(start->trial, trial_, regions, {target, error_as_written, options_.omega},
+                         watch_);
+  }
+
   const SimplifyOptions& options_;
   const ThreadLimit limit_;
   StopWatch watch_;

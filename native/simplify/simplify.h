@@ -27,13 +27,14 @@ enum class Method {
   motorcycle,
   gqe,
   gqe1,
+  best,     ///< gqe, fitted to the picture and merged on (select/best.h)
   lines,   ///< whole rows and columns, of a mesh that is one rectangle (select/lines.h)
   manual,  ///< the edges that the caller names (B.2)
 };
 
 inline constexpr Method all_methods[] = {Method::random,     Method::grid,  Method::dual_grid,
                                          Method::motorcycle, Method::gqe,   Method::gqe1,
-                                         Method::lines,      Method::manual};
+                                         Method::best,       Method::lines, Method::manual};
 
 struct SimplifyOptions {
   Method method = Method::gqe;

@@ -110,7 +110,7 @@ void run_all(const Mesh& original, bool price_again) {
   const std::set<Point> branches = branch_points(original);
   for (const double epsilon : {0.005, 0.03}) {
     Analysis analysis;
-    int patches_of_gqe = 0;
+    SimplifyResult of_gqe;
     for (const Method method : all_methods) {
       SCOPED_TRACE(std::string(name(method)) + ", epsilon " + std::to_string(epsilon));
       SimplifyOptions options;
@@ -143,9 +143,12 @@ void run_all(const Mesh& original, bool price_again) {
       if (method == Method::manual) {
         EXPECT_EQ(mesh.face_count(), original.face_count() - int(options.edges.size()));
       }
-      if (method == Method::gqe) patches_of_gqe = mesh.face_count();
-      if (method == Method::gqe1) {
-        EXPECT_LE(mesh.face_count(), patches_of_gqe);
+      if (method == Method::gqe) of_gqe = result;
+      if (method == Method::gqe1 || method == Method::best) {
+        EXPECT_LE(mesh.face_count(), of_gqe.patches_after);
+      }
+      if (method == Method::best && mesh.face_count() == of_gqe.patches_after) {
+        EXPECT_LE(result.error, of_gqe.error);
       }
     }
   }

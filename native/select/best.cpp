@@ -1,0 +1,246 @@
+#include "select/best.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "error/parallel_trials.h"
+#include "select/edges.h"
+#include "select/patch_set.h"
+
+namespace gradmesh {
+namespace {
+
+/// Steps of the fit after a set of regions was merged, after one was, and of the whole mesh.
+constexpr int steps_for_set = 4, steps_for_one = 5, steps_at_rest = 3;
+
+struct Candidate {
+  Region region;
+  PatchSet patches;
+  /// By how much the error rises where the region alone is merged.
+  double price;
+};
+
+Candidate candidate(const Mesh& mesh, const Region& region, double price) {
+  Candidate c{region, PatchSet(mesh.face_slots()), price};
+  for (const Halfedge top : region_tops(mesh, region)) c.patches.add(mesh.face(top));
+  return c;
+}
+
+/// Of candidates in this order those that do not overlap the ones before, as long as they cost at
+/// most gamma together.
+std::vector<Region> independent(const std::vector<Candidate>& candidates, std::size_t face_slots,
+                                double gamma) {
+  std::vector<Region> chosen;
+  PatchSet taken(face_slots);
+  double sum = 0;
+  for (const Candidate& c : candidates) {
+    const double price = std::max(0.0, c.price);
+    if (sum + price > gamma || taken.overlaps(c.patches)) continue;
+    sum += price;
+    taken.add(c.patches);
+    chosen.push_back(c.region);
+  }
+  return chosen;
+}
+
+std::vector<Face> all_faces(const Mesh& mesh) {
+  std::vector<Face> faces;
+  for (const Face f : mesh.faces()) faces.push_back(f);
+  return faces;
+}
+
+/// Prices of regions of a mesh that changes here and there.
+class FittedPrices {
+ public:
+  /// The regions of two patches that cost at most `limit`, the cheapest first. Prices stand until
+  /// one of the patches changes; those beyond an earlier limit, until the limit is above that.
+  std::vector<Candidate> up_to(double limit, FitTrial& trial,
+                               const std::function<bool()>& should_stop) {
+    const Mesh& mesh = trial.mesh();
+    std::vector<Candidate> candidates;
+    std::vector<std::size_t> unknown;
+    for (const Halfedge edge : inner_edges(mesh)) {
+      if (!mesh.is_leaf(edge) || !leaf_across(mesh, edge).valid()) continue;
+      const Region region = region_of_edge(mesh, edge);
+      const std::vector<Halfedge> tops = region_tops(mesh, region);
+      if (tops.empty()) continue;
+      const Known* known = still_known(region, tops, limit, trial);
+      if (!known) unknown.push_back(candidates.size());
+      candidates.push_back(candidate(mesh, region, known ? known->price : 2 * limit));
+    }
+    ParallelTrials<FitTrial>(trial).for_each(
+        unknown.size(), [&](std::size_t) { return should_stop(); },
+        [&](FitTrial& own, std::size_t i) {
+          Candidate& c = candidates[unknown[i]];
+          c.price = own.price(c.region, limit);
+        });
+    for (const std::size_t i : unknown)
+      known_[candidates[i].region] = {candidates[i].price, limit, trial.changes()};
+    std::erase_if(candidates, [&](const Candidate& c) { return c.price > limit; });
+    std::ranges::stable_sort(candidates, {}, &Candidate::price);
+    return candidates;
+  }
+
+  void forget() { known_.clear(); }
+
+ private:
+  struct Known {
+    double price, limit;
+    /// FitTrial::changes() when it was found.
+    int changes;
+  };
+
+  const Known* still_known(const Region& region, const std::vector<Halfedge>& tops, double limit,
+                           const FitTrial& trial) const {
+    const auto place = known_.find(region);
+    if (place == known_.end()) return nullptr;
+    const Known& known = place->second;
+    if (known.price > known.limit && limit > known.limit) return nullptr;
+    const bool stands = std::ranges::all_of(tops, [&](Halfedge top) {
+      return trial.last_change(trial.mesh().face(top)) <= known.changes;
+    });
+    return stands ? &known : nullptr;
+  }
+
+  std::map<Region, Known> known_;
+};
+
+/// A mesh on its way.
+class Rounds {
+ public:
+  Rounds(MergeTrial& from, const FitContext& context, StopWatch& watch)
+      : context_(context),
+        watch_(watch),
+        epsilon_(from.epsilon()),
+        fork_(from.fork_to_fit(context.target)) {}
+
+  const Mesh& mesh() const { return fork_->mesh; }
+  double error() const { return fork_->trial.error(); }
+
+  /// Merges and fits what costs gamma together, the best by Eq. 7 first, if that leaves some room
+  /// below epsilon.
+  bool begin(const std::vector<RegionPrice>& regions, double gamma) {
+    std::vector<Candidate> candidates;
+    for (const RegionPrice& r : regions) candidates.push_back(candidate(mesh(), r.region, r.error));
+    const double omega = context_.omega, patches = mesh().face_count();
+    std::ranges::stable_sort(candidates, std::greater{}, [&](const Candidate& c) {
+      return omega * c.region.size() / patches - (1 - omega) * c.price / gamma;
+    });
+    // What is left goes to the rounds, which see prices as they are once all is fitted.
+    constexpr double share = 0.75;
+    return fork_->trial.try_merge(independent(candidates, mesh().face_slots(), gamma),
+                                  share * epsilon_, steps_for_set);
+  }
+
+  void fit(int steps) { fork_->trial.improve(all_faces(mesh()), steps); }
+
+  /// Rounds until nothing more helps; the best mesh that keeps to epsilon as written.
+  std::optional<FittedMesh> run() {
+    keep();
+    for (bool at_rest = false; !should_stop();) {
+      if (round()) {
+        fit(1);
+        at_rest = false;
+      } else if (!at_rest) {
+        fit(steps_at_rest);
+        prices_.forget();
+        at_rest = true;
+      } else {
+        break;
+      }
+      keep();
+    }
+    return std::move(best_);
+  }
+
+ private:
+  bool should_stop() { return watch_.should_stop({rounds_, rounds_ + 1, patches_, error_}); }
+
+  /// Some merges more: as many of the cheapest as keep to the limit together, or else one.
+  bool round() {
+    ++rounds_;
+    FitTrial& trial = fork_->trial;
+    const double room = limit_ - error();
+    if (room <= 0) return false;
+    // Prices are of fits of single patches; together with their neighbours they can do better.
+    constexpr double most = 2, too_much = 3, too_little = 0.1, shrink = 0.4;
+    const std::vector<Candidate> candidates =
+        prices_.up_to(most * room, trial, [&] { return should_stop(); });
+    std::size_t last_size = 0;
+    for (double share = too_much; share > too_little && !should_stop(); share *= shrink) {
+      const auto chosen = independent(candidates, mesh().face_slots(), share * room);
+      if (chosen.empty() || chosen.size() == std::exchange(last_size, chosen.size())) continue;
+      if (trial.try_merge(chosen, limit_, steps_for_set)) return true;
+    }
+    constexpr std::size_t tried_alone = 4;
+    for (std::size_t i = 0; i < std::min(tried_alone, candidates.size()) && !should_stop(); ++i)
+      if (trial.try_merge({candidates[i].region}, limit_, steps_for_one)) return true;
+    return false;
+  }
+
+  /// Remembers the mesh if it keeps to epsilon as it will be written. What writing adds to its
+  /// error is left free from now on.
+  void keep() {
+    const double written = context_.error_as_written(mesh());
+    limit_ = epsilon_ - std::max(0.0, written - error());
+    if (written > epsilon_) return;
+    best_ = {mesh(), error()};
+    patches_ = mesh().face_count();
+    error_ = written;
+  }
+
+  const FitContext& context_;
+  StopWatch& watch_;
+  const double epsilon_;
+  double limit_ = epsilon_;
+  std::unique_ptr<FitTrial::Fork> fork_;
+  FittedPrices prices_;
+  std::optional<FittedMesh> best_;
+  std::size_t rounds_ = 0;
+  /// Of the best, for those who watch.
+  int patches_ = fork_->mesh.face_count();
+  double error_ = fork_->trial.error();
+};
+
+/// The mesh of the most regions that keep to epsilon once fitted, by their prices together.
+std::unique_ptr<Rounds> beyond_epsilon(MergeTrial& start, const std::vector<RegionPrice>& regions,
+                                       const FitContext& context, StopWatch& watch) {
+  constexpr int tries = 4;
+  std::unique_ptr<Rounds> best;
+  double enough = start.epsilon(), too_much = 0;
+  for (int i = 0; i < tries; ++i) {
+    if (watch.should_stop({std::size_t(i), tries, start.mesh().face_count(), start.error()})) break;
+    const double gamma = too_much == 0 ? 2 * enough : std::sqrt(enough * too_much);
+    auto next = std::make_unique<Rounds>(start, context, watch);
+    if (next->begin(regions, gamma)) {
+      enough = gamma;
+      if (!best || next->mesh().face_count() <= best->mesh().face_count()) best = std::move(next);
+    } else {
+      too_much = gamma;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
+                                        const std::vector<RegionPrice>& regions,
+                                        const FitContext& context, StopWatch& watch) {
+  std::unique_ptr<Rounds> rounds = beyond_epsilon(start, regions, context, watch);
+  if (!rounds || rounds->mesh().face_count() > merged.mesh().face_count()) {
+    rounds = std::make_unique<Rounds>(merged, context, watch);
+    rounds->fit(steps_for_set);
+  }
+  std::optional<FittedMesh> best = rounds->run();
+  if (!best || best->mesh.face_count() == start.mesh().face_count()) return std::nullopt;
+  const bool as_many = best->mesh.face_count() == merged.mesh().face_count();
+  if (as_many && context.error_as_written(best->mesh) > context.error_as_written(merged.mesh()))
+    return std::nullopt;
+  return best;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/progress.h"
+#include "error/merge_trial.h"
+#include "select/regions.h"
+
+namespace gradmesh {
+
+/// What merge_and_fit needs to know beside the mesh.
+struct FitContext {
+  std::shared_ptr<const FitTarget> target;
+  /// The error of a mesh as it will be written, on the whole frame.
+  std::function<double(const Mesh&)> error_as_written;
+  /// Weight of a region's size against its error, as of gqe.
+  double omega = 0.75;
+};
+
+struct FittedMesh {
+  Mesh mesh;
+  /// Error of the mesh, added up from what single edits changed.
+  double error = 0;
+};
+
+/// Goes on where gqe ends. Fitting a merged mesh to the picture lowers its error, often to less
+/// than half: so sets of regions that together cost more than epsilon are merged as well, if they
+/// keep to it once fitted. From the best of them, or from what gqe merged, merging goes on in
+/// rounds, each priced, merged and fitted on the mesh as it then is, until nothing more keeps to
+/// epsilon.
+///
+/// `start` is the mesh before anything was merged, `regions` those of price_regions there, and
+/// `merged` what gqe made of them; all stay as they are. Returns the mesh with the fewest patches
+/// whose error as it will be written is at most epsilon, none where that is not fewer than at the
+/// start. Never more than gqe's, nor as many with a larger error, if that keeps to epsilon.
+std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
+                                        const std::vector<RegionPrice>& regions,
+                                        const FitContext& context, StopWatch& watch);
+
+}  // namespace gradmesh
