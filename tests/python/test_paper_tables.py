@@ -7,7 +7,7 @@ import subprocess
 from built import BUILD, PYTHON, ROOT
 from hemesh_files import grid
 
-METHODS = ["random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1"]
+METHODS = ["random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best"]
 
 
 def run(*arguments):
@@ -39,7 +39,11 @@ def test_every_table_is_run_on_the_meshes_present(tmp_path):
     assert [row["ours"][-1]["patches"] for row in tables["4"]["rows"]] == [1, 1]
     assert [row["mesh"] for row in tables["D.6"]["rows"]] == ["Raindrop", "Banana"]
 
+    for row in tables["4"]["rows"]:
+        assert all(b["patches"] <= o["patches"] for b, o in zip(row["best"], row["ours"], strict=True))
+
     text = out.read_text()
+    assert "best leaves 0% fewer patches than gqe in the median, both together" in text
     assert "in 14 of 14 places" in text
     assert "| Banana | patches left | " in text and " 1 / 53 |" in text
 
