@@ -22,6 +22,8 @@ class PatchSet {
       if (words_[i] & other.words_[i]) return true;
     return false;
   }
+  bool contains(Face f) const { return words_[std::size_t(f.value) / 64] >> (f.value % 64) & 1; }
+  std::size_t face_slots() const { return 64 * words_.size(); }
 
  private:
   std::vector<std::uint64_t> words_;

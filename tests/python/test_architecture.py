@@ -37,6 +37,7 @@ OWNERS = {
     r"nlohmann/": {"io", "document", "report", "cli"},
     r"tbb/": {"base"},
     r"Eigen/": {"fit"},
+    r"glpk\.h": {"select"},
 }
 
 SOURCES = sorted(p for p in NATIVE.rglob("*") if p.suffix in {".h", ".cpp"})
