@@ -8,6 +8,7 @@
 
 #include "error/parallel_trials.h"
 #include "select/edges.h"
+#include "select/packing.h"
 #include "select/patch_set.h"
 
 namespace gradmesh {
@@ -18,32 +19,49 @@ constexpr int steps_for_set = 4, steps_for_one = 5, steps_at_rest = 3;
 
 struct Candidate {
   Region region;
-  PatchSet patches;
-  /// By how much the error rises where the region alone is merged.
-  double price;
+  /// Its patches, how many are saved, and by how much the error rises where it alone is merged.
+  PackingItem item;
 };
 
 Candidate candidate(const Mesh& mesh, const Region& region, double price) {
-  Candidate c{region, PatchSet(mesh.face_slots()), price};
-  for (const Halfedge top : region_tops(mesh, region)) c.patches.add(mesh.face(top));
+  Candidate c{region, {PatchSet(mesh.face_slots()), region.size() - 1, price}};
+  for (const Halfedge top : region_tops(mesh, region)) c.item.patches.add(mesh.face(top));
   return c;
 }
 
 /// Of candidates in this order those that do not overlap the ones before, as long as they cost at
 /// most gamma together.
-std::vector<Region> independent(const std::vector<Candidate>& candidates, std::size_t face_slots,
-                                double gamma) {
-  std::vector<Region> chosen;
+Packing greedy_packing(const std::vector<PackingItem>& items, std::size_t face_slots,
+                       double gamma) {
+  Packing chosen;
   PatchSet taken(face_slots);
   double sum = 0;
-  for (const Candidate& c : candidates) {
-    const double price = std::max(0.0, c.price);
-    if (sum + price > gamma || taken.overlaps(c.patches)) continue;
-    sum += price;
-    taken.add(c.patches);
-    chosen.push_back(c.region);
+  for (int i = 0; i < int(items.size()); ++i) {
+    const PackingItem& item = items[std::size_t(i)];
+    if (sum + item.price > gamma || taken.overlaps(item.patches)) continue;
+    sum += item.price;
+    taken.add(item.patches);
+    chosen.push_back(i);
   }
   return chosen;
+}
+
+/// The regions that save the most patches for gamma together. Candidates in the order in which a
+/// greedy choice takes them.
+std::vector<Region> best_regions(const std::vector<Candidate>& candidates, std::size_t face_slots,
+                                 double gamma) {
+  constexpr int most_nodes = 200;
+  std::vector<PackingItem> items;
+  for (const Candidate& c : candidates) {
+    items.push_back(c.item);
+    // Fits can lower the error below what it was, which buys nothing that is not in it already.
+    items.back().price = std::max(0.0, c.item.price);
+  }
+  const Packing start = greedy_packing(items, face_slots, gamma);
+  std::vector<Region> regions;
+  for (const int i : best_packing(items, gamma, start, most_nodes).items)
+    regions.push_back(candidates[std::size_t(i)].region);
+  return regions;
 }
 
 std::vector<Face> all_faces(const Mesh& mesh) {
@@ -75,12 +93,12 @@ class FittedPrices {
         unknown.size(), [&](std::size_t) { return should_stop(); },
         [&](FitTrial& own, std::size_t i) {
           Candidate& c = candidates[unknown[i]];
-          c.price = own.price(c.region, limit);
+          c.item.price = own.price(c.region, limit);
         });
     for (const std::size_t i : unknown)
-      known_[candidates[i].region] = {candidates[i].price, limit, trial.changes()};
-    std::erase_if(candidates, [&](const Candidate& c) { return c.price > limit; });
-    std::ranges::stable_sort(candidates, {}, &Candidate::price);
+      known_[candidates[i].region] = {candidates[i].item.price, limit, trial.changes()};
+    std::erase_if(candidates, [&](const Candidate& c) { return c.item.price > limit; });
+    std::ranges::stable_sort(candidates, {}, [](const Candidate& c) { return c.item.price; });
     return candidates;
   }
 
@@ -127,11 +145,11 @@ class Rounds {
     for (const RegionPrice& r : regions) candidates.push_back(candidate(mesh(), r.region, r.error));
     const double omega = context_.omega, patches = mesh().face_count();
     std::ranges::stable_sort(candidates, std::greater{}, [&](const Candidate& c) {
-      return omega * c.region.size() / patches - (1 - omega) * c.price / gamma;
+      return omega * c.region.size() / patches - (1 - omega) * c.item.price / gamma;
     });
     // What is left goes to the rounds, which see prices as they are once all is fitted.
     constexpr double share = 0.75;
-    return fork_->trial.try_merge(independent(candidates, mesh().face_slots(), gamma),
+    return fork_->trial.try_merge(best_regions(candidates, mesh().face_slots(), gamma),
                                   share * epsilon_, steps_for_set);
   }
 
@@ -171,11 +189,11 @@ class Rounds {
         prices_.up_to(most * room, trial, [&] { return should_stop(); });
     std::size_t last_size = 0;
     for (double share = too_much; share > too_little && !should_stop(); share *= shrink) {
-      const auto chosen = independent(candidates, mesh().face_slots(), share * room);
+      const auto chosen = best_regions(candidates, mesh().face_slots(), share * room);
       if (chosen.empty() || chosen.size() == std::exchange(last_size, chosen.size())) continue;
       if (trial.try_merge(chosen, limit_, steps_for_set)) return true;
     }
-    constexpr std::size_t tried_alone = 4;
+    constexpr std::size_t tried_alone = 3;
     for (std::size_t i = 0; i < std::min(tried_alone, candidates.size()) && !should_stop(); ++i)
       if (trial.try_merge({candidates[i].region}, limit_, steps_for_one)) return true;
     return false;
