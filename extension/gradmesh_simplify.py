@@ -13,6 +13,9 @@ from gradmesh_window import LongWork
 # and 0.05 at once; half of that is as visible in SSIM (paper, section 5).
 EPSILON = {"gentle": 0.005, "balanced": 0.01, "strong": 0.02}
 SSIM_SHARE = 0.5
+# Beside that, the largest error of any 32 x 32 pixels, so that no eye or highlight is given up for
+# calm areas elsewhere.
+MAX_LOCAL_ERROR = {"gentle": 0.05, "balanced": 0.1, "strong": 0.15}
 
 
 class Simplify(GradmeshEffect):
@@ -35,6 +38,7 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--seed", type=int, default=0)
         pars.add_argument("--edges", default="")
         pars.add_argument("--metric", default="flip")
+        pars.add_argument("--max_local_error", type=float, default=0)
         pars.add_argument("--resolution", type=int, default=700)
         pars.add_argument("--visible_only", type=inkex.Boolean, default=True)
         pars.add_argument("--time_budget", type=int, default=60)
@@ -89,13 +93,17 @@ class Simplify(GradmeshEffect):
         amount = self.options.amount
         if amount in EPSILON:
             share = SSIM_SHARE if self.options.metric == "ssim" else 1
-            return {"epsilon": EPSILON[amount] * share}
+            return {
+                "epsilon": EPSILON[amount] * share,
+                "max_local_error": MAX_LOCAL_ERROR[amount] * share,
+            }
+        bound = {"max_local_error": self.options.max_local_error or None}
         if amount == "custom":
-            return {"epsilon": self.options.epsilon}
+            return {"epsilon": self.options.epsilon, **bound}
         if amount == "patches":
-            return {"patches": self.options.patches}
+            return {"patches": self.options.patches, **bound}
         if amount == "share":
-            return {"ratio": self.options.share / 100}
+            return {"ratio": self.options.share / 100, **bound}
         raise ValueError(
             f"how much is one of {', '.join(EPSILON)}, custom, patches and share, not '{amount}'"
         )
@@ -141,6 +149,11 @@ class Simplify(GradmeshEffect):
         epsilon = self.how_much().get("epsilon", 1)
         if result.error > epsilon:
             text += " " + _("That is above the largest error, {epsilon:g}.").format(epsilon=epsilon)
+        bound = self.how_much()["max_local_error"]
+        if bound is not None and result.local_error > bound:
+            text += " " + _("In a small part it is {error:.4f}, above {bound:g}.").format(
+                error=result.local_error, bound=bound
+            )
         return text
 
 

@@ -45,8 +45,8 @@ py::dict report_dict(const MeshReport& report) {
   return py::dict(py::arg("id") = report.id, py::arg("method") = name(r.method),
                   py::arg("patches_before") = r.patches_before,
                   py::arg("patches_after") = r.patches_after, py::arg("error") = r.error,
-                  py::arg("evaluations") = r.evaluations, py::arg("stopped") = name(r.stopped),
-                  py::arg("seconds") = r.seconds.total);
+                  py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
+                  py::arg("stopped") = name(r.stopped), py::arg("seconds") = r.seconds.total);
 }
 
 /// Called without the GIL. Ctrl+C in Python and an exception in the callback end the run.
@@ -179,6 +179,7 @@ void bind_options(py::module_& m) {
             if (value) o.color_model = color_model_named(*value);
           })
       .def_readwrite("epsilon", &SimplifyOptions::epsilon)
+      .def_readwrite("max_local_error", &SimplifyOptions::max_local_error)
       .def_readwrite("patches", &SimplifyOptions::patches)
       .def_readwrite("ratio", &SimplifyOptions::ratio)
       .def_readwrite("resolution", &SimplifyOptions::resolution)

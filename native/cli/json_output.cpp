@@ -5,12 +5,15 @@ namespace gradmesh {
 nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                                    const SimplifyOptions& options) {
   nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
+  const auto bound = options.max_local_error ? nlohmann::ordered_json(*options.max_local_error)
+                                             : nlohmann::ordered_json();
   for (const auto& [id, result] : reports)
     meshes.push_back({{"id", id},
                       {"method", name(result.method)},
                       {"color_model", name(*options.color_model)},
                       {"metric", name(options.metric)},
                       {"epsilon", options.epsilon},
+                      {"max_local_error", bound},
                       {"resolution", options.resolution},
                       {"seed", options.seed},
                       {"omega", options.omega},
@@ -18,6 +21,7 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                       {"patches_before", result.patches_before},
                       {"patches_after", result.patches_after},
                       {"error", result.error},
+                      {"local_error", result.local_error},
                       {"evaluations", result.evaluations},
                       {"seconds",
                        {{"total", result.seconds.total},

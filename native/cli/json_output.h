@@ -7,9 +7,9 @@
 
 namespace gradmesh {
 
-/// {"meshes": [{"id", "method", "color_model", "metric", "epsilon", "resolution", "seed", "omega",
-///  "kappa", "patches_before", "patches_after", "error", "evaluations", "seconds": {"total", ...},
-///  "stopped"}]}
+/// {"meshes": [{"id", "method", "color_model", "metric", "epsilon", "max_local_error" or null,
+///  "resolution", "seed", "omega", "kappa", "patches_before", "patches_after", "error",
+///  "local_error", "evaluations", "seconds": {"total", ...}, "stopped"}]}
 /// The options name the colour model.
 nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                                    const SimplifyOptions& options);

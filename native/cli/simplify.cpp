@@ -55,6 +55,16 @@ std::unique_ptr<Document> read_document(SimplifyArguments& a) {
   return converted(*in, kind, a);
 }
 
+void print_results(const std::vector<MeshReport>& reports, const SimplifyOptions& options) {
+  for (const auto& [id, r] : reports) {
+    std::printf("%s: %d of %d patches left, %s %.5f, ", id.c_str(), r.patches_after,
+                r.patches_before, options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM",
+                r.error);
+    if (options.max_local_error) std::printf("in small parts up to %.5f, ", r.local_error);
+    std::printf("%.2f s (%s)\n", r.seconds.total, name(r.stopped));
+  }
+}
+
 void run_simplify(SimplifyArguments& a) {
   a.options.method = method_named(a.method);
   a.options.metric = metric_named(a.metric);
@@ -70,11 +80,7 @@ void run_simplify(SimplifyArguments& a) {
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
   if (!a.preview) document->write_file(a.out);
-  if (a.quiet) return;
-  for (const auto& [id, r] : reports)
-    std::printf("%s: %d of %d patches left, %s %.5f, %.2f s (%s)\n", id.c_str(), r.patches_after,
-                r.patches_before, a.options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM",
-                r.error, r.seconds.total, name(r.stopped));
+  if (!a.quiet) print_results(reports, a.options);
 }
 
 }  // namespace
@@ -97,6 +103,11 @@ void add_simplify(CLI::App& program) {
   add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);
   add_epsilon_option(command, a->options.epsilon);
+  command
+      .add_option("--max-local-error", a->options.max_local_error,
+                  "Largest error allowed in any window of 32 x 32 pixels, so that small details "
+                  "stay")
+      ->check(CLI::Range(0.0, 1.0));
   CLI::Option* patches =
       command.add_option("--patches", a->options.patches,
                          "Instead of --epsilon: at most so many patches, with the least error");

@@ -166,7 +166,10 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
 std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
                                           SimplifyOptions options,
                                           const AnalysisPaths& analyses) const {
-  if (options.method == Method::manual) options.epsilon = 1;
+  if (options.method == Method::manual) {
+    options.epsilon = 1;
+    options.max_local_error.reset();
+  }
   return reports_of(simplified(ids, options, analyses));
 }
 

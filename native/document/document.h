@@ -112,7 +112,7 @@ class Document {
                                    const AnalysisPaths& analyses = {},
                                    const WriteOptions& writing = {});
   /// What simplify() would do; nothing is changed. For `manual` it tells the error of the edges
-  /// also where that is above epsilon.
+  /// also where that is too large.
   std::vector<MeshReport> preview(const std::vector<std::string>& ids, SimplifyOptions options,
                                   const AnalysisPaths& analyses = {}) const;
   /// Makes those of the selected meshes that are simplified fit together again where a person has

@@ -144,7 +144,7 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
     const Mesh written = build_mesh(gradient_parts(grid, frame.coons_tolerance));
     const EditError error(before, before, frame, measure.metric);
     reports.push_back(
-        {entry.id, before.face_count(), grid.face_count(), error.whole_frame(written)});
+        {entry.id, before.face_count(), grid.face_count(), error.whole_frame(written).mean});
   }
   if (grids.empty())
     throw InputError(document.name() + ": only simplified meshes can be made one mesh gradient.");

@@ -200,7 +200,7 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   if (!entry.simplified && find_grid(edited)) result.method = Method::lines;
   const std::vector<Mesh> ways = ways_to_write(entry, result.method, edited, result.frame);
   for (int way = 0; way < int(ways.size()); ++way)
-    if (const double e = error.whole_frame(ways[std::size_t(way)]); e < result.error) {
+    if (const double e = error.whole_frame(ways[std::size_t(way)]).mean; e < result.error) {
       result.error = e;
       result.way = way;
     }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "metric/local_mean.h"
+
 namespace gradmesh {
 namespace {
 
@@ -21,15 +23,13 @@ void copy(const Painting& from, Window window, Painting& to) {
 }  // namespace
 
 EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
-                     bool masks_opacity) {
+                     bool masks_opacity, std::optional<double> max_local_error) {
   const auto fixed = std::make_shared<Fixed>();
   fixed->frame = frame;
   fixed->metric = make_metric(metric, paint_whole(original, frame).image);
   fixed->frame.masked_opacity = masks_opacity && !start.is_smooth() &&
                                 start.color_model() == ColorModel::bilinear &&
                                 is_translucent(start);
-  fixed_ = fixed;
-
   const auto state = std::make_shared<State>();
   state->painting = paint_whole(start, fixed->frame);
   state->map = fixed->metric->map(state->painting.image);
@@ -38,6 +38,8 @@ EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame
   for (const Face f : start.faces())
     state->bounds[f.value] = pixel_bounds(start.patch(f), fixed->frame);
   state_ = state;
+  if (max_local_error) fixed->local_bound.emplace(*max_local_error, state->map);
+  fixed_ = fixed;
 }
 
 EditError EditError::fork() { return {fixed_, state()}; }
@@ -102,6 +104,16 @@ std::vector<double> EditError::change_by_face(std::size_t face_slots) const {
   return change;
 }
 
+bool EditError::keeps_local_bound() {
+  if (!fixed_->local_bound || trial_.measured.empty()) return true;
+  // All windows with a pixel that was measured.
+  const Window around = trial_.measured.grown(local_side - 1).clipped(fixed_->frame.window());
+  trial_.map_around.reset(around);
+  copy(state_->map, around, trial_.map_around);
+  copy(trial_.map, trial_.measured, trial_.map_around);
+  return fixed_->local_bound->holds(trial_.map_around);
+}
+
 void EditError::accept(const Journal& journal) {
   if (!own_state_) state_ = own_state_ = std::make_shared<State>(*state_);
   State& state = *own_state_;
@@ -114,8 +126,10 @@ void EditError::accept(const Journal& journal) {
         journal.mesh()[f].alive ? pixel_bounds(journal.mesh().patch(f), fixed_->frame) : Window{};
 }
 
-double EditError::whole_frame(const Mesh& mesh) const {
-  return mean(fixed_->metric->map(paint_whole(mesh, fixed_->frame).image));
+FrameError EditError::whole_frame(const Mesh& mesh) const {
+  const Plane map = fixed_->metric->map(paint_whole(mesh, fixed_->frame).image);
+  const std::optional<LocalBound>& bound = fixed_->local_bound;
+  return {mean(map), largest_local_mean(map), !bound || bound->holds(map)};
 }
 
 }  // namespace gradmesh

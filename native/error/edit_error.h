@@ -3,14 +3,27 @@
 #include <atomic>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/image.h"
+#include "error/local_bound.h"
 #include "metric/metric.h"
 #include "ops/journal.h"
 #include "raster/painter.h"
 
 namespace gradmesh {
+
+/// The error of a mesh in the whole frame.
+struct FrameError {
+  double mean = 0;
+  /// The largest mean in any window of 32 x 32 pixels (metric/local_mean.h).
+  double local = 0;
+  /// Whether no window is above the bound that was asked for.
+  bool keeps_local_bound = true;
+
+  bool keeps_to(double epsilon) const { return mean <= epsilon && keeps_local_bound; }
+};
 
 /// The error of an edited mesh against the mesh as it was at first (paper, section 5): the mean
 /// of the metric's map over the whole frame. An edit is painted and measured only where it
@@ -21,9 +34,9 @@ class EditError {
   /// Paints `original`, the reference, and `start`, the mesh that will be edited, as it will be
   /// written. That may cost something before anything is merged: `start` may hold less than the
   /// original, and a translucent mesh of the model `bilinear` has its opacities in a mask, unless
-  /// `masks_opacity` is false.
+  /// `masks_opacity` is false. `max_local_error` bounds the error of small parts (LocalBound).
   EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
-            bool masks_opacity = true);
+            bool masks_opacity = true, std::optional<double> max_local_error = std::nullopt);
 
   /// Another one with the same reference that goes on from what this one has accepted, for another
   /// thread. Neither sees what the other does.
@@ -40,6 +53,10 @@ class EditError {
   /// By how much the last after_edits, whose error was at most its limit, changed the sum of the
   /// map, by the face that is now on top: by its slot, for all of the journal's mesh.
   std::vector<double> change_by_face(std::size_t face_slots) const;
+  bool has_local_bound() const { return fixed_->local_bound.has_value(); }
+  /// Whether the mesh of the last after_edits, whose error must be at most its limit, keeps to the
+  /// local bound.
+  bool keeps_local_bound();
   /// Accepts the journal's mesh, which must be that of the last after_edits, whose error must be
   /// at most its limit.
   void accept(const Journal& journal);
@@ -57,7 +74,7 @@ class EditError {
   void restore(std::shared_ptr<const State> state);
 
   /// Paints and measures everything afresh.
-  double whole_frame(const Mesh& mesh) const;
+  FrameError whole_frame(const Mesh& mesh) const;
 
   /// Edits that were painted and measured, by this one and all its forks.
   int evaluations() const { return fixed_->evaluations; }
@@ -67,6 +84,7 @@ class EditError {
   struct Fixed {
     Frame frame;
     std::unique_ptr<Metric> metric;
+    std::optional<LocalBound> local_bound;
     mutable std::atomic<int> evaluations = 0;
   };
   EditError(std::shared_ptr<const Fixed> fixed, std::shared_ptr<const State> state)
@@ -85,7 +103,7 @@ class EditError {
     std::vector<Face> touched;
     Window pixels, measured;
     Painting painting;
-    Plane map;
+    Plane map, map_around;
     double sum = 0;
   };
   Trial trial_;

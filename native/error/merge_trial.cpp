@@ -21,12 +21,12 @@ double MergeTrial::try_merge(const std::vector<Halfedge>& edges, double limit) {
   const std::size_t depth = journal_.depth();
   const double error = merge_in_turn(edges) ? error_.after_edits(journal_, depth, epsilon_)
                                             : std::numeric_limits<double>::infinity();
-  if (error <= limit) {
+  if (error <= limit && error_.keeps_local_bound()) {
     error_.accept(journal_);
-  } else {
-    undo_to(depth);
+    return error;
   }
-  return error;
+  undo_to(depth);
+  return error <= limit ? std::numeric_limits<double>::infinity() : error;
 }
 
 void MergeTrial::merge(const std::vector<Region>& regions) {
@@ -55,7 +55,7 @@ void MergeTrial::undo_to(std::size_t depth) {
 }
 
 bool MergeTrial::keep_if_cheap(std::size_t depth) {
-  if (error_.after_edits(journal_, depth, epsilon_) <= epsilon_) {
+  if (error_.after_edits(journal_, depth, epsilon_) <= epsilon_ && error_.keeps_local_bound()) {
     error_.accept(journal_);
     return true;
   }

@@ -18,7 +18,8 @@ class MergeTrial {
   MergeTrial(Mesh& mesh, EditError error, double epsilon)
       : journal_(mesh), error_(std::move(error)), start_(error_.state()), epsilon_(epsilon) {}
 
-  /// Merges the edge if that is possible and the whole error stays at most epsilon.
+  /// Merges the edge if that is possible and the whole error stays at most epsilon and keeps to
+  /// the local bound.
   bool try_merge(Halfedge edge);
 
   /// The same for all the patches of all these regions, all or none. Regions that cannot be merged
@@ -27,7 +28,8 @@ class MergeTrial {
 
   /// Merges these edges one after another if the whole error is then at most `limit`. Returns what
   /// it is then, or would be: some number above epsilon once it is certain to be above that;
-  /// infinity where one of the edges cannot be merged in its turn.
+  /// infinity where one of the edges cannot be merged in its turn, or where the error is at most
+  /// `limit` and breaks the local bound.
   double try_merge(const std::vector<Halfedge>& edges, double limit);
   /// The same error; nothing is merged.
   double error_with(const std::vector<Halfedge>& edges) {
@@ -88,6 +90,10 @@ class RegionTrial {
   /// By how much merging the region alone would raise the error; some number above `limit` where
   /// it is certain to be above that; infinity where it cannot be merged.
   double price(const Region& region, double limit = std::numeric_limits<double>::infinity());
+  /// Whether merging the region alone, which must cost at most `limit`, keeps to the local bound.
+  bool keeps_local_bound(const Region& region, double limit) {
+    return price(region, limit) <= limit && trial_.error_.keeps_local_bound();
+  }
 
  private:
   MergeTrial& trial_;

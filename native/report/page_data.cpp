@@ -8,6 +8,7 @@
 #include "io/base64.h"
 #include "io/image_file.h"
 #include "io/mesh_json.h"
+#include "metric/local_mean.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {
@@ -128,6 +129,7 @@ Json page_data(const Report& report) {
           {"height", first.height},
           {"metric", report.metric == MetricKind::flip ? "FLIP" : "1 \u2212 SSIM"},
           {"error", mean(map)},
+          {"local_error", largest_local_mean(map)},
           {"epsilon", report.epsilon},
           {"errors", errors_json(map)},
           {"run", report.run},

@@ -164,6 +164,7 @@ class Gqe {
   }
 
   void run() {
+    if (trial_.measure().has_local_bound()) leave_out_breakers();
     if (candidates_.empty()) return;
     // The number of patches goes up and down with gamma, which the halvings do not see.
     std::vector<double> gammas;
@@ -186,6 +187,21 @@ class Gqe {
   }
 
  private:
+  /// Leaves out the regions that break the local bound alone, which their prices do not tell.
+  void leave_out_breakers() {
+    std::vector<char> keeps(candidates_.size(), true);
+    ParallelTrials(trial_).for_each(
+        candidates_.size(), [&](std::size_t) { return stop(0); },
+        [&](MergeTrial& own, std::size_t i) {
+          RegionTrial alone(own, own.mesh());
+          keeps[i] = alone.keeps_local_bound(candidates_[i].region, own.epsilon());
+        });
+    std::vector<Candidate> kept;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (keeps[i]) kept.push_back(std::move(candidates_[i]));
+    candidates_ = std::move(kept);
+  }
+
   /// The plans for these values of gamma, each set once.
   std::vector<Plan> plans_for(const std::vector<double>& gammas) const {
     std::vector<Plan> plans;

@@ -22,6 +22,8 @@ namespace {
 void check(const SimplifyOptions& options) {
   if (!(options.epsilon >= 0 && options.epsilon <= 1))
     throw std::invalid_argument("epsilon must be between 0 and 1.");
+  if (options.max_local_error && !(*options.max_local_error >= 0 && *options.max_local_error <= 1))
+    throw std::invalid_argument("the largest local error must be between 0 and 1.");
   if (options.resolution < 16 || options.resolution > 8192)
     throw std::invalid_argument("the resolution must be between 16 and 8192 pixels.");
   if (!std::isfinite(options.time_budget) || options.time_budget < 0)
@@ -70,7 +72,8 @@ void merge_named_edges(const SimplifyOptions& options, MergeTrial& trial) {
     if (obstacle != MergeObstacle::none)
       throw InputError(name + ": it cannot be merged, because " + describe(obstacle) + ".");
     if (!trial.try_merge(edge))
-      throw InputError(name + ": merging it makes the error larger than epsilon.");
+      throw InputError(name + ": merging it makes the error larger than epsilon" +
+                       (options.max_local_error ? ", or than the bound in a small part." : "."));
   }
 }
 
@@ -104,15 +107,17 @@ void select(const SimplifyOptions& options, MergeTrial& trial, Analysis& analysi
 }
 
 /// Measures the whole frame, of the mesh as it will be written, into `result`; whether that keeps
-/// to epsilon.
+/// to epsilon and the local bound.
 bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& options,
              SimplifyResult& result) {
   std::vector<Mesh> ways;
   if (options.ways_to_write) ways = options.ways_to_write(mesh, result.frame);
   if (ways.empty()) ways.push_back(mesh);
   for (result.way = 0; result.way < int(ways.size()); ++result.way) {
-    result.error = error.whole_frame(ways[result.way]);
-    if (result.error <= options.epsilon) return true;
+    const FrameError found = error.whole_frame(ways[result.way]);
+    result.error = found.mean;
+    result.local_error = found.local;
+    if (found.keeps_to(options.epsilon)) return true;
   }
   return false;
 }
@@ -124,7 +129,7 @@ void undo_last(MergeTrial& trial, Method method) {
 }
 
 /// Blocks are painted in another order than faces, which shows where a mesh lies over itself.
-/// Should the error as written be above epsilon, the last merges are taken back, ever more at a
+/// Should the error as written be too large, the last merges are taken back, ever more at a
 /// time.
 void verify(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
@@ -132,7 +137,10 @@ void verify(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& r
     for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, options.method);
   }
   // What is not changed is not written either, so that only another original makes a difference.
-  result.error = options.original ? trial.measure().whole_frame(trial.mesh()) : 0;
+  const FrameError start =
+      options.original ? trial.measure().whole_frame(trial.mesh()) : FrameError();
+  result.error = start.mean;
+  result.local_error = start.local;
 }
 
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
@@ -151,7 +159,9 @@ class Run {
         mesh_(mesh),
         original_(options.original ? *options.original : mesh),
         frame_(measured_frame(original_, options)),
-        trial_(mesh, EditError(original_, mesh, frame_, options.metric, options.masks_opacity),
+        trial_(mesh,
+               EditError(original_, mesh, frame_, options.metric, options.masks_opacity,
+                         options.max_local_error),
                options.epsilon),
         analysis_(analysis_for(analysis_key(original_, mesh, frame_, options.metric), options,
                                own_analysis_)) {}

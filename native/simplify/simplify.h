@@ -41,6 +41,8 @@ struct SimplifyOptions {
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
   double epsilon = 0.01;
+  /// The largest error allowed in any window of 32 x 32 pixels, 0..1, beside epsilon (LocalBound).
+  std::optional<double> max_local_error;
   /// A target instead of epsilon: the largest number of patches that may be left, or their share
   /// of those there are, above 0 and at most 1. The error is then as small as the method finds.
   std::optional<int> patches;
@@ -72,7 +74,8 @@ struct SimplifyOptions {
   /// Whether a translucent mesh of the model `bilinear` is written with its opacities in a mask.
   bool masks_opacity = true;
   /// The mesh as a reader will find it, in each way in which it can be written: the error that
-  /// counts is that of the first way that keeps to epsilon. Empty: it is written as it is.
+  /// counts is that of the first way that keeps to epsilon and the local bound. Empty: it is
+  /// written as it is.
   std::function<std::vector<Mesh>(const Mesh&, const Frame&)> ways_to_write;
   /// The picture that counts, where that is not the mesh as given.
   std::shared_ptr<const Mesh> original;
@@ -89,6 +92,8 @@ struct SimplifyResult {
   int patches_before = 0, patches_after = 0;
   /// Error of the surface that will be written, measured on the whole frame.
   double error = 0;
+  /// The largest mean of the same in any window of 32 x 32 pixels (metric/local_mean.h).
+  double local_error = 0;
   /// Error of the mesh as selected, added up from what single merges changed. That of the whole
   /// frame but for roundings, unless the mesh is written in another way or with fewer merges.
   double error_added_up = 0;
@@ -103,12 +108,13 @@ struct SimplifyResult {
   Frame frame;
 };
 
-/// Merges patches of `mesh` while the error against the original stays at most epsilon; where it
-/// is above that from the start, nothing is merged. With a target: until so few are left.
+/// Merges patches of `mesh` while the error against the original stays at most epsilon, and that of
+/// small parts within the local bound; where it is above epsilon from the start, nothing is merged.
+/// With a target: until so few are left.
 /// Throws std::invalid_argument where an option is out of range or the analysis is another mesh's,
 /// InputError where the mesh has no size, where it is smooth or no rectangle and the method is not
-/// for such, or, with `manual`, where an edge cannot be merged within epsilon; the mesh is then as
-/// it was.
+/// for such, or, with `manual`, where an edge cannot be merged within epsilon and the local bound;
+/// the mesh is then as it was.
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 
 /// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most

@@ -37,6 +37,7 @@ class Result:
     patches_before: int
     patches_after: int
     error: float  #: of what is written, against the mesh as it was, 0 to 1
+    local_error: float  #: the largest mean of the same in any window of 32 x 32 pixels
     evaluations: int  #: merges that were painted and measured
     stopped: str  #: "done", "budget", "cancelled" or "nothing to merge"
     seconds: float
@@ -117,6 +118,7 @@ def simplify(
     method: str = "gqe",
     metric: str = "flip",
     epsilon: float = 0.01,
+    max_local_error: Optional[float] = None,
     patches: Optional[int] = None,
     ratio: Optional[float] = None,
     resolution: int = 700,
@@ -141,6 +143,9 @@ def simplify(
     ids: objects, or groups that hold them; none: all meshes of the document.
     epsilon: largest error allowed, 0 to 1, by `metric` ("flip" or "ssim", as 1 - SSIM), at
     `resolution` pixels along the mesh's longer side.
+    max_local_error: the largest error allowed, beside that, in any window of 32 x 32 pixels, 0 to 1,
+    so that a small detail is not given up for calm areas elsewhere. A window that is above it before
+    anything is merged stays as it is. With a target there may then be more patches than asked for.
     patches, ratio: a target instead of epsilon: at most so many patches, or this share (above 0 and
     at most 1) of those there are, with as small an error as the method finds.
     color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
@@ -151,7 +156,8 @@ def simplify(
     "gqe1" weigh patches saved against error by `omega`; "lines" takes whole rows and columns out of
     a mesh that is one rectangle of patches, which stays one mesh gradient on the same object, and is
     used for smooth meshes whatever else is asked for; "manual" merges the half-edges `edges`, in
-    this order, and raises InputError where one of them cannot be merged within epsilon.
+    this order, and raises InputError where one of them cannot be merged within epsilon
+    and max_local_error.
     time_budget: seconds for each mesh, after which the best so far is kept; 0: no limit.
     threads: 0 for all cores; the result is the same.
     remember_original: an SVG document keeps the mesh as it was before it was first simplified,
@@ -159,7 +165,7 @@ def simplify(
     keep_original: an SVG document also keeps each object as it was, hidden, directly below the
     result, with an id that ends in "-original". It is left out unless its own id is given.
     preview: only say what would become of each; the document stays as it is. With "manual" the
-    error is told even where it is above epsilon.
+    error is told even where it is too large.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe" and "gqe1"
     take what is known already, and to which they save what they have used.
     analysis_cache: a folder where each mesh has such a file of its own, found by its content; what is
@@ -174,6 +180,7 @@ def simplify(
         raise ValueError("the numbers of half-edges are below 2^31.")
     options = _options(metric, epsilon, resolution, color_model, threads)
     options.method = method
+    options.max_local_error = max_local_error
     options.patches = patches
     options.visible_only = visible_only
     options.ratio = ratio

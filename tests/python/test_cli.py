@@ -98,17 +98,37 @@ def test_simplify_and_its_report(fruit):
     assert done.stdout.startswith("pear: ")
     (mesh,) = json.loads(report.read_text())["meshes"]
     assert list(mesh) == (
-        "id method color_model metric epsilon resolution seed omega kappa patches_before "
-        "patches_after error evaluations seconds stopped".split()
+        "id method color_model metric epsilon max_local_error resolution seed omega kappa "
+        "patches_before patches_after error local_error evaluations seconds stopped".split()
     )
     assert (mesh["id"], mesh["method"], mesh["metric"]) == ("pear", "grid", "ssim")
     assert (mesh["epsilon"], mesh["resolution"], mesh["seed"]) == (0.02, 300, 7)
     assert mesh["patches_after"] < mesh["patches_before"] == 132
     assert 0 < mesh["error"] <= 0.02 and mesh["evaluations"] > 0
+    assert mesh["max_local_error"] is None and mesh["local_error"] > mesh["error"]
     assert mesh["seconds"]["total"] > 0 and mesh["stopped"] == "done"
     (after,) = json.loads(gradmesh("info", "--json", out).stdout)["meshes"]
     assert after["patches"] == mesh["patches_after"] and after["simplified"]
     assert fruit.read_bytes() == before
+
+
+def test_the_error_of_small_parts_can_be_bounded(fruit):
+    report = fruit.with_name("report.json")
+
+    def run(*options):
+        options = ("--resolution", "200", "--report", report, *options)
+        done = gradmesh("simplify", fruit, "-o", fruit.with_name("out.svg"), *options)
+        assert done.returncode == 0, done.stderr
+        return done.stdout, json.loads(report.read_text())["meshes"][0]
+
+    said, free = run()
+    assert "small parts" not in said
+    bound = free["local_error"] / 2
+    said, bounded = run("--max-local-error", str(bound))
+    assert bounded["max_local_error"] == bound
+    assert bounded["local_error"] <= bound and bounded["error"] <= 0.01
+    assert free["patches_after"] < bounded["patches_after"] < 132
+    assert f"in small parts up to {bounded['local_error']:.5f}" in said
 
 
 def test_in_may_be_out(fruit):

@@ -193,6 +193,18 @@ def test_how_much_by_name_or_number(run):
     assert left("--amount=strong", "--metric=ssim")[1] <= 0.01
 
 
+def test_small_parts_have_a_limit_of_their_own(run):
+    def left(*options):
+        done = run(SAMPLES / "fruit.svg", "--id=pear", "--resolution=150", *options)
+        return int(re.search(r": (\d+) of 132", by_id(done.stdout)["pear"].get(LABEL))[1])
+
+    free = left("--amount=custom", "--epsilon=0.02")
+    assert left("--amount=custom", "--epsilon=0.02", "--max_local_error=0.03") > free
+    # The named amounts bring theirs, whatever is set for the others.
+    assert left("--amount=strong") == left("--amount=strong", "--max_local_error=0.01")
+    assert left("--amount=strong") > free
+
+
 def test_nothing_selected_is_all(run):
     after = by_id(run(SAMPLES / "two.svg", "--resolution=100").stdout)
     assert after["cap"].tag == after["stalk"].tag == SVG + "g"
@@ -243,6 +255,8 @@ def test_a_preview_only_tells(run):
     assert re.fullmatch(would + "\n", told(*stalk))
     above = r" That is above the largest error, 0\.0001\."
     assert re.fullmatch(would + above + "\n", told(*stalk, "--epsilon=0.0001"))
+    local = r" In a small part it is 0\.\d{4}, above 0\.001\."
+    assert re.fullmatch(would + local + "\n", told(*stalk, "--max_local_error=0.001"))
     both = rf"(\w+: \d+ of \d+ patches would be left, with {error}\n){{2}}"
     assert re.fullmatch(both, told("--id=stalk", "--id=cap"))
 
@@ -267,6 +281,7 @@ def test_a_preview_only_tells(run):
         (["--id=pear", "--kappa=-0.1"], "kappa"),
         (["--id=pear", "--epsilon=nan"], "epsilon"),
         (["--id=pear", "--epsilon=much"], "'much'"),
+        (["--id=pear", "--max_local_error=-1"], "local error"),
         (["--id=pear", "--resolution=3"], "resolution"),
         (["--id=pear", "--seed=-1"], "seed"),
         (["--id=pear", "--time_budget=-1"], "time budget"),

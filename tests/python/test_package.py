@@ -48,13 +48,21 @@ def test_simplify_changes_the_document(fruit, tmp_path):
     (result,) = gradmesh.simplify(fruit, "pear", **options)
     assert result.id == "pear" and result.stopped == "done"
     assert result.patches_after < result.patches_before == 132
-    assert 0 < result.error <= 0.02
+    assert 0 < result.error <= 0.02 and result.local_error > result.error
     assert result.evaluations > 0 and result.seconds > 0
     (mesh,) = fruit.meshes
     assert (mesh.id, mesh.simplified, mesh.patches) == ("pear", True, result.patches_after)
     gradmesh.save(fruit, tmp_path / "out.svg")
     assert (tmp_path / "out.svg").read_bytes() == fruit.to_bytes()
     assert gradmesh.load(tmp_path / "out.svg").meshes == [mesh]
+
+
+def test_the_error_of_small_parts_can_be_bounded(fruit):
+    (free,) = gradmesh.simplify(fruit, resolution=200, preview=True)
+    bound = free.local_error / 2
+    (bounded,) = gradmesh.simplify(fruit, resolution=200, max_local_error=bound)
+    assert bounded.local_error <= bound and bounded.error <= 0.01
+    assert free.patches_after < bounded.patches_after < 132
 
 
 def test_ids_choose_the_meshes():
@@ -128,6 +136,8 @@ def test_an_exception_in_the_callback_comes_out(fruit, error):
         ({"metric": "taste"}, "'taste'"),
         ({"epsilon": -0.1}, "epsilon"),
         ({"epsilon": float("nan")}, "epsilon"),
+        ({"max_local_error": -0.1}, "local error"),
+        ({"max_local_error": 2}, "local error"),
         ({"resolution": 15}, "resolution"),
         ({"seed": -1}, "seed"),
         ({"seed": 2**64}, "seed"),

@@ -60,6 +60,7 @@ def test_the_page_tells_what_the_run_did(fruit):
     assert data["after"]["patches"] == fruit.told["patches_after"] < 132
     # Resolution and metric are those of the run; the document is measured as a reader finds it.
     assert data["error"] == pytest.approx(fruit.told["error"], abs=1e-6)
+    assert data["local_error"] == pytest.approx(fruit.told["local_error"], abs=1e-6)
     assert max(data["width"], data["height"]) == 150 and data["metric"] == "FLIP"
     assert data["before"]["elements"] == elements(FRUIT)
     assert data["after"]["elements"] == elements(fruit.after)
@@ -226,6 +227,8 @@ def test_the_head_of_the_page(page, fruit):
     for key in ("patches", "points", "t_junctions"):
         assert f"{fruit.data['before'][key]} \u2192 {after[key]}" in summary
     assert float(page.text("#error")) == pytest.approx(fruit.told["error"], rel=0.01)
+    local = fruit.told["local_error"]
+    assert page.text("#local-error") == f"up to {local:.3g} in 32 \u00d7 32 px"
     options = page.texts("#options > div")
     assert "Method\ngqe" in options and "Largest error (epsilon)\n0.01" in options
 

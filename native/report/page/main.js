@@ -79,6 +79,11 @@ function describePage() {
         make("dt", {}, "Error"),
         make("dd", { id: "error" }, short(data.error, 3)),
         make("dd", { class: "quiet" }, `${data.metric}, ${data.width} \u00d7 ${data.height} px`),
+        make(
+          "dd",
+          { id: "local-error", class: "quiet" },
+          `up to ${short(data.local_error, 3)} in 32 \u00d7 32 px`,
+        ),
       ),
     );
   for (const side of ["before", "after"]) {
@@ -92,6 +97,7 @@ const OPTION_NAMES = {
   color_model: "Colour model",
   metric: "Metric",
   epsilon: "Largest error (epsilon)",
+  max_local_error: "Largest error in 32 \u00d7 32 px",
   resolution: "Resolution",
   seed: "Seed",
   omega: "Weight of size (omega)",
@@ -99,6 +105,7 @@ const OPTION_NAMES = {
   patches_before: "Patches before",
   patches_after: "Patches after",
   error: "Error",
+  local_error: "Error in 32 \u00d7 32 px, up to",
   evaluations: "Merges measured",
   stopped: "Stopped",
 };
@@ -127,7 +134,7 @@ function describeRun() {
   for (const [key, name] of Object.entries(OPTION_NAMES)) {
     const value = run[key];
     const matters = OPTION_METHODS[key]?.includes(run.method) ?? true;
-    if (value !== undefined && matters)
+    if (value != null && matters)
       add(name, typeof value === "number" ? short(value, 5) : String(value));
   }
   if (run.seconds?.total !== undefined) add("Time", `${short(run.seconds.total, 3)} s`);

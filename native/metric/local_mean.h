@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "base/image.h"
+
+namespace gradmesh {
+
+/// Side of the windows whose means are looked at one by one, in pixels: about the size of an eye or
+/// a highlight, which the mean of a whole frame hardly feels.
+inline constexpr int local_side = 32;
+
+/// Calls `body(x, y, mean)` for every window of 32 x 32 pixels inside the map, row by row, by its
+/// top left pixel; windows are as wide or high as the map where that is smaller. The map may be a
+/// part of the frame: the same windows have the same means. `map` holds values of at most 2.
+template <class Body>
+void for_each_local_mean(const Plane& map, const Body& body) {
+  if (map.samples.empty()) return;
+  const int width = std::min(local_side, map.width), height = std::min(local_side, map.height);
+  // As whole multiples of 2^-40 all running sums are exact: they do not depend on where they began.
+  const auto rounded = [](double value) { return (value + 0x1p12) - 0x1p12; };
+  std::vector<double> columns(std::size_t(map.width), 0.0);
+  for (int y = map.y0; y < map.y0 + map.height; ++y) {
+    const float* entering = map.at(map.x0, y);
+    for (std::size_t x = 0; x < columns.size(); ++x) columns[x] += rounded(entering[x]);
+    const int top = y + 1 - height;
+    if (top < map.y0) continue;
+    double sum = std::accumulate(columns.begin(), columns.begin() + width, 0.0);
+    body(map.x0, top, sum / (width * height));
+    for (int x = width; x < map.width; ++x) {
+      sum += columns[std::size_t(x)] - columns[std::size_t(x - width)];
+      body(map.x0 + x + 1 - width, top, sum / (width * height));
+    }
+    const float* leaving = map.at(map.x0, top);
+    for (std::size_t x = 0; x < columns.size(); ++x) columns[x] -= rounded(leaving[x]);
+  }
+}
+
+/// The largest of these means, to 1e-12; 0 for a map without pixels.
+inline double largest_local_mean(const Plane& map) {
+  double largest = 0;
+  for_each_local_mean(map, [&](int, int, double mean) { largest = std::max(largest, mean); });
+  return largest;
+}
+
+}  // namespace gradmesh
