@@ -57,6 +57,10 @@ class EditError {
   /// Whether the mesh of the last after_edits, whose error must be at most its limit, keeps to the
   /// local bound.
   bool keeps_local_bound();
+  /// Whether what has been accepted does.
+  bool accepted_keeps_local_bound() const {
+    return !fixed_->local_bound || fixed_->local_bound->holds(state_->map);
+  }
   /// Accepts the journal's mesh, which must be that of the last after_edits, whose error must be
   /// at most its limit.
   void accept(const Journal& journal);

@@ -61,7 +61,10 @@ double FitTrial::price(const Region& region, double limit) {
     constexpr int steps = 2;
     for (int i = 0; i < steps; ++i)
       fit.apply(fit.step(damping), std::vector<bool>(damping.size(), false));
-    price = std::min(price, error_.after_edits(journal_, depth, before + limit) - before);
+    const double unfitted = price;
+    price = error_.after_edits(journal_, depth, before + limit) - before;
+    const bool breaks = price <= limit && !error_.keeps_local_bound();
+    price = breaks ? std::numeric_limits<double>::infinity() : std::min(price, unfitted);
   }
   undo_to(depth);
   return price;
@@ -74,20 +77,27 @@ bool FitTrial::try_merge(const std::vector<Region>& regions, double limit, int s
   if (!merged.empty()) {
     error_.after_edits(journal_, depth);
     error_.accept(journal_);
-    improve(with_neighbours(mesh(), merged), steps, limit);
-    if (error() <= limit) {
+    fit(with_neighbours(mesh(), merged), steps, limit);
+    if (error() <= limit && error_.accepted_keeps_local_bound()) {
       last_change_.resize(mesh().face_slots(), 0);
       ++changes_;
       for (const Face f : journal_.touched_since(depth)) last_change_[f.value] = changes_;
       return true;
     }
   }
-  undo_to(depth);
-  error_.restore(start);
+  go_back(depth, start);
   return false;
 }
 
-void FitTrial::improve(const std::vector<Face>& faces, int steps, double limit) {
+void FitTrial::improve(const std::vector<Face>& faces, int steps) {
+  const std::size_t depth = journal_.depth();
+  const auto start = error_.state();
+  const bool kept = error_.accepted_keeps_local_bound();
+  fit(faces, steps, 1);
+  if (kept && !error_.accepted_keeps_local_bound()) go_back(depth, start);
+}
+
+void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
   Fit fit(journal_, *target_, faces);
   std::vector<double> damping(fit.unknowns().size(), first_damping);
   for (int left = steps; left-- > 0;) {
@@ -135,6 +145,11 @@ std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {
     merged.push_back(*std::ranges::find_if(faces, [&](Face f) { return mesh()[f].alive; }));
   }
   return merged;
+}
+
+void FitTrial::go_back(std::size_t depth, std::shared_ptr<const EditError::State> state) {
+  undo_to(depth);
+  error_.restore(std::move(state));
 }
 
 void FitTrial::undo_to(std::size_t depth) {

@@ -20,18 +20,18 @@ class FitTrial {
       : journal_(mesh), error_(std::move(error)), target_(std::move(target)) {}
 
   /// By how much the error rises where the region alone is merged and its patch fitted, or some
-  /// number above `limit` where it is above that; infinity where it cannot be merged. The mesh is
-  /// as before, after.
+  /// number above `limit` where it is above that; infinity where it cannot be merged or breaks the
+  /// local bound. The mesh is as before, after.
   double price(const Region& region, double limit);
 
   /// Merges those of the regions that can be merged after the ones before them, and fits them and
-  /// their neighbours in at most so many steps. If the error is then at most `limit` that stays,
-  /// otherwise all is as before; which of both.
+  /// their neighbours in at most so many steps. If the error is then at most `limit` and keeps to
+  /// the local bound that stays, otherwise all is as before; which of both.
   bool try_merge(const std::vector<Region>& regions, double limit, int steps);
 
-  /// Fits these faces in at most so many steps, of which those stay that lower the error. Gives up
-  /// early where the error falls too slowly to come down to `limit` in these steps.
-  void improve(const std::vector<Face>& faces, int steps, double limit = 1);
+  /// Fits these faces in at most so many steps, of which those stay that lower the error; none
+  /// where together they would break the local bound.
+  void improve(const std::vector<Face>& faces, int steps);
 
   /// How often the mesh was changed for good, and the last time that a face was.
   int changes() const { return changes_; }
@@ -50,7 +50,11 @@ class FitTrial {
  private:
   /// Merges what can be merged; the faces that came of it.
   std::vector<Face> merge_possible(const std::vector<Region>& regions);
+  /// Goes back to an earlier depth, and to the error there.
+  void go_back(std::size_t depth, std::shared_ptr<const EditError::State> state);
   void undo_to(std::size_t depth);
+  /// Gives up early where the error falls too slowly to come down to `limit` in so many steps.
+  void fit(const std::vector<Face>& faces, int steps, double limit);
   bool try_step(Fit& fit, std::vector<double>& damping);
 
   Journal journal_;

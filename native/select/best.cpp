@@ -202,12 +202,12 @@ class Rounds {
   /// Remembers the mesh if it keeps to epsilon as it will be written. What writing adds to its
   /// error is left free from now on.
   void keep() {
-    const double written = context_.error_as_written(mesh());
-    limit_ = epsilon_ - std::max(0.0, written - error());
-    if (written > epsilon_) return;
+    const FitContext::Written written = context_.written(mesh());
+    limit_ = epsilon_ - std::max(0.0, written.error - error());
+    if (!written.keeps) return;
     best_ = {mesh(), error()};
     patches_ = mesh().face_count();
-    error_ = written;
+    error_ = written.error;
   }
 
   const FitContext& context_;
@@ -256,8 +256,10 @@ std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
   std::optional<FittedMesh> best = rounds->run();
   if (!best || best->mesh.face_count() == start.mesh().face_count()) return std::nullopt;
   const bool as_many = best->mesh.face_count() == merged.mesh().face_count();
-  if (as_many && context.error_as_written(best->mesh) > context.error_as_written(merged.mesh()))
-    return std::nullopt;
+  if (as_many) {
+    const FitContext::Written gqe = context.written(merged.mesh());
+    if (gqe.keeps && gqe.error < context.written(best->mesh).error) return std::nullopt;
+  }
   return best;
 }
 

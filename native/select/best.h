@@ -14,8 +14,13 @@ namespace gradmesh {
 /// What merge_and_fit needs to know beside the mesh.
 struct FitContext {
   std::shared_ptr<const FitTarget> target;
-  /// The error of a mesh as it will be written, on the whole frame.
-  std::function<double(const Mesh&)> error_as_written;
+  /// The error of a mesh as it will be written, on the whole frame, and whether that keeps to
+  /// epsilon and to the local bound.
+  struct Written {
+    double error;
+    bool keeps;
+  };
+  std::function<Written(const Mesh&)> written;
   /// Weight of a region's size against its error, as of gqe.
   double omega = 0.75;
 };
@@ -34,8 +39,9 @@ struct FittedMesh {
 ///
 /// `start` is the mesh before anything was merged, `regions` those of price_regions there, and
 /// `merged` what gqe made of them; all stay as they are. Returns the mesh with the fewest patches
-/// whose error as it will be written is at most epsilon, none where that is not fewer than at the
-/// start. Never more than gqe's, nor as many with a larger error, if that keeps to epsilon.
+/// that, as it will be written, keeps to epsilon and to the local bound; none where that is not
+/// fewer than at the start. Never more than gqe's, nor as many with a larger error, if that keeps
+/// to them.
 std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
                                         const std::vector<RegionPrice>& regions,
                                         const FitContext& context, StopWatch& watch);

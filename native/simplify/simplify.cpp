@@ -212,14 +212,13 @@ class Run {
     const auto start = trial_.fork();
     const auto regions = price_regions(trial_, analysis_, options_.epsilon, watch_);
     select_gqe(trial_, regions, {options_.omega, false}, watch_);
-    const auto error_as_written = [this](const Mesh& mesh) {
-      SimplifyResult written;
-      written.frame = frame_;
-      measure(mesh, trial_.measure(), options_, written);
-      return written.error;
+    const auto written = [this](const Mesh& mesh) {
+      SimplifyResult result;
+      result.frame = frame_;
+      const bool keeps = measure(mesh, trial_.measure(), options_, result);
+      return FitContext::Written{result.error, keeps};
     };
-    return merge_and_fit(start->trial, trial_, regions, {target, error_as_written, options_.omega},
-                         watch_);
+    return merge_and_fit(start->trial, trial_, regions, {target, written, options_.omega}, watch_);
   }
 
   const SimplifyOptions& options_;
