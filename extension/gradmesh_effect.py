@@ -12,7 +12,7 @@ import sys
 import traceback
 from contextlib import contextmanager
 
-from gradmesh_text import _, log, sentence, why_it_does_not_load
+from gradmesh_text import _, log, sentence, translated, why_it_does_not_load
 
 try:
     import inkex
@@ -108,7 +108,7 @@ def refusals_as_sentences():
     try:
         yield
     except gradmesh.InputError as error:
-        raise inkex.AbortExtension(sentence(error)) from error
+        raise inkex.AbortExtension(sentence(translated(error.message))) from error
     except ValueError as error:
         raise inkex.AbortExtension(settings_do_not_work(error)) from error
 

@@ -87,8 +87,19 @@ class Simplify(GradmeshEffect):
         elif options.result != "blocks":
             raise ValueError(f"results are blocks or one-mesh, not '{options.result}'")
         # The dialog keeps what was typed there for another run.
-        chosen["edges"] = halfedges(options.edges) if chosen["method"] == "manual" else ()
+        chosen["edges"] = self.edges() if chosen["method"] == "manual" else ()
         return {**chosen, **self.how_much()}
+
+    def edges(self):
+        """The edges to be merged by hand."""
+        if self.options.amount in ("patches", "share"):
+            raise ValueError(
+                _("the method Manual merges the edges that are named, not as many as it takes")
+            )
+        edges = halfedges(self.options.edges)
+        if not edges:
+            raise ValueError(_("the method Manual needs the edges to merge"))
+        return edges
 
     def how_much(self):
         amount = self.options.amount
@@ -162,7 +173,7 @@ def halfedges(text):
     """The numbers in a list such as "12, 40"; ValueError where something else is in it."""
     numbers = text.replace(",", " ").split()
     for number in numbers:
-        if not re.fullmatch("[0-9]+", number):
+        if not re.fullmatch("[0-9]{1,9}", number):
             raise ValueError(
                 _("half-edges are whole numbers with commas between them, not '{text}'").format(
                     text=number

@@ -23,6 +23,15 @@ def sentence(message):
     return text if text.endswith(".") else text + "."
 
 
+def translated(message):
+    """What gradmesh says: a text, or a template and what goes into its places, which may be
+    messages themselves."""
+    if isinstance(message, str):
+        return message
+    template, arguments = message
+    return _(template).format(*map(translated, arguments))
+
+
 def cache_folder():
     """The user's folder for what may be deleted at any time; it need not exist."""
     cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")

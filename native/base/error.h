@@ -1,15 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
-#include <string>
+
+#include "base/message.h"
 
 namespace gradmesh {
 
-/// Bad input or a file that cannot be read or written. `what()` is one plain sentence for the
-/// person, which names the file and the element where there is one.
+/// Bad input or a file that cannot be read or written: one plain sentence for the person, which
+/// names the file and the element where there is one. `what()` is the sentence in English.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit InputError(Message message)
+      : runtime_error(message.english()), message_(std::move(message)) {}
+  template <class... Arguments>
+  explicit InputError(MessageTemplate<sizeof...(Arguments)> text, const Arguments&... arguments)
+      : InputError(Message(text, arguments...)) {}
+
+  const Message& message() const { return message_; }
+
+ private:
+  Message message_;
 };
 
 }  // namespace gradmesh

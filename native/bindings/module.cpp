@@ -159,6 +159,36 @@ std::string draw_document(const Document& document, const std::string& id, const
   return draw(document, document.selected({id}).front(), options, analyses);
 }
 
+py::tuple message_tuple(const Message& message);
+
+py::object argument(const Message::Argument& argument) {
+  if (const auto* message = std::get_if<Message>(&argument)) return message_tuple(*message);
+  return py::str(std::get<std::string>(argument));
+}
+
+/// (template, arguments), where arguments are texts or such pairs.
+py::tuple message_tuple(const Message& message) {
+  py::list arguments;
+  for (const Message::Argument& a : message.arguments()) arguments.append(argument(a));
+  return py::make_tuple(message.text(), py::tuple(arguments));
+}
+
+/// Raises InputError of the Python module, which also says its message so that it can be
+/// translated.
+void bind_errors(py::module_& m) {
+  static const py::handle type =
+      py::exception<InputError>(m, "InputError", PyExc_ValueError).release();
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const InputError& error) {
+      py::object raised = type(error.what());
+      raised.attr("message") = message_tuple(error.message());
+      PyErr_SetObject(type.ptr(), raised.ptr());
+    }
+  });
+}
+
 void bind_options(py::module_& m) {
   py::class_<SimplifyOptions>(m, "SimplifyOptions")
       .def(py::init<>())
@@ -212,8 +242,7 @@ PYBIND11_MODULE(_core, m) {
   using namespace gradmesh;
   m.doc() = "The compiled core of gradmesh; use the package gradmesh.";
   m.attr("version") = GRADMESH_VERSION;
-  py::register_exception<InputError>(m, "InputError", PyExc_ValueError);
-
+  bind_errors(m);
   bind_options(m);
   py::class_<Document>(m, "Document")
       .def_static("read_file", [](const std::string& path) { return Document::read_file(path); })

@@ -20,8 +20,8 @@ struct OnlyMesh {
   explicit OnlyMesh(const std::string& path) : document(Document::read_file(path)) {
     const auto found = document->selected({});
     if (found.size() > 1)
-      throw InputError(path + ": there are " + std::to_string(found.size()) +
-                       " meshes, but a document to be compared must hold one.");
+      throw InputError("{0}: there are {1} meshes, but a document to be compared must hold one.",
+                       path, found.size());
     seen = {document.get(), found.front(), document->mesh(found.front())};
   }
 
@@ -56,7 +56,7 @@ Pair pictures(const std::string& a, const std::string& b) {
 void run_compare(const CompareArguments& args) {
   const auto [first, second] = pictures(args.a, args.b);
   if (first.width != second.width || first.height != second.height)
-    throw InputError(args.a + " and " + args.b + " are not of one size.");
+    throw InputError("{0} and {1} are not of one size.", args.a, args.b);
   std::printf("%.6f\n", mean(make_metric(metric_named(args.metric), first)->map(second)));
 }
 

@@ -5,8 +5,8 @@ namespace gradmesh {
 MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids) {
   const auto found = document.selected(ids);
   if (found.size() > 1)
-    throw InputError(document.name() + ": there are " + std::to_string(found.size()) +
-                     " meshes, choose one with --id.");
+    throw InputError("{0}: there are {1} meshes, choose one with --id.", document.name(),
+                     found.size());
   return found.front();
 }
 

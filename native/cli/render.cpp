@@ -15,9 +15,10 @@ struct RenderArguments {
 void run_render(const RenderArguments& a) {
   const std::unique_ptr<Document> document = Document::read_file(a.in);
   if (a.like_inkscape && document->color_model() == ColorModel::bicubic)
-    throw InputError(a.in +
-                     ": Inkscape cannot paint its bicubic colours; gradmesh convert makes an " +
-                     "SVG document of it.");
+    throw InputError(
+        "{0}: Inkscape cannot paint its bicubic colours; gradmesh convert makes an SVG document "
+        "of it.",
+        a.in);
   const auto rasterizer =
       a.like_inkscape ? make_cairo_like_rasterizer() : make_software_rasterizer();
   write_png(document->render(one_mesh(*document, a.id), a.resolution, *rasterizer), a.out);

@@ -26,10 +26,10 @@ struct ReportArguments {
 ordered_json run_of(const std::string& path, const std::string& id) {
   const ordered_json report = ordered_json::parse(read_bytes(path), nullptr, false);
   if (!report.is_object() || !report.contains("meshes") || !report["meshes"].is_array())
-    throw InputError(path + ": this is no report of gradmesh simplify.");
+    throw InputError("{0}: this is no report of gradmesh simplify.", path);
   for (const ordered_json& mesh : report["meshes"])
     if (mesh.is_object() && mesh.value("id", "") == id) return mesh;
-  throw InputError(path + ": this report says nothing of the mesh " + id + ".");
+  throw InputError("{0}: this report says nothing of the mesh {1}.", path, id);
 }
 
 /// The option on the command line, else that of the run.
@@ -47,9 +47,9 @@ void take_options(const ordered_json& run, const CLI::App& command, ReportArgume
       a.options.color_model = color_model_named(run["color_model"].get<std::string>());
     a.options.metric = metric_named(a.metric);
   } catch (const ordered_json::exception&) {
-    throw InputError(a.run + ": this is no report of gradmesh simplify.");
+    throw InputError("{0}: this is no report of gradmesh simplify.", a.run);
   } catch (const std::invalid_argument& error) {
-    throw InputError(a.run + ": " + error.what());
+    throw InputError("{0}: {1}", a.run, error.what());
   }
 }
 

@@ -34,13 +34,15 @@ std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, Simpl
   options.resolution = a.options.resolution;
   Conversion conversion = convert(in, entry, kind, options);
   if (kind == DocumentKind::svg && conversion.error > a.options.epsilon)
-    throw InputError(a.in + ": written as SVG its error is " + std::to_string(conversion.error) +
-                     " before anything is merged, above epsilon; gradmesh convert --subdivide " +
-                     "makes finer patches, to be simplified from there.");
+    throw InputError(
+        "{0}: written as SVG its error is {1} before anything is merged, above epsilon; gradmesh "
+        "convert --subdivide makes finer patches, to be simplified from there.",
+        a.in, std::to_string(conversion.error));
   if (conversion.lost_opacity)
-    throw InputError(a.in + ": the mesh " + entry.id +
-                     " has opacities, which .hemesh cannot hold; " +
-                     "gradmesh convert shows what is lost.");
+    throw InputError(
+        "{0}: the mesh {1} has opacities, which .hemesh cannot hold; gradmesh convert shows what "
+        "is lost.",
+        a.in, entry.id);
   a.ids.clear();
   a.options.original = std::make_shared<const Mesh>(std::move(conversion.original));
   return std::move(conversion.document);

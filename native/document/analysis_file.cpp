@@ -74,22 +74,21 @@ Analysis from_json(const Json& json) {
   return analysis;
 }
 
-std::string size(const AnalysisKey& key) {
-  return std::to_string(key.width) + " x " + std::to_string(key.height) + " pixels";
-}
-
-/// A clause that says how a key differs from the one that is wanted.
-std::string difference(const AnalysisKey& found, const AnalysisKey& wanted) {
-  if (found.original != wanted.original) return "is of another mesh, or the mesh was changed since";
+/// Says how the key of an analysis differs from the one that is wanted.
+InputError other_key(const std::string& file, const AnalysisKey& found, const AnalysisKey& wanted) {
+  if (found.original != wanted.original)
+    return InputError("{0}: this analysis is of another mesh, or the mesh was changed since.",
+                      file);
   if (found.metric != wanted.metric)
-    return std::string("was made with the metric ") + name(found.metric) + ", not " +
-           name(wanted.metric);
+    return InputError("{0}: this analysis was made with the metric {1}, not {2}.", file,
+                      name(found.metric), name(wanted.metric));
   if (found.color_model != wanted.color_model)
-    return std::string("was made in the color model ") + name(found.color_model) + ", not " +
-           name(wanted.color_model);
+    return InputError("{0}: this analysis was made in the color model {1}, not {2}.", file,
+                      name(found.color_model), name(wanted.color_model));
   if (found.width != wanted.width || found.height != wanted.height)
-    return "was made at " + size(found) + ", not " + size(wanted);
-  return "was made before the mesh was moved or transformed";
+    return InputError("{0}: this analysis was made at {1} x {2} pixels, not {3} x {4} pixels.",
+                      file, found.width, found.height, wanted.width, wanted.height);
+  return InputError("{0}: this analysis was made before the mesh was moved or transformed.", file);
 }
 
 /// How much of two keys is the same, the more telling parts first.
@@ -125,15 +124,15 @@ void write(const std::filesystem::path& path, Json analyses) {
 
 std::list<Analysis> read(const std::filesystem::path& path) {
   const std::string name = path.string(), text = read_bytes(path);
-  const InputError damaged(name + ": this analysis is damaged or cut off.");
+  const auto damaged = InputError("{0}: this analysis is damaged or cut off.", name);
   if (text.find(format) == std::string::npos)
-    throw InputError(name + ": this is no file with an analysis.");
+    throw InputError("{0}: this is no file with an analysis.", name);
   try {
     const Json json = Json::parse(text);
     if (json.at("version") != version)
-      throw InputError(name + ": this analysis has the format version " +
-                       json.at("version").dump() + ", but only version " + std::to_string(version) +
-                       " is known here.");
+      throw InputError(
+          "{0}: this analysis has the format version {1}, but only version {2} is known here.",
+          name, json.at("version").dump(), version);
     if (json.at("checksum") != checksum(json.at("analyses"))) throw damaged;
     std::list<Analysis> analyses;
     for (const Json& analysis : json.at("analyses")) analyses.push_back(from_json(analysis));
@@ -153,14 +152,14 @@ AnalysisFiles::AnalysisFiles(AnalysisPaths paths) : paths_(std::move(paths)) {
 
 Analysis& AnalysisFiles::start(const AnalysisKey& key, const Mesh& mesh) {
   if (paths_.load.empty()) return analyses_.emplace_back(from_cache(key, mesh));
-  const std::string complaint = paths_.load.string() + ": this analysis ";
+  const std::string file = paths_.load.string();
   const auto closest = std::ranges::max_element(
       analyses_, {}, [&](const Analysis& analysis) { return likeness(analysis.key, key); });
-  if (closest == analyses_.end()) throw InputError(complaint + "holds no mesh.");
-  if (closest->key != key) throw InputError(complaint + difference(closest->key, key) + ".");
+  if (closest == analyses_.end()) throw InputError("{0}: this analysis holds no mesh.", file);
+  if (closest->key != key) throw other_key(file, closest->key, key);
   if (const Region* region = misfit(*closest, mesh))
-    throw InputError(complaint + "has a region that is not in the mesh, at patch " +
-                     std::to_string(region->face.value) + ".");
+    throw InputError("{0}: this analysis has a region that is not in the mesh, at patch {1}.", file,
+                     region->face.value);
   return *closest;
 }
 

@@ -170,7 +170,7 @@ Conversion convert(const Document& from, const MeshEntry& entry, DocumentKind to
   check(options);
   if (to == DocumentKind::hemesh) return Converter(from, entry, options).to_hemesh();
   if (from.kind() == DocumentKind::svg)
-    throw InputError(from.name() + " is an SVG document already.");
+    throw InputError("{0} is an SVG document already.", from.name());
   return Converter(from, entry, options).to_svg();
 }
 

@@ -101,9 +101,10 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
 
 void Document::check_color_model(const SimplifyOptions& options) const {
   if (kind() == DocumentKind::svg && options.color_model == ColorModel::bicubic)
-    throw InputError(name_ +
-                     ": an SVG document cannot hold bicubic colours; gradmesh convert makes "
-                     "a .hemesh file of it, which can.");
+    throw InputError(
+        "{0}: an SVG document cannot hold bicubic colours; gradmesh convert makes a .hemesh file "
+        "of it, which can.",
+        name_);
 }
 
 void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& options) const {
@@ -113,9 +114,9 @@ void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& optio
   if (m.entry.simplified && !options.original) return;
   char error[32];
   std::snprintf(error, sizeof error, "%.5f", m.result.error);
-  throw InputError(describe(m.entry) +
-                   ": before anything is merged, its error in the color model " +
-                   gradmesh::name(m.mesh.color_model()) + " is " + error + ", above epsilon.");
+  throw InputError(
+      "{0}: before anything is merged, its error in the color model {1} is {2}, above epsilon.",
+      describe(m.entry), gradmesh::name(m.mesh.color_model()), error);
 }
 
 std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
@@ -125,8 +126,8 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
   check_saved(options, analyses);
   const std::vector<MeshEntry> entries = selected(ids);
   if (options.method == Method::manual && entries.size() > 1)
-    throw InputError(name_ + ": there are " + std::to_string(entries.size()) +
-                     " meshes, and edges can be named of one only.");
+    throw InputError("{0}: there are {1} meshes, and edges can be named of one only.", name_,
+                     entries.size());
 
   // All are read before the first of them takes its time.
   AnalysisFiles files(analyses);
@@ -150,7 +151,8 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
                                            const AnalysisPaths& analyses,
                                            const WriteOptions& writing) {
   if (writing.keep_original && kind() == DocumentKind::hemesh)
-    throw InputError(name_ + ": a .hemesh file holds one mesh, so no original can be kept in it.");
+    throw InputError("{0}: a .hemesh file holds one mesh, so no original can be kept in it.",
+                     name_);
   std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
   std::vector<MeshReport> reports = reports_of(meshes);
   std::erase_if(meshes, [](const SimplifiedMesh& m) {
@@ -195,8 +197,9 @@ std::size_t Document::analyze(const std::vector<std::string>& ids, const Simplif
 void Document::check_target(const std::filesystem::path& path) const {
   if (kind_of(path).value_or(kind()) != kind())
     throw InputError(
-        name_ + " is not of the kind of " + path.string() +
-        ": gradmesh convert makes a .hemesh file of an SVG document, and the reverse.");
+        "{0} is not of the kind of {1}: gradmesh convert makes a .hemesh file of an SVG document, "
+        "and the reverse.",
+        name_, path.string());
 }
 
 void Document::write_file(const std::filesystem::path& path) const {

@@ -131,9 +131,7 @@ class Document {
     try {
       return work();
     } catch (const InputError& error) {
-      std::string reason = error.what();
-      if (reason.ends_with('.')) reason.pop_back();
-      throw InputError(describe(entry) + ": " + reason + ".");
+      throw InputError("{0}: {1}", describe(entry), error.message());
     }
   }
 
@@ -156,7 +154,7 @@ class Document {
   Document(std::string name, std::string_view bytes) : name_(std::move(name)), original_(bytes) {}
 
   /// How messages name a mesh: the file and, where it has several, the element.
-  virtual std::string describe(const MeshEntry& entry) const = 0;
+  virtual Message describe(const MeshEntry& entry) const = 0;
   /// The mesh before it was first simplified, where the document tells; null otherwise.
   virtual std::shared_ptr<const Mesh> remembered_original(const MeshEntry&) const {
     return nullptr;

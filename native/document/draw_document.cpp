@@ -74,8 +74,8 @@ class Draw {
       return regions.empty() ? *mesh_.faces().begin() : regions.back().region.face;
     const Face patch{*options_.patch};
     if (patch.value < 0 || patch.value >= int(mesh_.face_slots()))
-      throw InputError(document_.name() + ": there is no patch " + std::to_string(patch.value) +
-                       "; the last is " + std::to_string(mesh_.face_slots() - 1) + ".");
+      throw InputError("{0}: there is no patch {1}; the last is {2}.", document_.name(),
+                       patch.value, mesh_.face_slots() - 1);
     return patch;
   }
 
@@ -83,8 +83,8 @@ class Draw {
   int chosen_region(Face patch, int count) const {
     const int chosen = options_.region.value_or(count);
     if (chosen > count)
-      throw InputError(document_.name() + ": patch " + std::to_string(patch.value) + " has " +
-                       std::to_string(count) + " regions only.");
+      throw InputError("{0}: patch {1} has {2} regions only.", document_.name(), patch.value,
+                       count);
     return chosen - 1;
   }
 

@@ -21,7 +21,7 @@ namespace {
 
 SvgMeshes& svg(Document& document) {
   if (document.kind() != DocumentKind::svg)
-    throw InputError(document.name() + ": patches are edited in SVG documents only.");
+    throw InputError("{0}: patches are edited in SVG documents only.", document.name());
   return static_cast<SvgMeshes&>(document);
 }
 
@@ -40,8 +40,13 @@ class Refiner {
         mesh_(journal.mesh()),
         chosen_(chosen),
         options_(options),
-        rows_(range(options.row, chosen.rows, "row")),
-        columns_(range(options.column, chosen.columns, "column")) {}
+        rows_(range(options.row, chosen.rows)),
+        columns_(range(options.column, chosen.columns)) {
+    if (rows_.first < 0 || rows_.second > chosen.rows)
+      throw InputError("it has no row {0}, only {1} of them.", rows_.second, chosen.rows);
+    if (columns_.first < 0 || columns_.second > chosen.columns)
+      throw InputError("it has no column {0}, only {1} of them.", columns_.second, chosen.columns);
+  }
 
   void run() {
     if (options_.whole) {
@@ -55,12 +60,8 @@ class Refiner {
  private:
   using Range = std::pair<int, int>;
 
-  Range range(std::optional<int> number, int count, const std::string& what) const {
-    if (!number) return {0, count};
-    if (*number < 1 || *number > count)
-      throw InputError("it has no " + what + " " + std::to_string(*number) + ", only " +
-                       std::to_string(count) + " of them");
-    return {*number - 1, *number};
+  static Range range(std::optional<int> number, int count) {
+    return number ? Range(std::max(*number, 0) - 1, *number) : Range(0, count);
   }
 
   Face face(int row, int column) const {
@@ -122,9 +123,9 @@ Mesh as_grid(Mesh mesh) {
   Journal journal(mesh);
   extend_stems(journal, most_patches);
   Mesh plain = build_mesh(subdivided(mesh, 1));
-  if (!find_grid(plain)) throw InputError("its patches do not make up one rectangle");
+  if (!find_grid(plain)) throw InputError("its patches do not make up one rectangle.");
   if (!has_one_color_at_each_point(plain))
-    throw InputError("it has several colours at one point, which one mesh gradient cannot hold");
+    throw InputError("it has several colours at one point, which one mesh gradient cannot hold.");
   return plain;
 }
 
@@ -147,7 +148,7 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
         {entry.id, before.face_count(), grid.face_count(), error.whole_frame(written).mean});
   }
   if (grids.empty())
-    throw InputError(document.name() + ": only simplified meshes can be made one mesh gradient.");
+    throw InputError("{0}: only simplified meshes can be made one mesh gradient.", document.name());
   meshes.write_as_one(grids, measure.resolution);
   return reports;
 }
@@ -155,34 +156,34 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
 EditReport merge_blocks(Document& document, const std::vector<std::string>& ids,
                         const MeasureOptions& measure) {
   SvgMeshes& meshes = svg(document);
-  if (ids.empty()) throw InputError(document.name() + ": no blocks are chosen to be merged.");
+  if (ids.empty()) throw InputError("{0}: no blocks are chosen to be merged.", document.name());
   std::vector<Face> faces;
   std::optional<MeshEntry> entry;
   for (const std::string& id : ids) {
     const Rectangle block = meshes.block(id);
     if (entry && entry->index != block.entry.index)
-      throw InputError(document.name() + ": the blocks " + excerpt(ids.front()) + " and " +
-                       excerpt(id) + " are of different meshes.");
+      throw InputError("{0}: the blocks {1} and {2} are of different meshes.", document.name(),
+                       excerpt(ids.front()), excerpt(id));
     entry = block.entry;
     faces.insert(faces.end(), block.faces.begin(), block.faces.end());
   }
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (faces.size() < 2)
-    throw InputError(document.name() + ": " + excerpt(ids.front()) +
-                     " is one patch already; choose two or more.");
+    throw InputError("{0}: {1} is one patch already; choose two or more.", document.name(),
+                     excerpt(ids.front()));
 
   Mesh mesh = meshes.mesh(*entry);
   const int before = mesh.face_count();
   Journal journal(mesh);
   const MergedFaces merged = merge_faces(journal, faces);
   if (!merged.face.valid()) {
-    const std::string why =
+    const Message why =
         merged.obstacle == MergeObstacle::none
-            ? "because they do not touch along a whole side"
-            : std::string("because of an edge between them: ") + describe(merged.obstacle);
-    throw InputError(document.name() + ": " + entry->id + ": these patches cannot become one, " +
-                     why + ".");
+            ? Message("because they do not touch along a whole side")
+            : Message("because of an edge between them: {0}", describe(merged.obstacle));
+    throw InputError("{0}: {1}: these patches cannot become one, {2}.", document.name(), entry->id,
+                     why);
   }
   return write(meshes, *entry, before, mesh, measure);
 }
@@ -201,7 +202,7 @@ EditReport refine(Document& document, const std::string& id, const RefineOptions
   try {
     Refiner(journal, chosen, options).run();
   } catch (const InputError& error) {
-    throw InputError(document.name() + ": " + excerpt(id) + ": " + error.what() + ".");
+    throw InputError("{0}: {1}: {2}", document.name(), excerpt(id), error.message());
   }
   // Where lines meet on both sides of a curve there are ordinary points now.
   return write(meshes, chosen.entry, before, build_mesh(subdivided(mesh, 1)), measure);

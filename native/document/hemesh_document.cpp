@@ -27,8 +27,8 @@ HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
 std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& ids) const {
   for (const std::string& id : ids)
     if (id != entries_.front().id)
-      throw InputError(name() + ": there is no mesh with the id " + excerpt(id) +
-                       ", the only one is called \"mesh\".");
+      throw InputError("{0}: there is no mesh with the id {1}, the only one is called \"mesh\".",
+                       name(), excerpt(id));
   return entries_;
 }
 
@@ -44,8 +44,8 @@ void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKi
 }
 
 std::vector<UpdateReport> HemeshDocument::update_edited(const std::vector<MeshEntry>&) {
-  throw InputError(name() +
-                   ": only meshes that were simplified in an SVG document can be updated.");
+  throw InputError("{0}: only meshes that were simplified in an SVG document can be updated.",
+                   name());
 }
 
 }  // namespace gradmesh

@@ -18,7 +18,7 @@ class HemeshDocument : public Document {
   FramePadding padding() const override { return {.share = 0, .length = 0.03}; }
 
  protected:
-  std::string describe(const MeshEntry&) const override { return name(); }
+  Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
   std::vector<Mesh> ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
                                   const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,

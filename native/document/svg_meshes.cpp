@@ -47,15 +47,15 @@ void SvgMeshes::list_meshes() {
 }
 
 std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) const {
-  const std::string nothing =
-      name() + ": no object in this document is painted by a mesh gradient.";
-  if (entries_.empty()) throw InputError(nothing);
+  const auto nothing =
+      InputError("{0}: no object in this document is painted by a mesh gradient.", name());
+  if (entries_.empty()) throw nothing;
   std::vector<const xmlNode*> places;
   for (const std::string& id : ids) {
     const xmlNode* place = svg_.find(id);
-    if (!place) throw InputError(name() + ": there is no object with the id " + excerpt(id) + ".");
+    if (!place) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
     if (std::ranges::none_of(objects_, [&](const MeshObject& o) { return is_named_by(place, o); }))
-      fail(place, "it is not painted by a mesh gradient");
+      fail(place, Message("it is not painted by a mesh gradient"));
     places.push_back(place);
   }
   if (ids.empty()) places.push_back(svg_.root());
@@ -64,7 +64,7 @@ std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) 
     if (std::ranges::any_of(places,
                             [&](const xmlNode* p) { return is_named_by(p, object(entry)); }))
       found.push_back(entry);
-  if (found.empty()) throw InputError(nothing);
+  if (found.empty()) throw nothing;
   return found;
 }
 
@@ -105,8 +105,8 @@ Affine SvgMeshes::view(const MeshEntry& entry) const {
   return to_document(o) * to_user;
 }
 
-std::string SvgMeshes::describe(const MeshEntry& entry) const {
-  return name() + ": " + gradmesh::describe(object(entry).node);
+Message SvgMeshes::describe(const MeshEntry& entry) const {
+  return Message("{0}: {1}", name(), gradmesh::describe(object(entry).node));
 }
 
 std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const {
@@ -156,9 +156,9 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
 
 Rectangle SvgMeshes::block(const std::string& id) const {
   const xmlNode* node = svg_.find(id);
-  if (!node) throw InputError(name() + ": there is no object with the id " + excerpt(id) + ".");
+  if (!node) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
   const auto faces = block_faces(svg_, node);
-  if (!faces) fail(node, "it is no block of a simplified mesh");
+  if (!faces) fail(node, Message("it is no block of a simplified mesh"));
   Rectangle chosen{{}, faces->rows, faces->columns, {}};
   for (const MeshEntry& entry : entries_)
     if (object(entry).node == parent_element(node)) chosen.entry = entry;
@@ -171,14 +171,15 @@ Rectangle SvgMeshes::rectangle(const std::string& id) const {
   for (const MeshEntry& entry : entries_) {
     if (entry.id != id) continue;
     if (entry.simplified)
-      throw InputError(describe(entry) + ": it is made of blocks; choose one of them.");
+      throw InputError("{0}: it is made of blocks; choose one of them.", describe(entry));
     const Mesh whole = mesh(entry);
     if (whole.is_smooth())
-      throw InputError(describe(entry) +
-                       ": its colours follow those of the neighbours (type=\"bicubic\"), so that " +
-                       "its patches are not edited one by one.");
+      throw InputError(
+          "{0}: its colours follow those of the neighbours (type=\"bicubic\"), so that its patches "
+          "are not edited one by one.",
+          describe(entry));
     const auto grid = find_grid(whole);
-    if (!grid) throw InputError(describe(entry) + ": its mesh is not one rectangle of patches.");
+    if (!grid) throw InputError("{0}: its mesh is not one rectangle of patches.", describe(entry));
     Rectangle chosen{entry, grid->rows, grid->columns, {}};
     for (const Halfedge top : grid->tops) chosen.faces.push_back(whole.face(top));
     return chosen;
@@ -245,7 +246,7 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     edited.push_back({object(entry), std::move(mesh), frame.coons_tolerance, remembers(entry)});
   }
   if (reports.empty())
-    throw InputError(name() + ": only meshes that were simplified before can be updated.");
+    throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
   for (const auto& [group, mesh, coons_tolerance, remembers] : edited) {
     const int patches = mesh.face_count();

@@ -37,7 +37,7 @@ class SvgMeshes : public Document {
   void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution);
 
  protected:
-  std::string describe(const MeshEntry& entry) const override;
+  Message describe(const MeshEntry& entry) const override;
   std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
   std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
   bool stays_one_gradient(const MeshEntry& entry, Method method) const override {

@@ -60,7 +60,7 @@ Drawing draw_errors(const Subject& subject, const std::vector<EdgePrice>& prices
     legend.gap();
   }
   for (const EdgePrice& p : unmergeable) {
-    const std::string why = p.obstacle == MergeObstacle::none ? "" : describe(p.obstacle);
+    const std::string why = p.obstacle == MergeObstacle::none ? "" : describe(p.obstacle).english();
     blocked.shapes.push_back(
         {subject.curve(p.edge), unmergeable_style(subject),
          half_edge(p.edge) + " cannot be merged" + (why.empty() ? "" : ": " + why)});

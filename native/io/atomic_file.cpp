@@ -39,8 +39,14 @@ int bring_to_disk(std::FILE* file) { return fsync(fileno(file)); }
 
 #endif
 
-[[noreturn]] void fail(const fs::path& path, const char* what, std::error_code error) {
-  throw InputError(path.string() + " cannot be " + what + ": " + error.message() + ".");
+[[noreturn]] void fail_to_read(const fs::path& path, std::error_code error) {
+  throw InputError("{0} cannot be read: {1}.", path.string(), error.message());
+}
+[[noreturn]] void fail_to_write(const fs::path& path, const Message& reason) {
+  throw InputError("{0} cannot be written: {1}.", path.string(), reason);
+}
+[[noreturn]] void fail_to_write(const fs::path& path, std::error_code error) {
+  fail_to_write(path, Message("{0}", error.message()));
 }
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
@@ -67,12 +73,12 @@ std::error_code store(File file, std::string_view bytes) {
 
 std::string read_bytes(const fs::path& path) {
   const File file = open_to_read(path);
-  if (!file) fail(path, "read", last_error());
+  if (!file) fail_to_read(path, last_error());
   std::string bytes;
   char block[1 << 16];
   while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
     bytes.append(block, count);
-  if (std::ferror(file.get())) fail(path, "read", last_error());
+  if (std::ferror(file.get())) fail_to_read(path, last_error());
   return bytes;
 }
 
@@ -83,11 +89,11 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
       fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   const fs::file_status replaced = fs::status(target, ignored);
   if (fs::exists(replaced) && !fs::is_regular_file(replaced))
-    throw InputError(path.string() + " cannot be written: it is not a regular file.");
+    fail_to_write(path, Message("it is not a regular file"));
 
   fs::path temporary;
   File file = create_temporary(target.parent_path(), temporary);
-  if (!file) fail(path, "written", last_error());
+  if (!file) fail_to_write(path, last_error());
   // Before anything is in it that others must not read.
   if (fs::exists(replaced)) fs::permissions(temporary, replaced.permissions(), error);
   if (!error) error = store(std::move(file), bytes);
@@ -95,7 +101,7 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
   if (error) {
     file.reset();
     fs::remove(temporary, ignored);
-    fail(path, "written", error);
+    fail_to_write(path, error);
   }
 }
 

@@ -33,7 +33,7 @@ class LineReader {
 
   std::string_view word() {
     ++values_;
-    if (at_end()) fail("value " + std::to_string(values_) + " is missing");
+    if (at_end()) fail(Message("value {0} is missing", values_));
     std::size_t end = 0;
     while (end < rest_.size() && !is_blank(rest_[end])) ++end;
     const std::string_view result = rest_.substr(0, end);
@@ -45,14 +45,14 @@ class LineReader {
     const std::string_view text = word();
     double value = 0;
     if (!parses_as(text, value) || !(std::abs(value) <= largest_number))
-      fail(excerpt(text) + " is not a number, or not between -1e9 and 1e9");
+      fail(Message("{0} is not a number, or not between -1e9 and 1e9", excerpt(text)));
     return value;
   }
 
   int integer() {
     const std::string_view text = word();
     int value = 0;
-    if (!parses_as(text, value)) fail(excerpt(text) + " is not a whole number");
+    if (!parses_as(text, value)) fail(Message("{0} is not a whole number", excerpt(text)));
     return value;
   }
 
@@ -71,10 +71,10 @@ class LineReader {
   }
 
   void expect_end() const {
-    if (!at_end()) fail(excerpt(rest_) + " is too much");
+    if (!at_end()) fail(Message("{0} is too much", excerpt(rest_)));
   }
 
-  [[noreturn]] void fail(const std::string& reason) const { fail_at_line(name_, line_, reason); }
+  [[noreturn]] void fail(const Message& reason) const { fail_at_line(name_, line_, reason); }
 
  private:
   template <class Number>
@@ -126,7 +126,7 @@ std::array<int, 4> parse_counts(LineReader& lines, std::string_view text) {
     count = lines.integer();
     // Each record takes at least two bytes, so no count can ask for absurd amounts of memory.
     if (count < 0 || std::size_t(count) > text.size())
-      lines.fail("it announces " + std::to_string(count) + " records, which cannot be");
+      lines.fail(Message("it announces {0} records, which cannot be", count));
   }
   lines.expect_end();
   return counts;
@@ -168,16 +168,16 @@ class LineWriter {
 
 }  // namespace
 
-void fail_at_line(const std::string& name, int line, const std::string& reason) {
-  throw InputError(name + ", line " + std::to_string(line) + ": " + reason + ".");
+void fail_at_line(const std::string& name, int line, const Message& reason) {
+  throw InputError("{0}, line {1}: {2}.", name, line, reason);
 }
 
 HemeshFile parse_hemesh(std::string_view text, const std::string& name) {
   LineReader lines(text, name);
   if (!lines.advance() || lines.rest() != "HEMESH")
-    fail_at_line(name, 1, "it does not say HEMESH, so this is no .hemesh file");
+    fail_at_line(name, 1, Message("it does not say HEMESH, so this is no .hemesh file"));
   const auto next_line = [&] {
-    if (!lines.advance()) throw InputError(name + ": the file ends too early.");
+    if (!lines.advance()) throw InputError("{0}: the file ends too early.", name);
   };
   next_line();
   const auto [points, handles, patches, halfedges] = parse_counts(lines, text);
@@ -204,7 +204,7 @@ HemeshFile parse_hemesh(std::string_view text, const std::string& name) {
     next_line();
     file.halfedges.push_back(parse_halfedge(lines));
   }
-  if (lines.advance()) lines.fail("there are more lines than line 2 announces");
+  if (lines.advance()) lines.fail(Message("there are more lines than line 2 announces"));
   return file;
 }
 

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
+
 #include "mesh/elements.h"
 
 namespace gradmesh {
@@ -71,6 +73,6 @@ HemeshFile parse_hemesh(std::string_view text, const std::string& name);
 std::string format_hemesh(const HemeshFile& file);
 
 /// Throws InputError `NAME, line LINE: REASON.`
-[[noreturn]] void fail_at_line(const std::string& name, int line, const std::string& reason);
+[[noreturn]] void fail_at_line(const std::string& name, int line, const Message& reason);
 
 }  // namespace gradmesh

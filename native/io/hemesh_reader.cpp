@@ -26,7 +26,7 @@ class HemeshReader {
   MeshParts read() {
     for (int p = 0; p < int(file_.patches.size()); ++p)
       if (file_.patches[p] >= 0) add_loop(p);
-    if (loops_.empty()) throw InputError(name_ + ": there are no patches in it.");
+    if (loops_.empty()) throw InputError("{0}: there are no patches in it.", name_);
     for (const Loop& loop : loops_)
       for (const int h : loop) add_leaf(h);
     for (auto& [side, along] : sides_) check_side(side, along);
@@ -49,18 +49,17 @@ class HemeshReader {
 
   const Record& at(int h) const { return file_.halfedges[h]; }
 
-  [[noreturn]] void fail(int h, const std::string& reason) const {
+  [[noreturn]] void fail(int h, const Message& reason) const {
     fail_at_line(name_, file_.line_of_halfedge(h), reason);
   }
   /// `index` itself where it is one of `records`; the half-edge h names it.
   template <class Records>
-  int checked(int h, int index, const Records& records, const char* what) const {
-    if (index < 0 || index >= int(records.size()))
-      fail(h, std::string("there is no ") + what + " " + std::to_string(index));
+  int checked(int h, int index, const Records& records, const Message& otherwise) const {
+    if (index < 0 || index >= int(records.size())) fail(h, otherwise);
     return index;
   }
   int checked_halfedge(int h, int index) const {
-    return checked(h, index, file_.halfedges, "half-edge");
+    return checked(h, index, file_.halfedges, Message("there is no half-edge {0}", index));
   }
 
   void add_loop(int p) {
@@ -68,18 +67,20 @@ class HemeshReader {
     Loop loop;
     int h = file_.patches[p];
     if (h >= int(file_.halfedges.size()))
-      fail_at_line(name_, line, "there is no half-edge " + std::to_string(h));
+      fail_at_line(name_, line, Message("there is no half-edge {0}", h));
     number_.resize(file_.halfedges.size(), -1);
     for (int k = 0; k < 4; ++k) {
-      if (number_[h] >= 0) fail(h, "this half-edge is on two sides of patches");
+      if (number_[h] >= 0) fail(h, Message("this half-edge is on two sides of patches"));
       number_[h] = 4 * int(loops_.size()) + k;
       loop[k] = h;
       const int next = checked_halfedge(h, at(h).next);
-      if (at(next).prev != h) fail(next, "the half-edge before it is not the one it names");
-      if (at(h).patch != p) fail(h, "this half-edge lies in a patch that it does not name");
+      if (at(next).prev != h)
+        fail(next, Message("the half-edge before it is not the one it names"));
+      if (at(h).patch != p)
+        fail(h, Message("this half-edge lies in a patch that it does not name"));
       h = next;
     }
-    if (h != file_.patches[p]) fail_at_line(name_, line, "this patch has not four sides");
+    if (h != file_.patches[p]) fail_at_line(name_, line, Message("this patch has not four sides"));
     loops_.push_back(loop);
   }
 
@@ -91,7 +92,7 @@ class HemeshReader {
     int side = h;
     for (int level = 0; at(side).is_bar(); ++level) {
       const Interval in = at(side).interval;
-      if (level == most_levels) fail(h, "its parents go round in a circle");
+      if (level == most_levels) fail(h, Message("its parents go round in a circle"));
       part = {within(in, part.first), within(in, part.second)};
       side = checked_halfedge(side, at(side).parent);
     }
@@ -121,8 +122,8 @@ class HemeshReader {
 
   void check_side(int side, std::vector<Leaf>& leaves) const {
     if (number_[side] >= 0 && leaves.size() > 1)
-      fail(side, "this half-edge is a side of a patch and has children");
-    if (!join_leaves(leaves)) fail(side, "the intervals of its children do not fill it");
+      fail(side, Message("this half-edge is a side of a patch and has children"));
+    if (!join_leaves(leaves)) fail(side, Message("the intervals of its children do not fill it"));
   }
 
   const std::vector<Leaf>& leaves(int side) const { return sides_.at(side); }
@@ -136,7 +137,7 @@ class HemeshReader {
     const int other = place_on_side(checked_halfedge(side, at(side).twin)).first;
     if (other == side || !sides_.contains(other) || at(other).twin == -1 ||
         place_on_side(checked_halfedge(other, at(other).twin)).first != side)
-      fail(side, "its twin is not the other side of the same curve");
+      fail(side, Message("its twin is not the other side of the same curve"));
     return other;
   }
 
@@ -146,7 +147,7 @@ class HemeshReader {
     check_points(side, other);
     check_points(other, side);
     if (at(other).handles[0] != at(side).handles[1] || at(other).handles[1] != at(side).handles[0])
-      fail(side, "it does not share its handles with its twin");
+      fail(side, Message("it does not share its handles with its twin"));
     parts_.curves.push_back(
         {curve_side(side), curve_side(other), std::array{tangent(side, 0), tangent(side, 1)}});
   }
@@ -154,7 +155,7 @@ class HemeshReader {
   /// Where both are control points, a side must start where its twin ends.
   void check_points(int side, int other) const {
     const int p = control_point(first_leaf(side)), q = control_point(leaf_after(other));
-    if (p >= 0 && q >= 0 && p != q) fail(side, "it does not start where its twin ends");
+    if (p >= 0 && q >= 0 && p != q) fail(side, Message("it does not start where its twin ends"));
   }
 
   CurveSide curve_side(int side) const {
@@ -170,14 +171,17 @@ class HemeshReader {
   // --- geometry ---
 
   Value tangent(int side, int end) const {
-    return file_.handles[checked(side, at(side).handles[end], file_.handles, "handle")].tangent;
+    const int handle = at(side).handles[end];
+    const auto otherwise = Message("there is no handle {0}", handle);
+    return file_.handles[checked(side, handle, file_.handles, otherwise)].tangent;
   }
 
   /// The point at the start of a leaf; -1: a T-junction, where a stem or another bar starts.
   int control_point(int leaf) const {
     const int side = place_on_side(leaf).first;
     if (at(side).is_child || leaf != first_leaf(side)) return -1;
-    return checked(side, at(side).origin, file_.points, "point");
+    const int point = at(side).origin;
+    return checked(side, point, file_.points, Message("there is no point {0}", point));
   }
 
   /// The curve side on which the T-junction at the start of a leaf lies, and where.
@@ -185,7 +189,7 @@ class HemeshReader {
     const auto [side, part] = place_on_side(leaf);
     if (leaf != first_leaf(side)) return {side, part.first};
     const auto [parent, over] = place_on_side(checked_halfedge(side, at(side).parent));
-    if (!sides_.contains(parent)) fail(side, "its parent is no side of any patch");
+    if (!sides_.contains(parent)) fail(side, Message("its parent is no side of any patch"));
     return {parent, within(over, at(side).interval.first)};
   }
 
@@ -197,7 +201,8 @@ class HemeshReader {
     const auto [side, t] = junction(leaf);
     if (twin(side) >= 0) return glm::dvec2(0.0);
     const int first = control_point(first_leaf(side)), last = control_point(leaf_after(side));
-    if (first < 0 || last < 0) fail(side, "this curve on the boundary ends at a T-junction");
+    if (first < 0 || last < 0)
+      fail(side, Message("this curve on the boundary ends at a T-junction"));
     const Cubic<glm::dvec2> curve{file_.points[first].position, tangent(side, 0).position,
                                   -tangent(side, 1).position, file_.points[last].position};
     return curve.at(t);
@@ -236,7 +241,7 @@ class HemeshReader {
       const Mesh mesh = build_mesh(parts_);
       for (const Face f : mesh.faces()) parts_.patches[std::size_t(f.value)] = mesh.patch(f);
     } catch (const InputError& error) {
-      throw InputError(name_ + ": " + error.what());
+      throw InputError("{0}: {1}", name_, error.message());
     }
   }
 

@@ -9,7 +9,7 @@ namespace gradmesh {
 Image read_image(const std::filesystem::path& path) {
   Image image;
   const std::string wrong = image_codec().read(path.string(), image);
-  if (!wrong.empty()) throw InputError(path.string() + " is not a readable image: " + wrong + ".");
+  if (!wrong.empty()) throw InputError("{0} is not a readable image: {1}.", path.string(), wrong);
   return image;
 }
 
@@ -17,7 +17,7 @@ std::string png_bytes(const Image& image) {
   if (image.width <= 0 || image.height <= 0) throw InputError("the image is empty.");
   std::string bytes;
   const std::string wrong = image_codec().encode_png(image, bytes);
-  if (!wrong.empty()) throw InputError(wrong + ".");
+  if (!wrong.empty()) throw InputError("{0}.", wrong);
   return bytes;
 }
 
@@ -26,7 +26,7 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   try {
     bytes = png_bytes(image);
   } catch (const InputError& error) {
-    throw InputError(path.string() + " cannot be written: " + error.what());
+    throw InputError("{0} cannot be written: {1}", path.string(), error.message());
   }
   write_bytes(path, bytes);
 }

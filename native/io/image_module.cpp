@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* symbol_name = "gradmesh_image_codec";
 
-[[noreturn]] void fail(const std::string& why) {
-  throw InputError("images can be neither read nor written here: " + why + ".");
+[[noreturn]] void fail(const Message& why) {
+  throw InputError("images can be neither read nor written here: {0}.", why);
 }
 
 #ifdef _WIN32
@@ -46,7 +46,7 @@ const void* load() {
     if (const auto symbol = GetProcAddress(module, symbol_name))
       return reinterpret_cast<const void*>(symbol);
   }
-  fail("gradmesh_images.dll cannot be loaded");
+  fail(Message("gradmesh_images.dll cannot be loaded"));
 }
 
 #else
@@ -60,7 +60,7 @@ const void* load() {
 #endif
   void* module = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
   const void* symbol = module ? dlsym(module, symbol_name) : nullptr;
-  if (!symbol) fail(dlerror());
+  if (!symbol) fail(Message("{0}", dlerror()));
   return symbol;
 }
 

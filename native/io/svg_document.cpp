@@ -34,10 +34,10 @@ class Reports {
   Reports(const Reports&) = delete;
   Reports& operator=(const Reports&) = delete;
 
-  /// `REASON (line N)`; `otherwise` if nothing was reported.
-  std::string reason(const std::string& otherwise) const {
-    if (message_.empty()) return otherwise;
-    return line_ > 0 ? message_ + " (line " + std::to_string(line_) + ")" : message_;
+  /// What is wrong, in libxml2's own words.
+  Message reason() const {
+    if (message_.empty()) return Message("libxml2 gives no reason");
+    return line_ > 0 ? Message("{0} (line {1})", message_, line_) : Message("{0}", message_);
   }
 
  private:
@@ -81,20 +81,19 @@ SvgDocument SvgDocument::read_file(const std::filesystem::path& path) {
 }
 
 SvgDocument SvgDocument::parse(std::string_view bytes, const std::string& name) {
-  const std::string complaint = name + " is not a readable SVG document: ";
-  if (bytes.starts_with("\x1f\x8b"))
-    throw InputError(complaint + "it is compressed, save it as plain SVG.");
-  if (bytes.empty()) throw InputError(complaint + "it is empty.");
+  const auto refuse = [&](const Message& reason) {
+    throw InputError("{0} is not a readable SVG document: {1}.", name, reason);
+  };
+  if (bytes.starts_with("\x1f\x8b")) refuse(Message("it is compressed, save it as plain SVG"));
+  if (bytes.empty()) refuse(Message("it is empty"));
   if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
-    throw InputError(complaint + "it is larger than 2 GB.");
+    refuse(Message("it is larger than 2 GB"));
 
   const Reports reports;
   SvgDocument document(
       xmlReadMemory(bytes.data(), int(bytes.size()), nullptr, nullptr, parse_options));
-  if (!document.document_)
-    throw InputError(complaint + reports.reason("libxml2 gives no reason") + ".");
-  if (svg_name(document.root()) != "svg")
-    throw InputError(complaint + "its outermost element is not <svg>.");
+  if (!document.document_) refuse(reports.reason());
+  if (svg_name(document.root()) != "svg") refuse(Message("its outermost element is not <svg>"));
 
   // The URL of the document is where `fail` finds the file's name.
   xmlDoc* doc = document.document_.get();
@@ -133,8 +132,8 @@ std::string SvgDocument::serialize() const {
   xmlSaveCtxt* context = xmlSaveToBuffer(buffer.get(), encoding, XML_SAVE_AS_XML);
   const bool saved = context && xmlSaveDoc(context, document_.get()) >= 0;
   if (!context || xmlSaveClose(context) < 0 || !saved)
-    throw InputError(std::string(reinterpret_cast<const char*>(document_->URL)) +
-                     " cannot be written: " + reports.reason("libxml2 gives no reason") + ".");
+    throw InputError("{0} cannot be written: {1}.", reinterpret_cast<const char*>(document_->URL),
+                     reports.reason());
   return {reinterpret_cast<const char*>(xmlBufferContent(buffer.get())),
           std::size_t(xmlBufferLength(buffer.get()))};
 }

@@ -59,14 +59,15 @@ class CurveReader {
   Number number() {
     Number value{};
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc{}) fail(group_, "its gradmesh:curves cannot be read");
+    if (error != std::errc{}) fail(group_, Message("its gradmesh:curves cannot be read"));
     rest_.remove_prefix(std::size_t(end - rest_.data()));
     skip_blanks();
     return value;
   }
 
   void expect(char c) {
-    if (rest_.empty() || rest_.front() != c) fail(group_, "its gradmesh:curves cannot be read");
+    if (rest_.empty() || rest_.front() != c)
+      fail(group_, Message("its gradmesh:curves cannot be read"));
     rest_.remove_prefix(1);
     skip_blanks();
   }
@@ -81,7 +82,7 @@ class CurveReader {
 xmlNode* block_gradient(const SvgDocument& document, const xmlNode* group, const xmlNode* path) {
   const auto fill = document.styles().declared(path, "fill");
   xmlNode* gradient = fill ? referenced_mesh(document, *fill) : nullptr;
-  if (!gradient) fail(group, describe(path) + " has lost its mesh gradient");
+  if (!gradient) fail(group, Message("{0} has lost its mesh gradient", describe(path)));
   return gradient;
 }
 
@@ -91,7 +92,7 @@ MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode*
   MeshParts block = read_mesh(document, {path, {}, PaintRole::fill, gradient});
   if (const auto text = attribute(path, "transform")) {
     const auto affine = parse_transform(*text);
-    if (!affine) fail(path, "its transform " + excerpt(*text) + " is malformed");
+    if (!affine) fail(path, Message("its transform {0} is malformed", excerpt(*text)));
     for (Patch& patch : block.patches) transform(patch, *affine);
   }
   return block;
@@ -109,11 +110,12 @@ MeshParts read_blocks(const SvgDocument& document, const xmlNode* group, const x
     const auto face = own_number(path, "face");
     if (!face) continue;
     if (!blocks.emplace(*face, read_block(document, group, path)).second)
-      fail(group, "one of its blocks is there twice");
+      fail(group, Message("one of its blocks is there twice"));
   }
   MeshParts parts;
   for (auto& [first_face, block] : blocks) {
-    if (first_face != int(parts.patches.size())) fail(group, "one of its blocks is missing");
+    if (first_face != int(parts.patches.size()))
+      fail(group, Message("one of its blocks is missing"));
     parts.patches.insert(parts.patches.end(), block.patches.begin(), block.patches.end());
     for (CurveParts& curve : block.curves) {
       renumber(curve.a, first_face);
@@ -121,13 +123,13 @@ MeshParts read_blocks(const SvgDocument& document, const xmlNode* group, const x
       parts.curves.push_back(std::move(curve));
     }
   }
-  if (parts.patches.empty()) fail(group, "it holds no blocks");
+  if (parts.patches.empty()) fail(group, Message("it holds no blocks"));
   return parts;
 }
 
 void set_opacities(const xmlNode* group, const MeshParts& greys, MeshParts& parts) {
   if (greys.patches.size() != parts.patches.size())
-    fail(group, "its mask does not hold the opacities of all its blocks");
+    fail(group, Message("its mask does not hold the opacities of all its blocks"));
   for (std::size_t f = 0; f < parts.patches.size(); ++f) {
     for (const int i : {0, 3})
       for (const int j : {0, 3})
@@ -144,13 +146,13 @@ bool is_mesh_group(const xmlNode* node) {
 
 PaintRole group_role(const xmlNode* group) {
   if (own_attribute(group, "version") != "1")
-    fail(group, "it was written by a newer gradmesh than this one");
+    fail(group, Message("it was written by a newer gradmesh than this one"));
   return own_attribute(group, "role") == "stroke" ? PaintRole::stroke : PaintRole::fill;
 }
 
 int patches_before(const xmlNode* group) {
   const auto count = own_number(group, "patches-before");
-  if (!count) fail(group, "its gradmesh:patches-before is not a number");
+  if (!count) fail(group, Message("its gradmesh:patches-before is not a number"));
   return *count;
 }
 
@@ -181,7 +183,7 @@ MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
   for (const CurveParts& curve : parts.curves)
     for (const CurveSide* side : {&curve.a, &curve.b})
       for (const int h : side->halfedges)
-        if (h < 0 || h >= halfedges) fail(group, "one of its blocks is missing");
+        if (h < 0 || h >= halfedges) fail(group, Message("one of its blocks is missing"));
   return parts;
 }
 

@@ -46,8 +46,7 @@ std::optional<double> whole_length(const xmlNode* node, LengthAxis axis) {
 double length_or_fail(const xmlNode* node, const char* name, const std::string& text,
                       std::optional<double> whole) {
   const auto length = parse_length(text, whole);
-  if (!length)
-    fail(node, "its " + std::string(name) + " " + excerpt(text) + " is not a known length");
+  if (!length) fail(node, Message("its {0} {1} is not a known length", name, excerpt(text)));
   return *length;
 }
 

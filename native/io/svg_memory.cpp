@@ -62,7 +62,7 @@ MeshParts read(const std::string& text) {
   const SvgDocument document = SvgDocument::parse(text, "memory");
   for (const xmlNode* group : child_elements(document.root(), "g"))
     return read_mesh_group(document, group);
-  throw InputError("memory: there is no group.");
+  throw InputError("{0}: there are no patches in it.", "memory");
 }
 
 }  // namespace

@@ -21,16 +21,16 @@ std::vector<const xmlNode*> href_chain(const SvgDocument& document, const xmlNod
   std::vector<const xmlNode*> chain;
   std::set<const xmlNode*> seen;
   for (const xmlNode* node = gradient; node;) {
-    if (!seen.insert(node).second) fail(gradient, "its href leads back to itself");
+    if (!seen.insert(node).second) fail(gradient, Message("its href leads back to itself"));
     chain.push_back(node);
     auto href = attribute(node, "href");
     if (!href) href = attribute(node, "href", xlink_namespace);
     const std::string_view target = trimmed(href ? std::string_view(*href) : "");
     if (target.empty()) break;
     const xmlNode* next = target.starts_with('#') ? document.find(target.substr(1)) : nullptr;
-    if (!next) fail(node, "its href " + excerpt(target) + " leads nowhere in this document");
+    if (!next) fail(node, Message("its href {0} leads nowhere in this document", excerpt(target)));
     if (svg_name(next) != "meshgradient")
-      fail(node, "its href " + excerpt(target) + " does not lead to a meshgradient");
+      fail(node, Message("its href {0} does not lead to a meshgradient", excerpt(target)));
     node = next;
   }
   return chain;
@@ -73,8 +73,8 @@ bool is_within_limits(const Patch& patch) {
   });
 }
 
-std::string place_name(int row, int column) {
-  return "row " + std::to_string(row + 1) + ", patch " + std::to_string(column + 1);
+Message place_name(int row, int column) {
+  return Message("row {0}, patch {1}", row + 1, column + 1);
 }
 
 /// Reads the rows below one meshgradient, from left to right and from top to bottom, since each
@@ -90,10 +90,10 @@ class GridReader {
       const auto patches = child_elements(rows[std::size_t(rows_)], "meshpatch");
       const int count = int(patches.size());
       if (rows_ == 0) columns_ = count;
-      if (columns_ == 0) fail(holder_, "row 1 has no patches");
+      if (columns_ == 0) fail(holder_, Message("row 1 has no patches"));
       if (count != columns_)
-        fail(holder_, "row " + std::to_string(rows_ + 1) + " has " + counted(count, "patch") +
-                          " but row 1 has " + std::to_string(columns_));
+        fail(holder_, Message("row {0} does not have as many patches as row 1: {1}, not {2}",
+                              rows_ + 1, count, columns_));
       for (int column = 0; column < columns_; ++column)
         read_patch(patches[std::size_t(column)], rows_, column);
     }
@@ -101,11 +101,6 @@ class GridReader {
   }
 
  private:
-  static std::string counted(int count, const std::string& what) {
-    const std::string plural = what.ends_with("ch") ? "es" : "s";
-    return std::to_string(count) + " " + what + (count == 1 ? "" : plural);
-  }
-
   BezierNet& net(int row, int column) { return nets_[std::size_t(row * columns_ + column)]; }
 
   /// Point j, 0..3, of side `side` in the side's direction (clockwise).
@@ -132,15 +127,15 @@ class GridReader {
     const int first = row == 0 ? 0 : 1, last = column == 0 ? 3 : 2;
     const auto stops = child_elements(patch, "stop");
     if (int(stops.size()) != last - first + 1)
-      fail(holder_, place_name(row, column) + " has " + counted(int(stops.size()), "stop") +
-                        " but needs " + std::to_string(last - first + 1));
+      fail(holder_, Message("{0} does not have as many stops as it needs: {1}, not {2}",
+                            place_name(row, column), stops.size(), last - first + 1));
     for (int side = first; side <= last; ++side) {
       const xmlNode* stop = stops[std::size_t(side - first)];
-      const std::string place =
-          place_name(row, column) + ", stop " + std::to_string(side - first + 1);
-      if (!read_side(points, side, side == last, attribute(stop, "path").value_or("")))
-        fail(holder_, place + ": the path " + excerpt(attribute(stop, "path").value_or("")) +
-                          " is not one c, C, l or L segment of finite numbers");
+      const auto place = Message("{0}, stop {1}", place_name(row, column), side - first + 1);
+      const std::string path = attribute(stop, "path").value_or("");
+      if (!read_side(points, side, side == last, path))
+        fail(holder_, Message("{0}: the path {1} is not one c, C, l or L segment of finite numbers",
+                              place, excerpt(path)));
       const bool is_known = (side == 0 && column > 0) || (side == 1 && row > 0);
       if (!is_known) side_point(points, side, 0).color = read_color(stop, place);
     }
@@ -196,20 +191,20 @@ class GridReader {
       scanner.skip_comma();
       const auto y = scanner.number();
       if (!x || !y || (corner == 3 && !scanner.at_end()))
-        fail(holder_, place_name(row, column) + ": the tensor " + excerpt(*tensor) +
-                          " is not four points of finite numbers");
+        fail(holder_, Message("{0}: the tensor {1} is not four points of finite numbers",
+                              place_name(row, column), excerpt(*tensor)));
       interior[corner]->position = side_point(net, corner, 0).position + glm::dvec2(*x, *y);
     }
   }
 
-  glm::dvec4 read_color(const xmlNode* stop, const std::string& place) const {
+  glm::dvec4 read_color(const xmlNode* stop, const Message& place) const {
     std::string text = own_value(styles_, stop, "stop-color").value_or("black");
     if (lower(text) == "currentcolor") text = current_color(styles_, stop);
     const auto color = parse_color(text);
-    if (!color) fail(holder_, place + ": " + excerpt(text) + " is not a known colour");
+    if (!color) fail(holder_, Message("{0}: {1} is not a known colour", place, excerpt(text)));
     const std::string opacity = own_value(styles_, stop, "stop-opacity").value_or("1");
     const auto alpha = parse_fraction(opacity);
-    if (!alpha) fail(holder_, place + ": " + excerpt(opacity) + " is not an opacity");
+    if (!alpha) fail(holder_, Message("{0}: {1} is not an opacity", place, excerpt(opacity)));
     return {glm::dvec3(*color), color->a * *alpha};
   }
 
@@ -219,7 +214,7 @@ class GridReader {
       for (int j = 0; j < 3; ++j)
         is_point = is_point && side_point(net, side, j).position == net[0][0].position;
     if (is_point)
-      fail(holder_, place_name(row, column) + " is degenerate: all its points coincide");
+      fail(holder_, Message("{0} is degenerate: all its points coincide", place_name(row, column)));
   }
 
   MeshGrid finish() const {
@@ -242,8 +237,8 @@ class GridReader {
 void check_limits(const MeshGrid& grid, const xmlNode* node) {
   for (std::size_t i = 0; i < grid.patches.size(); ++i)
     if (!is_within_limits(grid.patches[i]))
-      fail(node, place_name(int(i) / grid.columns, int(i) % grid.columns) +
-                     " reaches beyond 1e9 user units");
+      fail(node, Message("{0} reaches beyond 1e9 user units",
+                         place_name(int(i) / grid.columns, int(i) % grid.columns)));
 }
 
 bool is_smooth(const xmlNode* gradient) {
@@ -256,23 +251,23 @@ Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
   if (const auto text = attribute(object.gradient, "gradientTransform")) {
     const auto transform = parse_transform(*text);
     if (!transform)
-      fail(object.gradient, "its gradientTransform " + excerpt(*text) + " is malformed");
+      fail(object.gradient, Message("its gradientTransform {0} is malformed", excerpt(*text)));
     to_user = *transform;
   }
   if (uses_bounding_box(href_chain(document, object.gradient))) {
     const auto box = shape_box(object.node);
     if (!box)
-      fail(object.node, "its mesh is placed by its bounding box (objectBoundingBox), which is " +
-                            std::string("known for shapes only"));
+      fail(object.node, Message("its mesh is placed by its bounding box (objectBoundingBox), "
+                                "which is known for shapes only"));
     if (box->empty() || box->size().x == 0 || box->size().y == 0)
-      fail(object.node, "its mesh is placed by its bounding box (objectBoundingBox), which has " +
-                            std::string("no width or no height"));
+      fail(object.node, Message("its mesh is placed by its bounding box (objectBoundingBox), "
+                                "which has no width or no height"));
     to_user = Affine::translation(box->low()) * Affine::scaling(box->size()) * to_user;
   }
   // A determinant this small against the entries is zero but for rounding.
   const glm::dmat2& m = to_user.linear;
   if (std::abs(to_user.determinant()) <= 1e-14 * (glm::dot(m[0], m[0]) + glm::dot(m[1], m[1])))
-    fail(object.gradient, "its gradientTransform flattens the mesh to a line");
+    fail(object.gradient, Message("its gradientTransform flattens the mesh to a line"));
   return to_user;
 }
 
@@ -281,7 +276,7 @@ MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
   const auto holder = std::find_if(chain.begin(), chain.end(), [](const xmlNode* node) {
     return !child_elements(node, "meshrow").empty();
   });
-  if (holder == chain.end()) fail(gradient, "it has no meshrow");
+  if (holder == chain.end()) fail(gradient, Message("it has no meshrow"));
   const glm::dvec2 start =
       uses_bounding_box(chain)
           ? glm::dvec2(read_box_length(gradient, "x"), read_box_length(gradient, "y"))
@@ -296,8 +291,8 @@ MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
 
 MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
   if (is_smooth(gradient))
-    fail(gradient,
-         "its type \"bicubic\" is not supported here, where a mesh has several gradients");
+    fail(gradient, Message("its type \"bicubic\" is not supported here, where a mesh has several "
+                           "gradients"));
   return read_grid(document, gradient);
 }
 

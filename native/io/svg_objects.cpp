@@ -114,7 +114,7 @@ Affine to_document(const MeshObject& object) {
   for (const xmlNode* node = object.node; node; node = parent_element(node))
     if (const auto text = attribute(node, "transform")) {
       const auto transform = parse_transform(*text);
-      if (!transform) fail(node, "its transform " + excerpt(*text) + " is malformed");
+      if (!transform) fail(node, Message("its transform {0} is malformed", excerpt(*text)));
       product = *transform * product;
     }
   return product;

@@ -37,7 +37,7 @@ class ShapeRestorer {
 
   void check() {
     if (count_mesh_groups(outermost_) > 1)
-      fail(group_, "the fill and the stroke of its object are both made of blocks");
+      fail(group_, Message("the fill and the stroke of its object are both made of blocks"));
     find_holder();
   }
 
@@ -81,7 +81,7 @@ class ShapeRestorer {
       if (node == outermost_) break;
     }
     if (!holding_ || child_elements(holding_).size() != 1)
-      fail(group_, std::string("its ") + holding_attribute() + " no longer holds its shape");
+      fail(group_, Message("its {0} no longer holds its shape", holding_attribute()));
     unused_.push_back(attribute(holding_, "id").value_or(""));
     if (const xmlNode* mask = opacity_mask(document_, group_))
       unused_.push_back(attribute(mask, "id").value_or(""));

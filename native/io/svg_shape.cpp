@@ -62,7 +62,7 @@ std::vector<glm::dvec2> read_points(const xmlNode* shape) {
     const auto x = scanner.number();
     scanner.skip_comma();
     const auto y = scanner.number();
-    if (!x || !y) fail(shape, "its points " + excerpt(points) + " are malformed");
+    if (!x || !y) fail(shape, Message("its points {0} are malformed", excerpt(points)));
     list.push_back({*x, *y});
   }
   return list;
@@ -79,7 +79,7 @@ template <class Read>
 auto read_path(const xmlNode* path, const Read& read) {
   const std::string data = attribute(path, "d").value_or("");
   auto result = read(data);
-  if (!result) fail(path, "its path data " + excerpt(data) + " are malformed");
+  if (!result) fail(path, Message("its path data {0} are malformed", excerpt(data)));
   return *std::move(result);
 }
 

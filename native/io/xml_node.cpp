@@ -24,7 +24,8 @@ std::string_view entity_text(const xmlNode* reference, const xmlNode* owner) {
   const bool plain =
       content.size() <= longest_entity && content.find_first_of("&<") == content.npos;
   if (!internal || !(predefined || plain))
-    fail(owner, "the entity " + excerpt(view(reference->name)) + " is not a short plain text");
+    fail(owner,
+         Message("the entity {0} is not a short plain text", excerpt(view(reference->name))));
   return content;
 }
 
@@ -69,12 +70,12 @@ std::optional<std::string> attribute(const xmlNode* node, const char* name,
   return text_of(found->children, node);
 }
 
-std::string describe(const xmlNode* node) {
+Message describe(const xmlNode* node) {
   std::string name(view(node->name));
   for (const xmlAttr* a = node->properties; a; a = a->next)
     if (!a->ns && view(a->name) == "id" && a->children && a->children->type == XML_TEXT_NODE)
-      return name + " " + excerpt(view(a->children->content));
-  return name + " in line " + std::to_string(xmlGetLineNo(const_cast<xmlNode*>(node)));
+      return Message("{0} {1}", name, excerpt(view(a->children->content)));
+  return Message("{0} in line {1}", name, xmlGetLineNo(const_cast<xmlNode*>(node)));
 }
 
 std::string excerpt(std::string_view text) {
@@ -95,9 +96,9 @@ std::string excerpt(std::string_view text) {
   return shown + '"';
 }
 
-void fail(const xmlNode* node, const std::string& reason) {
+void fail(const xmlNode* node, const Message& reason) {
   const std::string_view file = node->doc ? view(node->doc->URL) : std::string_view();
-  throw InputError(std::string(file) + ": " + describe(node) + ": " + reason + ".");
+  throw InputError("{0}: {1}: {2}.", std::string(file), describe(node), reason);
 }
 
 }  // namespace gradmesh

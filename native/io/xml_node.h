@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
+
 namespace gradmesh {
 
 /// Namespaces of SVG and of its older href attribute.
@@ -33,13 +35,13 @@ std::optional<std::string> attribute(const xmlNode* node, const char* name,
                                      std::string_view space = {});
 
 /// How messages name an element: `path "p1"`, or `path in line 12` where it has no id.
-std::string describe(const xmlNode* node);
+Message describe(const xmlNode* node);
 
 /// Input as a message shows it: in double quotes, blanks and control characters as one blank,
 /// cut when long.
 std::string excerpt(std::string_view text);
 
 /// Throws InputError `FILE: ELEMENT: REASON.` The file's name is the document's URL.
-[[noreturn]] void fail(const xmlNode* node, const std::string& reason);
+[[noreturn]] void fail(const xmlNode* node, const Message& reason);
 
 }  // namespace gradmesh

@@ -12,8 +12,8 @@
 namespace gradmesh {
 namespace {
 
-[[noreturn]] void inconsistent(const char* what) {
-  throw InputError(std::string("the patches of the mesh do not fit together: ") + what);
+[[noreturn]] void inconsistent(const Message& what) {
+  throw InputError("the patches of the mesh do not fit together: {0}.", what);
 }
 
 }  // namespace
@@ -72,10 +72,11 @@ class MeshBuilder {
   /// One half-edge for the whole side: the only leaf, or a new parent above the bars.
   Halfedge add_side(const CurveSide& side) {
     if (side.halfedges.empty() || side.breaks.size() + 1 != side.halfedges.size())
-      inconsistent("a curve has no side, or not one break fewer than patches.");
+      inconsistent(Message("a curve has no side, or not one break fewer than patches"));
     for (const int h : side.halfedges) {
-      if (h < 0 || h >= int(used_.size())) inconsistent("a curve names a patch that is not there.");
-      if (used_[h]) inconsistent("a side of a patch lies on two curves.");
+      if (h < 0 || h >= int(used_.size()))
+        inconsistent(Message("a curve names a patch that is not there"));
+      if (used_[h]) inconsistent(Message("a side of a patch lies on two curves"));
       used_[h] = true;
     }
     if (side.halfedges.size() == 1) return Halfedge{side.halfedges[0]};
@@ -86,7 +87,8 @@ class MeshBuilder {
     double from = 0;
     for (std::size_t i = 0; i < side.halfedges.size(); ++i) {
       const double to = i < side.breaks.size() ? side.breaks[i] : 1.0;
-      if (!(from < to && to <= 1)) inconsistent("the breaks of a curve do not rise from 0 to 1.");
+      if (!(from < to && to <= 1))
+        inconsistent(Message("the breaks of a curve do not rise from 0 to 1"));
       const Halfedge bar{side.halfedges[i]};
       at(bar).parent = parent;
       at(bar).interval = {from, to};
@@ -173,9 +175,9 @@ class MeshBuilder {
       const Halfedge stem = mesh_.curve_side(mesh_.next(before));
       const Halfedge back = mesh_.curve_side(mesh_.prev(after));
       if (at(stem).twin != back || mesh_.origin(stem) != mesh_.origin(after))
-        inconsistent("between two patches beside a longer one there must be one curve.");
+        inconsistent(Message("between two patches beside a longer one there must be one curve"));
       PointRecord& junction = mesh_.points_[mesh_.origin(after).value];
-      if (junction.is_junction()) inconsistent("a point lies inside two curves.");
+      if (junction.is_junction()) inconsistent(Message("a point lies inside two curves"));
       junction.stem = junction.halfedge = stem;
       at(stem).parent = parent;
       const double t = at(before).interval.second;
@@ -190,7 +192,7 @@ class MeshBuilder {
     std::vector<Halfedge> curves;
     for (const Halfedge h : mesh_.halfedges())
       if (!mesh_.is_bar(h) && mesh_.curve(h) == h) curves.push_back(h);
-    if (has_cycle(mesh_)) inconsistent("a curve hangs on itself.");
+    if (has_cycle(mesh_)) inconsistent(Message("a curve hangs on itself"));
     for (const Halfedge curve : in_order_of_dependence(mesh_, curves))
       for (const Halfedge side : {curve, at(curve).twin})
         if (side.valid())

@@ -109,26 +109,26 @@ bool meets_itself(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const M
 
 }  // namespace
 
-const char* describe(MergeObstacle obstacle) {
+Message describe(MergeObstacle obstacle) {
   switch (obstacle) {
     case MergeObstacle::none:
-      return "it can be merged";
+      break;
     case MergeObstacle::boundary:
-      return "it is on the boundary of the mesh";
+      return Message("it is on the boundary of the mesh");
     case MergeObstacle::parent:
-      return "a T-junction divides it";
+      return Message("a T-junction divides it");
     case MergeObstacle::bar:
-      return "it is part of a longer curve";
+      return Message("it is part of a longer curve");
     case MergeObstacle::next_cycle:
-      return "a curve would end on itself";
+      return Message("a curve would end on itself");
     case MergeObstacle::origin_cycle:
-      return "a curve would start on itself";
+      return Message("a curve would start on itself");
     case MergeObstacle::branch:
-      return "it meets a branch point, which must stay";
+      return Message("it meets a branch point, which must stay");
     case MergeObstacle::ring:
-      return "its two patches meet themselves round a ring";
+      return Message("its two patches meet themselves round a ring");
   }
-  return "";
+  return Message("it can be merged");
 }
 
 MergeObstacle can_merge(const Mesh& mesh, Halfedge edge) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/message.h"
 #include "ops/journal.h"
 
 namespace gradmesh {
@@ -17,7 +18,7 @@ enum class MergeObstacle {
 };
 
 /// One clause for the person, such as "it is on the boundary of the mesh".
-const char* describe(MergeObstacle obstacle);
+Message describe(MergeObstacle obstacle);
 
 /// Whether the two patches beside an edge can become one. Any half-edge that is alive.
 MergeObstacle can_merge(const Mesh& mesh, Halfedge edge);

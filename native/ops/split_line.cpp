@@ -73,8 +73,9 @@ void extend_stems(Journal& journal, int most_patches) {
   for (Place at = open_junction(mesh); at.side.valid(); at = open_junction(mesh)) {
     split_line(journal, at.side, at.t);
     if (mesh.face_count() > most_patches)
-      throw InputError("its T-junctions are so many that one mesh would have more than " +
-                       std::to_string(most_patches) + " patches");
+      throw InputError(
+          "its T-junctions are so many that one mesh would have more than {0} patches.",
+          most_patches);
   }
 }
 

@@ -51,7 +51,7 @@ Json hermite(const Patch& patch, int decimals) {
 Json merging(const Mesh& mesh, const std::vector<EdgePrice>& prices) {
   std::vector<Json> known(mesh.halfedge_slots());
   for (const EdgePrice& p : prices)
-    known[p.edge.value] = p.obstacle != MergeObstacle::none ? Json(describe(p.obstacle))
+    known[p.edge.value] = p.obstacle != MergeObstacle::none ? Json(describe(p.obstacle).english())
                           : std::isfinite(p.error)          ? Json(p.error)
                                                             : Json("it cannot be merged");
   Json list = Json::array();

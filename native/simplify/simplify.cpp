@@ -63,17 +63,21 @@ Analysis& analysis_for(const AnalysisKey& key, const SimplifyOptions& options, A
 void merge_named_edges(const SimplifyOptions& options, MergeTrial& trial) {
   const Mesh& mesh = trial.mesh();
   for (const int number : options.edges) {
-    const std::string name = "half-edge " + std::to_string(number);
     if (number < 0 || number >= int(mesh.halfedge_slots()))
-      throw InputError(name + ": there is no such half-edge.");
+      throw InputError("there is no half-edge {0}.", number);
     const Halfedge edge{number};
-    if (!mesh[edge].alive) throw InputError(name + ": it is gone after the merges before it.");
+    if (!mesh[edge].alive)
+      throw InputError("half-edge {0} is gone after the merges before it.", number);
     const MergeObstacle obstacle = can_merge(mesh, edge);
     if (obstacle != MergeObstacle::none)
-      throw InputError(name + ": it cannot be merged, because " + describe(obstacle) + ".");
+      throw InputError("half-edge {0} cannot be merged: {1}.", number, describe(obstacle));
     if (!trial.try_merge(edge))
-      throw InputError(name + ": merging it makes the error larger than epsilon" +
-                       (options.max_local_error ? ", or than the bound in a small part." : "."));
+      throw options.max_local_error
+          ? InputError(
+                "merging half-edge {0} makes the error larger than epsilon, or than the bound in "
+                "a small part.",
+                number)
+          : InputError("merging half-edge {0} makes the error larger than epsilon.", number);
   }
 }
 

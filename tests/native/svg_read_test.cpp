@@ -332,14 +332,17 @@ TEST(SvgMesh, BadMeshesAreNamed) {
            "\" is not one c, C, l or L segment of finite numbers.";
   };
   EXPECT_EQ(complaint(mesh(row(square + next_square) + row(square_below))),
-            m + "row 2 has 1 patch but row 1 has 2.");
-  EXPECT_EQ(complaint(mesh(row(square) + row(""))), m + "row 2 has 0 patches but row 1 has 1.");
+            m + "row 2 does not have as many patches as row 1: 1, not 2.");
+  EXPECT_EQ(complaint(mesh(row(square) + row(""))),
+            m + "row 2 does not have as many patches as row 1: 0, not 1.");
   EXPECT_EQ(complaint(mesh(row("") + row(square))), m + "row 1 has no patches.");
   EXPECT_EQ(complaint(mesh("")), m + "it has no meshrow.");
-  EXPECT_EQ(complaint(mesh(row(next_square))), m + "row 1, patch 1 has 3 stops but needs 4.");
-  EXPECT_EQ(complaint(mesh(row(square + square))), m + "row 1, patch 2 has 4 stops but needs 3.");
+  EXPECT_EQ(complaint(mesh(row(next_square))),
+            m + "row 1, patch 1 does not have as many stops as it needs: 3, not 4.");
+  EXPECT_EQ(complaint(mesh(row(square + square))),
+            m + "row 1, patch 2 does not have as many stops as it needs: 4, not 3.");
   EXPECT_EQ(complaint(mesh(row(square) + row(patch(stop("l 0,10"))))),
-            m + "row 2, patch 1 has 1 stop but needs 3.");
+            m + "row 2, patch 1 does not have as many stops as it needs: 1, not 3.");
   for (const std::string path :
        {"", "c 1,2 3,4", "c 1,2 3,4 5", "c 1,2 3,4 5,6 7,8", "q 1,2 3,4", "l 1", "l", "l 1,2 z",
         "l nan,0", "l inf,0", "l 1e30,0", "l 1e999,0", "1,2"})

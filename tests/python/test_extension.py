@@ -4,16 +4,15 @@ import os
 import re
 import subprocess
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
 import pytest
 
 from bad_documents import BAD, TWO_PATCHES
-from built import BUILD, PYTHON, ROOT, SAMPLES, install_extension
+from built import PYTHON, ROOT, SAMPLES
+from extension_runs import INKEX, extension, is_one_sentence, refused, run  # noqa: F401
 
 import gradmesh
 
-INKEX = Path("/usr/share/inkscape/extensions")
 SVG = "{http://www.w3.org/2000/svg}"
 INX = "{http://www.inkscape.org/namespace/inkscape/extension}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -22,60 +21,6 @@ LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 ITEMS = sorted(file.stem.removeprefix("gradmesh_") for file in (ROOT / "inx").glob("*.inx"))
 
 pytestmark = pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
-
-
-@pytest.fixture(scope="module")
-def extension(tmp_path_factory):
-    """The installed folder of the extension."""
-    return install_extension(tmp_path_factory.mktemp("installed"))
-
-
-@pytest.fixture
-def run(extension, tmp_path):
-    """Runs the extension on a text or a file with these options, as Inkscape does."""
-
-    def run(
-        document,
-        *options,
-        item="simplify",
-        path="/home/somebody/apple.svg",
-        python=(PYTHON,),
-        **env,
-    ):
-        copy = tmp_path / "ink_ext_XXXXXX.svgABC123"
-        copy.write_text(document if isinstance(document, str) else document.read_text())
-        return subprocess.run(
-            [*python, f"gradmesh_{item}.py", *options, str(copy)],
-            cwd=extension,
-            env={
-                **os.environ,
-                "PYTHONPATH": f"{extension.parent}{os.pathsep}{INKEX}",
-                "DOCUMENT_PATH": path,
-                "XDG_CACHE_HOME": str(tmp_path / "cache"),
-                "LANGUAGE": "en",
-                "DISPLAY": "",  # no window beside long work
-                **env,
-            },
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            timeout=120,
-        )
-
-    return run
-
-
-def is_one_sentence(text):
-    return text.endswith(".\n") and text.count("\n") == 1 and "Traceback" not in text
-
-
-def refused(done):
-    """The sentence of a run that left the document alone: Inkscape keeps it where stdout is empty."""
-    assert done.returncode != 0
-    assert done.stdout == ""
-    assert is_one_sentence(done.stderr), done.stderr
-    assert "ink_ext" not in done.stderr  # Inkscape's name for its copy tells nobody anything
-    return done.stderr
 
 
 def by_id(text):
@@ -268,10 +213,11 @@ def test_a_preview_only_tells(run):
         (["--id=stem"], "None of the selected objects"),
         (["--id=pear", "--metric=taste"], "'taste'"),
         (["--id=pear", "--method=magic"], "'magic'"),
-        (["--id=pear", "--method=manual"], "edges"),
+        (["--id=pear", "--method=manual"], "needs the edges"),
+        (["--id=pear", "--method=manual", "--edges=5", "--amount=patches"], "that are named"),
         (["--id=pear", "--method=manual", "--edges=5,b7"], "'b7'"),
         (["--id=pear", "--method=manual", "--edges=-5"], "'-5'"),
-        (["--id=pear", "--method=manual", "--edges=" + 30 * "9"], "2^31"),
+        (["--id=pear", "--method=manual", "--edges=" + 30 * "9"], 30 * "9"),
         (["--id=pear", "--method=manual", "--edges=100000"], "half-edge 100000"),
         (["--id=pear", "--method=manual", "--edges=3"], "boundary"),
         (["--id=pear", "--method=manual", "--edges=5", "--epsilon=0"], "half-edge 5"),
@@ -432,24 +378,6 @@ def test_hemesh_in_and_out(extension, run, tmp_path):
     bad = run("HEMESH\nnot a mesh\n", item="open")
     assert bad.stdout == "" and is_one_sentence(bad.stderr)
     assert bad.stderr.endswith(', line 2: "not" is not a whole number.\n') and "/" not in bad.stderr
-
-
-def test_messages_are_translated(run):
-    german = {"LANGUAGE": "de", "LC_ALL": "C.UTF-8"}
-    said = refused(run(SAMPLES / "fruit.svg", item="merge", **german))
-    assert said.startswith("Wähle zwei oder mehr Blöcke")
-
-
-def test_the_german_catalogue_is_complete():
-    po = ROOT / "extension" / "po" / "de.po"
-    template = BUILD / "extension" / "po" / "gradmesh.pot"
-    if not template.exists():
-        pytest.skip("not installed: gettext, of which the build makes the template")
-    merged = subprocess.run(["msgmerge", "-q", "-o", "-", po, template], capture_output=True, check=True)
-    done = subprocess.run(
-        ["msgfmt", "--statistics", "-o", os.devnull, "-"], input=merged.stdout, capture_output=True
-    )
-    assert re.fullmatch(rb"\d+ translated messages\.\n", done.stderr), done.stderr
 
 
 def test_a_killed_run_writes_nothing(extension, tmp_path):

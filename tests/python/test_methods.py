@@ -121,7 +121,7 @@ def test_options_that_make_no_sense(options, words):
 
 @pytest.mark.parametrize("edges", [[100000], [-1]])
 def test_edges_that_are_not_there(edges):
-    with pytest.raises(gradmesh.InputError, match=f'"pear": half-edge {edges[0]}'):
+    with pytest.raises(gradmesh.InputError, match=f'"pear": .*half-edge {edges[0]}'):
         gradmesh.simplify(gradmesh.load(FRUIT), method="manual", edges=edges)
 
 
@@ -129,5 +129,5 @@ def test_edges_are_named_of_one_mesh():
     two = gradmesh.load(SAMPLES / "two.svg")
     with pytest.raises(gradmesh.InputError, match="2 meshes"):
         gradmesh.simplify(two, method="manual", edges=[4])
-    with pytest.raises(gradmesh.InputError, match='"cap": half-edge'):
+    with pytest.raises(gradmesh.InputError, match='"cap": there is no half-edge 1000000'):
         gradmesh.simplify(two, "cap", method="manual", edges=[10**6])

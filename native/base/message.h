@@ -1,0 +1,84 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace gradmesh {
+
+/// The text of a message with places {0}, {1}, ... for its arguments. That it is a literal and has
+/// a place for each of `arguments`, ten at most, and no other brace, is checked while compiling.
+template <std::size_t arguments>
+class MessageTemplate {
+ public:
+  consteval MessageTemplate(const char* text) : text_(text) {
+    const std::string_view rest(text);
+    bool used[10] = {};
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      if (rest[i] == '}') throw "a brace that closes no place";
+      if (rest[i] != '{') continue;
+      const std::size_t place = i + 1 < rest.size() ? std::size_t(rest[i + 1] - '0') : arguments;
+      if (place >= arguments || i + 2 >= rest.size() || rest[i + 2] != '}')
+        throw "a place without an argument";
+      used[place] = true;
+      i += 2;
+    }
+    for (std::size_t place = 0; place < arguments; ++place)
+      if (!used[place]) throw "an argument without a place";
+  }
+
+  const char* text() const { return text_; }
+
+ private:
+  const char* text_;
+};
+
+/// What a person is told, kept apart from what it is told about, so that it can be said in another
+/// language: xgettext finds the templates by the names `Message` and `InputError`, and whoever
+/// speaks to the person has the translations. Nothing here knows of languages.
+class Message {
+ public:
+  /// Goes into a place as it is, such as a name, or is a message of its own.
+  using Argument = std::variant<std::string, Message>;
+
+  template <class... Arguments>
+  Message(MessageTemplate<sizeof...(Arguments)> text, const Arguments&... arguments)
+      : text_(text.text()) {
+    (arguments_.push_back(argument(arguments)), ...);
+  }
+
+  const char* text() const { return text_; }
+  const std::vector<Argument>& arguments() const { return arguments_; }
+
+  /// The message in English.
+  std::string english() const;
+
+ private:
+  static Argument argument(std::string text) { return text; }
+  static Argument argument(Message message) { return message; }
+  static Argument argument(std::integral auto number) { return std::to_string(number); }
+
+  const char* text_;
+  std::vector<Argument> arguments_;
+};
+
+inline std::string Message::english() const {
+  std::string said;
+  for (const char* c = text_; *c; ++c) {
+    if (*c != '{') {
+      said += *c;
+      continue;
+    }
+    const Argument& argument = arguments_[std::size_t(c[1] - '0')];
+    const auto* const message = std::get_if<Message>(&argument);
+    said += message ? message->english() : std::get<std::string>(argument);
+    c += 2;
+  }
+  return said;
+}
+
+}  // namespace gradmesh

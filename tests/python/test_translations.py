@@ -1,0 +1,132 @@
+"""What the extension says is translated, with what it passes on from the core."""
+
+import ast
+import gettext
+import os
+import re
+import subprocess
+from io import BytesIO
+from itertools import combinations
+from string import Formatter
+
+import pytest
+
+from bad_documents import BAD
+from built import BUILD, ROOT, SAMPLES
+from extension_runs import INKEX, extension, refused, run  # noqa: F401
+from svg_meshes import Document
+
+import gradmesh
+
+PO = ROOT / "extension" / "po" / "de.po"
+BUILT = BUILD / "extension" / "po"
+GERMAN = {"LANGUAGE": "de", "LC_ALL": "C.UTF-8"}
+
+#: A message in C++ with its template, one literal or several in a row.
+TEMPLATE = re.compile(r'\b(?:Message|InputError)(?:\s+\w+)?[({]\s*((?:"(?:[^"\\]|\\.)*"\s*)+)')
+
+pytestmark = [
+    pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed"),
+    pytest.mark.skipif(not BUILT.is_dir(), reason="not installed: gettext, by which the build makes it"),
+]
+
+
+def output(*command, **how):
+    return subprocess.run(command, capture_output=True, check=True, **how).stdout
+
+
+def catalogue(po):
+    """The messages of a catalogue and their translations."""
+    mo = output("msgfmt", "-o", "-", "-", input=po)
+    return {a: b for a, b in gettext.GNUTranslations(BytesIO(mo))._catalog.items() if a}
+
+
+def test_messages_are_translated(run):
+    said = refused(run(SAMPLES / "fruit.svg", item="merge", **GERMAN))
+    assert said.startswith("Wähle zwei oder mehr Blöcke")
+
+
+def test_every_message_of_the_core_reaches_the_template():
+    """But those of the command line."""
+    files = [file for file in (ROOT / "native").rglob("*.*") if file.suffix in (".h", ".cpp")]
+    templates = {
+        ast.literal_eval(f"({found})")
+        for file in files
+        if file.parent.name != "cli"
+        for found in TEMPLATE.findall(file.read_text())
+    }
+    assert len(templates) > 100
+    assert templates - set(catalogue(output("msgen", BUILT / "gradmesh.pot"))) == set()
+
+
+def test_the_german_catalogue_is_complete():
+    merged = output("msgmerge", "-q", "-o", "-", PO, BUILT / "gradmesh.pot")
+    done = subprocess.run(
+        ["msgfmt", "--statistics", "-o", os.devnull, "-"], input=merged, capture_output=True
+    )
+    assert re.fullmatch(rb"\d+ translated messages\.\n", done.stderr), done.stderr
+
+
+def places(text):
+    return {name for _text, name, _format, _conversion in Formatter().parse(text) if name is not None}
+
+
+def test_a_translation_has_the_places_of_its_message():
+    for text, said in catalogue(PO.read_bytes()).items():
+        if "{" in text:
+            assert places(said) == places(text), text
+
+
+@pytest.mark.parametrize(
+    "document, item, options, said",
+    [
+        ("fruit", "merge", [], 'path "pear": das ist kein Block eines vereinfachten Gitters.'),
+        ("fruit", "refine", ["--row=99"], '"pear": es gibt keine Zeile 99, nur 11 Zeilen.'),
+        (
+            "fruit",
+            "simplify",
+            ["--method=manual", "--edges=3"],
+            'path "pear": die Halbkante 3 lässt sich nicht vereinigen: sie liegt am Rand des Gitters.',
+        ),
+        (
+            "ragged rows",
+            "simplify",
+            [],
+            'meshgradient "m": Zeile 2 hat nicht so viele Felder wie Zeile 1: 1, nicht 2.',
+        ),
+        (
+            "bad colour",
+            "simplify",
+            [],
+            'meshgradient "m": Zeile 1, Feld 1, Farbstopp 1: "ham" ist keine bekannte Farbe.',
+        ),
+    ],
+)
+def test_a_refusal_of_the_core_is_german_throughout(run, document, item, options, said):
+    if document in BAD:
+        done = run(BAD[document].text, "--id=box", *options, item=item, **GERMAN)
+    else:
+        done = run(SAMPLES / f"{document}.svg", "--id=pear", *options, item=item, **GERMAN)
+    assert refused(done) == f"apple.svg: {said}\n"
+
+
+def test_why_blocks_cannot_be_merged_is_german_throughout(run, tmp_path):
+    document, file = gradmesh.load(SAMPLES / "fruit.svg"), tmp_path / "simple.svg"
+    gradmesh.simplify(document, "pear", method="motorcycle", epsilon=0.02, resolution=200)
+    gradmesh.save(document, file)
+    reasons = {}
+    for pair in combinations(Document(file).blocks(), 2):
+        try:
+            gradmesh.merge(gradmesh.load(file), pair, resolution=100)
+        except gradmesh.InputError as error:
+            template, (_name, _id, reason) = error.message
+            reasons.setdefault(reason[0], pair)
+    assert len(reasons) == 2
+    for pair in reasons.values():
+        said = refused(run(file, *(f"--id={block}" for block in pair), item="merge", **GERMAN))
+        assert re.fullmatch(
+            "apple.svg: pear: diese Felder können nicht eines werden, "
+            "(weil sie einander nicht an einer ganzen Seite berühren"
+            "|wegen einer Kante zwischen ihnen: (sie|ein|eine|ihre) [^.]*)[.]\n",
+            said,
+        )
