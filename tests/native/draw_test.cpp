@@ -133,7 +133,7 @@ TEST(Draw, errors_are_colors_with_the_costliest_on_top) {
   const auto& blocked = layer(drawing, "Unmergeable edges").shapes;
   ASSERT_EQ(blocked.size(), 1u);
   EXPECT_GT(blocked[0].style.dash, 0);
-  EXPECT_NE(blocked[0].title.find(describe(MergeObstacle::branch)), std::string::npos);
+  EXPECT_NE(blocked[0].title.find(describe(MergeObstacle::branch).english()), std::string::npos);
   EXPECT_TRUE(says(drawing, "0.0011 (largest)"));
   EXPECT_TRUE(says(drawing, "Least: 0"));
   EXPECT_TRUE(says(drawing, "1 cannot be merged"));

@@ -35,7 +35,7 @@ class ExactGrid {
   void merge(int a, int b) {
     const Halfedge e = edge(a, b);
     ASSERT_TRUE(e.valid()) << a << " and " << b << " have no edge";
-    ASSERT_EQ(can_merge(mesh_, e), MergeObstacle::none) << describe(can_merge(mesh_, e));
+    ASSERT_EQ(can_merge(mesh_, e), MergeObstacle::none) << describe(can_merge(mesh_, e)).english();
     gradmesh::merge(journal_, e);
     ASSERT_EQ(validate(mesh_), std::vector<std::string>{});
     Rectangle& kept = covered_[a];
