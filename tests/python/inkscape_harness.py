@@ -193,6 +193,15 @@ class Inkscape:
         file = self.home / "profile" / "preferences.xml"
         file.write_text(preferences(values), encoding="utf-8")
 
+    def set_key(self, key: str, action: str) -> None:
+        """Lets a key of Inkscape's windows, by its X name, run an action such as "app.redo"."""
+        file = self.home / "profile" / "keys" / "default.xml"
+        file.parent.mkdir(exist_ok=True)
+        file.write_text(
+            '<?xml version="1.0"?>\n'
+            f'<keys name="Test"><bind gaction={quoteattr(action)} keys={quoteattr(key)}/></keys>\n'
+        )
+
     def install(self, *sources) -> None:
         """Copies files or folders into the profile's `extensions` folder."""
         for source in map(Path, sources):
