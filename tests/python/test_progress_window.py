@@ -1,0 +1,118 @@
+"""The small window beside long work: what it shows, and that stopping keeps the best so far."""
+
+import json
+import os
+import re
+import subprocess
+import xml.etree.ElementTree as ET
+
+import pytest
+
+import inkscape_harness
+from built import PYTHON, SAMPLES
+from extension_runs import INKEX, extension  # noqa: F401
+
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+ALL = 400  # patches of the sample "photo"
+
+reason = inkscape_harness.missing()
+if not reason and subprocess.run([PYTHON, "-c", "import gi; gi.require_version('Gtk', '3.0')"]).returncode:
+    reason = "not installed: gir1.2-gtk-3.0"
+pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
+
+#: Runs Simplify with somebody who looks at the window and stops the work in the way `stop` names,
+#: once patches were merged. The work waits for that, so it is never too quick.
+DRIVER = """
+import json, re, sys, threading
+import gi
+gi.require_version("Gtk", "3.0")
+from gi.repository import GLib, Gtk
+import gradmesh_simplify, gradmesh_window
+
+stop, all_patches, seen_file, *arguments = sys.argv[1:]
+seen, stopped = [], threading.Event()
+
+class Waiting(gradmesh_window.LongWork):
+    def _progress(self, done, total, patches, error):
+        goes_on = super()._progress(done, total, patches, error)
+        if patches >= int(all_patches):
+            return goes_on
+        assert stopped.wait(60)
+        return self._stop is False
+
+def inside(widget, kind):
+    if isinstance(widget, kind):
+        yield widget
+    elif isinstance(widget, Gtk.Container):
+        for child in widget.get_children():
+            yield from inside(child, kind)
+
+def shown(window):
+    (bar,), (button,) = inside(window, Gtk.ProgressBar), inside(window, Gtk.Button)
+    title, words, _ = (label.get_text() for label in inside(window, Gtk.Label))
+    return {
+        "window": window.get_title(), "title": title, "words": words, "share": bar.get_fraction(),
+        "button": button.get_label(), "can stop": button.is_visible() and button.is_sensitive(),
+    }
+
+def look():
+    windows = Gtk.Window.list_toplevels()
+    now = shown(windows[0]) if windows else {"words": ""}
+    patches = re.match("[0-9]+", now["words"])
+    if not seen and patches and int(patches[0]) < int(all_patches):
+        seen.append(now)
+        if stop == "button":
+            next(inside(windows[0], Gtk.Button)).clicked()
+        else:
+            windows[0].close()
+    elif seen and now["words"] != seen[0]["words"]:
+        seen.append(now)
+        with open(seen_file, "w") as file:
+            json.dump(seen, file)
+        stopped.set()
+        return False
+    return True
+
+gradmesh_window.PATIENCE = 0
+gradmesh_simplify.LongWork = Waiting
+GLib.timeout_add(20, look)
+gradmesh_simplify.Simplify().run(arguments)
+"""
+
+
+@pytest.fixture(scope="module")
+def display():
+    with inkscape_harness.Display() as display:
+        yield display.name
+
+
+@pytest.mark.parametrize("stop", ["button", "close"])
+def test_the_window_tells_and_stops(extension, display, tmp_path, stop):
+    seen = tmp_path / "seen.json"
+    options = ["--id=photo", "--method=grid", "--amount=strong", "--resolution=100"]
+    done = subprocess.run(
+        [PYTHON, "-c", DRIVER, stop, str(ALL), seen, *options, SAMPLES / "photo.svg"],
+        cwd=extension,
+        env={
+            **os.environ,
+            "PYTHONPATH": f"{extension.parent}{os.pathsep}{INKEX}",
+            "XDG_CACHE_HOME": str(tmp_path / "cache"),
+            "LANGUAGE": "en",
+            "DISPLAY": display,
+        },
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        timeout=120,
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+
+    running, stopped = json.loads(seen.read_text())
+    assert (running["window"], running["title"]) == ("Gradient Mesh", "photo is simplified.")
+    patches = int(re.fullmatch(r"(\d+) patches so far", running["words"])[1])
+    assert 0 < patches < ALL and 0 < running["share"] < 1
+    assert (running["button"], running["can stop"]) == ("Stop", True)
+    assert (stopped["words"], stopped["can stop"]) == ("Stopping: the best so far is kept …", False)
+
+    (photo,) = [e for e in ET.fromstring(done.stdout).iter() if e.get("id") == "photo"]
+    left, before = map(int, re.match(r"Gradient mesh: (\d+) of (\d+) ", photo.get(LABEL)).groups())
+    assert left == patches < before == ALL
