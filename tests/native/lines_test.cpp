@@ -16,6 +16,7 @@ namespace gradmesh {
 namespace {
 
 using test::grid_mesh;
+using test::patches;
 
 SimplifyOptions line_options(double epsilon, MetricKind metric = MetricKind::flip) {
   SimplifyOptions options;
@@ -33,12 +34,6 @@ Mesh noisy_grid(int rows, int columns, unsigned seed, ColorModel model = ColorMo
                     .color_noise = 0.04,
                     .color_model = model},
                    seed);
-}
-
-std::vector<Patch> patches(const Mesh& mesh) {
-  std::vector<Patch> list;
-  for (const Face f : mesh.faces()) list.push_back(mesh.patch(f));
-  return list;
 }
 
 TEST(Grid, is_found_row_by_row_from_the_corner_where_the_patches_begin) {

@@ -18,12 +18,7 @@ namespace gradmesh {
 namespace {
 
 using test::difference;
-
-std::vector<Patch> patches(const Mesh& mesh) {
-  std::vector<Patch> list;
-  for (const Face f : mesh.faces()) list.push_back(mesh.patch(f));
-  return list;
-}
+using test::patches;
 
 double difference_of(const std::vector<Patch>& a, const std::vector<Patch>& b) {
   EXPECT_EQ(a.size(), b.size());

@@ -9,12 +9,7 @@ namespace gradmesh {
 namespace {
 
 using test::GridOptions;
-
-std::vector<Patch> patches(const Mesh& mesh) {
-  std::vector<Patch> list;
-  for (const Face f : mesh.faces()) list.push_back(mesh.patch(f));
-  return list;
-}
+using test::patches;
 
 /// What is left of a mesh where a region is merged, and which faces that touched; nothing where it
 /// cannot be merged.

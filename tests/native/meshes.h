@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "mesh/build.h"
 #include "mesh/mesh.h"
@@ -76,6 +77,13 @@ inline MeshParts grid_parts(const GridOptions& options, std::mt19937& random) {
 inline Mesh grid_mesh(const GridOptions& options = {}, unsigned seed = 1) {
   std::mt19937 random(seed);
   return build_mesh(grid_parts(options, random));
+}
+
+/// All patches, in the order of the faces.
+inline std::vector<Patch> patches(const Mesh& mesh) {
+  std::vector<Patch> list;
+  for (const Face f : mesh.faces()) list.push_back(mesh.patch(f));
+  return list;
 }
 
 /// Largest distance between two patches' control vectors, positions in units of the mesh.

@@ -23,6 +23,8 @@
 namespace gradmesh {
 namespace {
 
+using test::patches;
+
 /// The authors' meshes, and our own that cover the same ground without them.
 const std::vector<std::string> shared_meshes{"L",
                                              "U",
@@ -83,12 +85,6 @@ std::set<Point> branch_points(const Mesh& mesh) {
   for (const Point p : boundary)
     if (faces[p] > 2) points.insert(p);
   return points;
-}
-
-std::vector<Patch> patches(const Mesh& mesh) {
-  std::vector<Patch> list;
-  for (const Face f : mesh.faces()) list.push_back(mesh.patch(f));
-  return list;
 }
 
 /// Some edges that can be merged one after another.

@@ -15,18 +15,13 @@ namespace {
 using test::between;
 using test::difference;
 using test::grid_mesh;
+using test::patches;
 
 ::testing::AssertionResult sound(const Mesh& mesh) {
   const std::vector<std::string> broken = validate(mesh);
   if (broken.empty()) return ::testing::AssertionSuccess();
   auto result = ::testing::AssertionFailure();
   for (const std::string& b : broken) result << b << "; ";
-  return result;
-}
-
-std::vector<Patch> patches(const Mesh& mesh) {
-  std::vector<Patch> result;
-  for (const Face f : mesh.faces()) result.push_back(mesh.patch(f));
   return result;
 }
 
