@@ -211,11 +211,16 @@ std::string mesh_label(int patches) {
   return "Gradient mesh: " + std::to_string(patches) + " patches";
 }
 
+std::string mesh_label(int patches, int patches_before) {
+  return "Gradient mesh: " + std::to_string(patches) + " of " + std::to_string(patches_before) +
+         " patches";
+}
+
 std::string mesh_label(int patches, int patches_before, MetricKind metric, double error) {
-  char text[96];
-  std::snprintf(text, sizeof text, "Gradient mesh: %d of %d patches, %s %.4f", patches,
-                patches_before, metric == MetricKind::flip ? "FLIP" : "SSIM", error);
-  return text;
+  char text[32];
+  std::snprintf(text, sizeof text, ", %s %.4f", metric == MetricKind::flip ? "FLIP" : "SSIM",
+                error);
+  return mesh_label(patches, patches_before) + text;
 }
 
 }  // namespace gradmesh

@@ -116,8 +116,9 @@ class Document {
   std::vector<MeshReport> preview(const std::vector<std::string>& ids, SimplifyOptions options,
                                   const AnalysisPaths& analyses = {}) const;
   /// Makes those of the selected meshes that are simplified fit together again where a person has
-  /// edited their blocks (mesh/reconcile.h), and lets the blocks' paths grow with them. The mesh
-  /// as edited is then the original that it remembers. Where this throws, the document is as it
+  /// edited their blocks (mesh/reconcile.h), and lets the blocks' paths grow with them. Their
+  /// labels say how far they are from the originals that they remember, and the meshes as edited
+  /// are what they remember then. Where this throws, the document is as it
   /// was: where nothing selected is simplified, and for .hemesh files.
   std::vector<UpdateReport> update(const std::vector<std::string>& ids);
   /// Prices the selected meshes up to epsilon and saves that; the number of prices.
@@ -194,6 +195,8 @@ class Document {
 
 /// "Gradient mesh: 42 patches".
 std::string mesh_label(int patches);
+/// "Gradient mesh: 42 of 144 patches".
+std::string mesh_label(int patches, int patches_before);
 /// "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
 std::string mesh_label(int patches, int patches_before, MetricKind metric, double error);
 

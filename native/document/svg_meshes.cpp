@@ -140,8 +140,7 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
       write_mesh_gradient(svg_, o, mesh, result.frame.coons_tolerance);
       continue;
     }
-    const bool same_mesh = entry.simplified && !group_mesh(entry).edited;
-    const int before = same_mesh ? patches_before(o.node) : result.patches_before;
+    const int before = entry.simplified ? patches_before(o.node) : result.patches_before;
     std::string original;
     if (writing.remember_original) {
       if (entry.simplified) original = original_memory(entry);
@@ -226,11 +225,26 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
   mark_changed();
 }
 
+std::string SvgMeshes::updated_label(const MeshEntry& group, const Mesh& written) const {
+  const xmlNode* node = object(group).node;
+  const int patches = written.face_count(), before = patches_before(node);
+  const auto memory = attribute(node, "original", gradmesh_namespace);
+  const auto parts = memory ? recall(*memory) : std::nullopt;
+  if (!parts) return mesh_label(patches, before);
+  const Mesh original = build_mesh(*parts);
+  const SimplifyOptions usual;
+  const EditError error(original, written, frame(group, original, usual.resolution), usual.metric);
+  return mesh_label(patches, before, usual.metric, error.error());
+}
+
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {
   struct Edited {
     const MeshObject& group;
     Mesh mesh;
+    std::vector<Block> blocks;
     double coons_tolerance;
+    std::string label;
+    int patches_before;
     bool remembers;
   };
   // All are read before the first is written.
@@ -242,20 +256,21 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     reports.push_back({entry.id, int(group.parts.patches.size()), group.edited});
     if (!group.edited) continue;
     Mesh mesh = naming(entry, [&] { return build_mesh(group.parts); });
-    const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
-    edited.push_back({object(entry), std::move(mesh), frame.coons_tolerance, remembers(entry)});
+    const double tolerance = frame(entry, mesh, SimplifyOptions().resolution).coons_tolerance;
+    // Painted in the order of before, in which the person has seen them.
+    std::vector<Block> blocks = possible_blocks(mesh)[1];
+    const Mesh written = build_mesh(block_parts(mesh, blocks, tolerance));
+    std::string label = updated_label(entry, written);
+    edited.push_back({object(entry), std::move(mesh), std::move(blocks), tolerance,
+                      std::move(label), patches_before(object(entry).node), remembers(entry)});
   }
   if (reports.empty())
     throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
-  for (const auto& [group, mesh, coons_tolerance, remembers] : edited) {
-    const int patches = mesh.face_count();
-    // Painted in the order of before, in which the person has seen them.
-    const std::vector<Block> blocks = possible_blocks(mesh)[1];
-    write_mesh(svg_, group,
-               {mesh, blocks, coons_tolerance, mesh_label(patches), patches,
-                remembers ? remember(mesh) : ""});
-  }
+  for (const Edited& e : edited)
+    write_mesh(svg_, e.group,
+               {e.mesh, e.blocks, e.coons_tolerance, e.label, e.patches_before,
+                e.remembers ? remember(e.mesh) : ""});
   list_meshes();
   return reports;
 }

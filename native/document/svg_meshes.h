@@ -59,6 +59,8 @@ class SvgMeshes : public Document {
   /// What the group remembers of the mesh before it was first simplified, as the attribute's value:
   /// empty where it remembers nothing, or nothing that counts since it was edited.
   std::string original_memory(const MeshEntry& group) const;
+  /// Of a group that was edited, as it will be written: how far it is from what it remembers.
+  std::string updated_label(const MeshEntry& group, const Mesh& written) const;
   void list_meshes();
 
   SvgDocument svg_;

@@ -125,20 +125,30 @@ def test_a_point_moved_in_one_block_moves_in_all(group):
     assert update(group).changed is False
 
 
-def test_the_label_and_the_memory_are_those_of_the_edited_mesh(group):
+def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(group):
     corner = group.shared_corner(3)
     original = group.node.get(GRADMESH + "original")
     group.move(group.owners(corner)[0], corner, 5)
     update(group)
-    assert group.node.get(LABEL) == "Gradient mesh: 65 patches"
-    assert group.node.get(GRADMESH + "patches-before") == "65"
+    error = float(run("compare", FRUIT, group.path).stdout)
+    assert group.node.get(LABEL) == f"Gradient mesh: 65 of 132 patches, FLIP {error:.4f}"
+    assert group.node.get(GRADMESH + "patches-before") == "132"
     assert group.node.get(GRADMESH + "original") not in (None, original)
     edited = gradmesh.load(group.path)
     (result,) = gradmesh.simplify(edited, method="random", epsilon=0.005)
     assert result.patches_before == 65 and 0 < result.error <= 0.005
     gradmesh.save(edited, group.path)
     group.read()
-    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 65 patches")
+    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 132 patches")
+
+
+def test_without_an_original_the_label_knows_no_error(group):
+    corner = group.shared_corner(3)
+    del group.node.attrib[GRADMESH + "original"]
+    group.move(group.owners(corner)[0], corner, 5)
+    update(group)
+    assert group.node.get(LABEL) == "Gradient mesh: 65 of 132 patches"
+    assert group.node.get(GRADMESH + "original") is None
 
 
 def test_paths_grow_with_the_mesh(group):
@@ -205,7 +215,7 @@ def test_simplifying_an_edited_group_measures_against_the_edited_mesh(group):
     assert result.patches_after < 65 and result.error <= 0.005
     gradmesh.save(edited, group.path)
     group.read()
-    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 65 patches")
+    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 132 patches")
     # The very picture that it started from is what it remembers.
     again = gradmesh.load(group.path)
     (result,) = gradmesh.simplify(again, method="random", epsilon=0.005)
