@@ -59,7 +59,7 @@ class _GradmeshDocument(Gradmesh):
         # Inkscape sends a copy under a temporary name and says the real one here.
         name = os.path.basename(os.environ.get("DOCUMENT_PATH") or "") or _("the document")
         with refusals_as_sentences():
-            self.meshes = gradmesh.loads(data, name)
+            self.meshes = gradmesh.loads(data, name, _)
         return super().load(io.BytesIO(data))
 
     def selected_meshes(self):

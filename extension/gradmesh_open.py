@@ -5,6 +5,7 @@
 import os
 
 from gradmesh_effect import Gradmesh, gradmesh, inkex, refusals_as_sentences
+from gradmesh_text import _
 
 
 class Open(Gradmesh, inkex.InputExtension):
@@ -12,7 +13,8 @@ class Open(Gradmesh, inkex.InputExtension):
 
     def load(self, stream):
         with refusals_as_sentences():
-            mesh = gradmesh.loads(stream.read(), os.path.basename(self.options.input_file))
+            name = os.path.basename(self.options.input_file)
+            mesh = gradmesh.loads(stream.read(), name, _)
             return gradmesh.convert(mesh, "svg").document.to_bytes()
 
 

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,6 +38,9 @@ class MessageTemplate {
   const char* text_;
 };
 
+/// From the template of a message to what stands for it in another language.
+using Translation = std::function<std::string(const std::string&)>;
+
 /// What a person is told, kept apart from what it is told about, so that it can be said in another
 /// language: xgettext finds the templates by the names `Message` and `InputError`, and whoever
 /// speaks to the person has the translations. Nothing here knows of languages.
@@ -54,8 +58,10 @@ class Message {
   const char* text() const { return text_; }
   const std::vector<Argument>& arguments() const { return arguments_; }
 
-  /// The message in English.
-  std::string english() const;
+  std::string in(const Translation& translation) const;
+  std::string english() const {
+    return in([](const std::string& text) { return text; });
+  }
 
  private:
   static Argument argument(std::string text) { return text; }
@@ -66,17 +72,19 @@ class Message {
   std::vector<Argument> arguments_;
 };
 
-inline std::string Message::english() const {
+inline std::string Message::in(const Translation& translation) const {
+  const std::string text = translation(text_);
   std::string said;
-  for (const char* c = text_; *c; ++c) {
-    if (*c != '{') {
-      said += *c;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t place = i + 2 < text.size() ? std::size_t(text[i + 1] - '0') : 0;
+    if (text[i] != '{' || i + 2 >= text.size() || text[i + 2] != '}' ||
+        place >= arguments_.size()) {
+      said += text[i];
       continue;
     }
-    const Argument& argument = arguments_[std::size_t(c[1] - '0')];
-    const auto* const message = std::get_if<Message>(&argument);
-    said += message ? message->english() : std::get<std::string>(argument);
-    c += 2;
+    const auto* const message = std::get_if<Message>(&arguments_[place]);
+    said += message ? message->in(translation) : std::get<std::string>(arguments_[place]);
+    i += 2;
   }
   return said;
 }

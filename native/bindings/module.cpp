@@ -49,13 +49,14 @@ py::dict report_dict(const MeshReport& report) {
                   py::arg("stopped") = name(r.stopped), py::arg("seconds") = r.seconds.total);
 }
 
-/// Called without the GIL. Ctrl+C in Python and an exception in the callback end the run.
+/// Called and copied without the GIL; the last copy is dropped with it. Ctrl+C in Python and an
+/// exception in the callback end the run.
 ProgressCallback progress_callback(const py::object& callback) {
-  return [callback](const Progress& p) {
+  return [shared = std::make_shared<py::object>(callback)](const Progress& p) {
     const py::gil_scoped_acquire gil;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (callback.is_none()) return true;
-    const py::object answer = callback(p.done, p.total, p.patches, p.error);
+    if (shared->is_none()) return true;
+    const py::object answer = (*shared)(p.done, p.total, p.patches, p.error);
     return answer.is_none() || answer.cast<bool>();
   };
 }
@@ -251,6 +252,7 @@ PYBIND11_MODULE(_core, m) {
                     return Document::parse(std::string(bytes), name);
                   })
       .def_property_readonly("name", &Document::name)
+      .def("set_translation", &Document::set_translation)
       .def("ids", &ids)
       .def("meshes", &meshes, py::arg("ids"))
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),

@@ -100,7 +100,7 @@ class Converter {
     join_colors(patches);
     const Mesh mesh = build_mesh(patches);
     const std::string outline = outline_path(conversion.original);
-    const std::string label = mesh_label(mesh.face_count());
+    const std::string label = mesh_label(mesh.face_count()).in(from_.translation());
     const double coons_tolerance =
         fit_frame(conversion.original, {}, options_.resolution).coons_tolerance;
     for (const std::vector<Block>& blocks : possible_blocks(mesh)) {

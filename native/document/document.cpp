@@ -207,20 +207,17 @@ void Document::write_file(const std::filesystem::path& path) const {
   write_bytes(path, bytes());
 }
 
-std::string mesh_label(int patches) {
-  return "Gradient mesh: " + std::to_string(patches) + " patches";
+Message mesh_label(int patches) { return Message("Gradient mesh: {0} patches", patches); }
+
+Message mesh_label(int patches, int patches_before) {
+  return Message("Gradient mesh: {0} of {1} patches", patches, patches_before);
 }
 
-std::string mesh_label(int patches, int patches_before) {
-  return "Gradient mesh: " + std::to_string(patches) + " of " + std::to_string(patches_before) +
-         " patches";
-}
-
-std::string mesh_label(int patches, int patches_before, MetricKind metric, double error) {
-  char text[32];
-  std::snprintf(text, sizeof text, ", %s %.4f", metric == MetricKind::flip ? "FLIP" : "SSIM",
-                error);
-  return mesh_label(patches, patches_before) + text;
+Message mesh_label(int patches, int patches_before, MetricKind metric, double error) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4f", error);
+  return Message("{0}, {1} {2}", mesh_label(patches, patches_before),
+                 metric == MetricKind::flip ? "FLIP" : "SSIM", digits);
 }
 
 }  // namespace gradmesh

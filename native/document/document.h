@@ -76,6 +76,11 @@ class Document {
     return kind() == DocumentKind::svg ? ColorModel::bilinear : ColorModel::bicubic;
   }
 
+  /// How labels and drawings name things; in English unless said otherwise. Errors carry their
+  /// messages.
+  const Translation& translation() const { return translation_; }
+  void set_translation(Translation translation) { translation_ = std::move(translation); }
+
   /// All meshes; there may be none.
   const std::vector<MeshEntry>& meshes() const { return entries_; }
   /// The meshes of the objects with these ids, or inside elements with these ids; all where there
@@ -190,14 +195,15 @@ class Document {
   static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes);
 
   std::string name_, original_;
+  Translation translation_ = [](const std::string& text) { return text; };
   bool changed_ = false;
 };
 
 /// "Gradient mesh: 42 patches".
-std::string mesh_label(int patches);
+Message mesh_label(int patches);
 /// "Gradient mesh: 42 of 144 patches".
-std::string mesh_label(int patches, int patches_before);
+Message mesh_label(int patches, int patches_before);
 /// "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
-std::string mesh_label(int patches, int patches_before, MetricKind metric, double error);
+Message mesh_label(int patches, int patches_before, MetricKind metric, double error);
 
 }  // namespace gradmesh

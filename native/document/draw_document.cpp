@@ -23,7 +23,7 @@ class Draw {
         files_(analyses),
         start_(document.start(entry, options.simplify, files_)),
         mesh_(start_.mesh),
-        subject_(mesh_, start_.options.view) {}
+        subject_(mesh_, start_.options.view, document.translation()) {}
 
   std::string text() {
     Drawing drawing = this->drawing();
@@ -59,8 +59,9 @@ class Draw {
   }
 
   std::string measure() const {
-    return std::string(start_.options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM") + " at " +
-           std::to_string(start_.options.resolution) + " pixels";
+    return subject_.say(Message("{0} at {1} pixels",
+                                start_.options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM",
+                                start_.options.resolution));
   }
 
   Drawing regions(const std::vector<RegionPrice>& all) const {

@@ -146,7 +146,8 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
       if (entry.simplified) original = original_memory(entry);
       if (original.empty()) original = remember(*measured);
     }
-    const std::string label = mesh_label(result.patches_after, before, metric, result.error);
+    const std::string label =
+        mesh_label(result.patches_after, before, metric, result.error).in(translation());
     const std::vector<Block> blocks = possible_blocks(mesh)[result.way];
     write_mesh(svg_, o, {mesh, blocks, result.frame.coons_tolerance, label, before, original});
   }
@@ -225,7 +226,7 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
   mark_changed();
 }
 
-std::string SvgMeshes::updated_label(const MeshEntry& group, const Mesh& written) const {
+Message SvgMeshes::updated_label(const MeshEntry& group, const Mesh& written) const {
   const xmlNode* node = object(group).node;
   const int patches = written.face_count(), before = patches_before(node);
   const auto memory = attribute(node, "original", gradmesh_namespace);
@@ -260,7 +261,7 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     // Painted in the order of before, in which the person has seen them.
     std::vector<Block> blocks = possible_blocks(mesh)[1];
     const Mesh written = build_mesh(block_parts(mesh, blocks, tolerance));
-    std::string label = updated_label(entry, written);
+    std::string label = updated_label(entry, written).in(translation());
     edited.push_back({object(entry), std::move(mesh), std::move(blocks), tolerance,
                       std::move(label), patches_before(object(entry).node), remembers(entry)});
   }

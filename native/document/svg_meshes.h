@@ -60,7 +60,7 @@ class SvgMeshes : public Document {
   /// empty where it remembers nothing, or nothing that counts since it was edited.
   std::string original_memory(const MeshEntry& group) const;
   /// Of a group that was edited, as it will be written: how far it is from what it remembers.
-  std::string updated_label(const MeshEntry& group, const Mesh& written) const;
+  Message updated_label(const MeshEntry& group, const Mesh& written) const;
   void list_meshes();
 
   SvgDocument svg_;

@@ -28,16 +28,17 @@ struct Marks {
 };
 
 Layer curves_layer(const Subject& subject, const Style& style) {
-  Layer layer{"Curves", {}, {}};
+  Layer layer{subject.say(Message("Curves")), {}, {}};
   for (const Halfedge h : subject.curves())
-    layer.shapes.push_back({subject.curve(h), style, "Half-edge " + std::to_string(h.value)});
+    layer.shapes.push_back(
+        {subject.curve(h), style, subject.say(Message("Half-edge {0}", h.value))});
   return layer;
 }
 
 /// The numbers of the inner edges, by which the method `manual` is told what to merge.
 Layer edge_numbers_layer(const Subject& subject) {
   const Mesh& mesh = subject.mesh();
-  Layer layer{"Numbers of half-edges", {}, {}};
+  Layer layer{subject.say(Message("Numbers of half-edges")), {}, {}};
   for (const Halfedge h : subject.curves()) {
     if (!mesh[h].twin.valid()) continue;
     const Cubic<Value> curve = mesh.curve_of(h);
@@ -66,13 +67,14 @@ void add_handles(Drawing& drawing, const Subject& subject, const Marks& marks) {
         drawing.box.add(subject.point(knob.position) + glm::dvec2(side * subject.unit()));
     }
   }
-  drawing.layers.push_back(
-      {"Handles", {{lines.text(), marks.handle, ""}, {knobs.text(), marks.knob, ""}}, {}});
+  drawing.layers.push_back({subject.say(Message("Handles")),
+                            {{lines.text(), marks.handle, ""}, {knobs.text(), marks.knob, ""}},
+                            {}});
 }
 
 Layer points_layer(const Subject& subject, const Marks& marks) {
   const Mesh& mesh = subject.mesh();
-  Layer layer{"Points", {}, {}};
+  Layer layer{subject.say(Message("Points")), {}, {}};
   for (const Point p : mesh.points()) {
     const bool is_junction = mesh[p].is_junction();
     PathText mark = subject.path();
@@ -81,8 +83,10 @@ Layer points_layer(const Subject& subject, const Marks& marks) {
     } else {
       mark.circle(mesh.position(p), marks.point_radius);
     }
-    layer.shapes.push_back({mark.text(), is_junction ? marks.junction : marks.point,
-                            (is_junction ? "T-junction " : "Point ") + std::to_string(p.value)});
+    const Message title =
+        is_junction ? Message("T-junction {0}", p.value) : Message("Point {0}", p.value);
+    layer.shapes.push_back(
+        {mark.text(), is_junction ? marks.junction : marks.point, subject.say(title)});
   }
   return layer;
 }
@@ -96,10 +100,6 @@ glm::dvec3 mean_color(const Patch& patch) {
 
 bool is_light(const glm::dvec3& color) {
   return glm::dot(color, glm::dvec3(0.299, 0.587, 0.114)) > 0.55;
-}
-
-std::string count(std::size_t number, const char* one, const char* many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
 }
 
 }  // namespace
@@ -117,14 +117,15 @@ Drawing draw_edges(const Subject& subject) {
   const auto points = mesh.points();
   const auto junctions = std::size_t(std::ranges::count_if(points, is_junction));
   const auto all = std::size_t(std::ranges::distance(points));
-  Legend legend(subject, drawing, "Gradient mesh");
-  legend.text(count(std::size_t(mesh.face_count()), "patch", "patches"));
+  Legend legend(subject, drawing, subject.say(Message("Gradient mesh")));
+  legend.text(subject.say(Message("patches: {0}", mesh.face_count())));
   legend.gap();
-  legend.line(marks.curve, count(subject.curves().size(), "curve", "curves"));
-  legend.circle(marks.point, count(all - junctions, "control point", "control points"));
-  if (junctions > 0) legend.diamond(marks.junction, count(junctions, "T-junction", "T-junctions"));
-  legend.circle(marks.knob, "ends of handles");
-  legend.text("numbers: half-edges");
+  legend.line(marks.curve, subject.say(Message("curves: {0}", subject.curves().size())));
+  legend.circle(marks.point, subject.say(Message("control points: {0}", all - junctions)));
+  if (junctions > 0)
+    legend.diamond(marks.junction, subject.say(Message("T-junctions: {0}", junctions)));
+  legend.circle(marks.knob, subject.say(Message("ends of handles")));
+  legend.text(subject.say(Message("numbers: half-edges")));
   std::move(legend).add_to(drawing);
   return drawing;
 }
@@ -132,14 +133,14 @@ Drawing draw_edges(const Subject& subject) {
 Drawing draw_faces(const Subject& subject) {
   const Mesh& mesh = subject.mesh();
   Drawing drawing = blank_drawing(subject);
-  Layer layer{"Patches", {}, {}};
+  Layer layer{subject.say(Message("Patches")), {}, {}};
   for (const Face f : mesh.faces()) {
     const glm::dvec3 color = mean_color(mesh.patch(f));
     const std::string number = std::to_string(f.value);
     layer.shapes.push_back(
         {subject.outline(f),
          {.fill = hex_color(color), .stroke = "white", .stroke_width = subject.line_width()},
-         "Patch " + number});
+         subject.say(Message("Patch {0}", number))});
     const double size =
         std::min(2.4 * subject.unit(), 0.9 * subject.narrowness(f) / double(number.size() + 1));
     layer.labels.push_back({number, subject.center(f) + glm::dvec2(0, 0.36 * size), size,

@@ -22,14 +22,14 @@ Style unmergeable_style(const Subject& subject) {
 
 /// Curves with a patch on one side only.
 Layer boundary_layer(const Subject& subject) {
-  Layer layer{"Boundary", {}, {}};
+  Layer layer{subject.say(Message("Boundary")), {}, {}};
   for (const Halfedge h : subject.curves())
     if (!subject.mesh()[h].twin.valid())
       layer.shapes.push_back({subject.curve(h), boundary_style(subject), ""});
   return layer;
 }
 
-std::string half_edge(Halfedge h) { return "Half-edge " + std::to_string(h.value); }
+Message half_edge(Halfedge h) { return Message("Half-edge {0}", h.value); }
 
 }  // namespace
 
@@ -42,11 +42,12 @@ Drawing draw_errors(const Subject& subject, const std::vector<EdgePrice>& prices
 
   Drawing drawing = blank_drawing(subject);
   drawing.layers.push_back(boundary_layer(subject));
-  Legend legend(subject, drawing, "Error of merging single edges");
+  Legend legend(subject, drawing, subject.say(Message("Error of merging single edges")));
   legend.text(measure);
   legend.gap();
 
-  Layer edges{"Single-edge errors", {}, {}}, blocked{"Unmergeable edges", {}, {}};
+  Layer edges{subject.say(Message("Single-edge errors")), {}, {}},
+      blocked{subject.say(Message("Unmergeable edges")), {}, {}};
   if (!known.empty()) {
     const double least = known.front().error, largest = known.back().error;
     // Where nothing costs anything, all edges are at the low end of some scale.
@@ -55,20 +56,22 @@ Drawing draw_errors(const Subject& subject, const std::vector<EdgePrice>& prices
       edges.shapes.push_back(
           {subject.curve(p.edge),
            {.stroke = scale.color(p.error), .stroke_width = 3 * subject.line_width()},
-           half_edge(p.edge) + ": " + short_number(p.error)});
+           subject.say(Message("{0}: {1}", half_edge(p.edge), short_number(p.error)))});
     legend.scale(scale, least);
     legend.gap();
   }
   for (const EdgePrice& p : unmergeable) {
-    const std::string why = p.obstacle == MergeObstacle::none ? "" : describe(p.obstacle).english();
+    const Message title =
+        p.obstacle == MergeObstacle::none
+            ? Message("Half-edge {0} cannot be merged", p.edge.value)
+            : Message("Half-edge {0} cannot be merged: {1}", p.edge.value, describe(p.obstacle));
     blocked.shapes.push_back(
-        {subject.curve(p.edge), unmergeable_style(subject),
-         half_edge(p.edge) + " cannot be merged" + (why.empty() ? "" : ": " + why)});
+        {subject.curve(p.edge), unmergeable_style(subject), subject.say(title)});
   }
   if (!unmergeable.empty())
     legend.line(unmergeable_style(subject),
-                std::to_string(unmergeable.size()) + " cannot be merged");
-  legend.line(boundary_style(subject), "boundary");
+                subject.say(Message("{0} cannot be merged", unmergeable.size())));
+  legend.line(boundary_style(subject), subject.say(Message("boundary")));
   drawing.layers.push_back(std::move(edges));
   drawing.layers.push_back(std::move(blocked));
   std::move(legend).add_to(drawing);
@@ -114,18 +117,19 @@ Layer parts_layer(const Subject& subject, const MotorcycleGraph& graph) {
   const Mesh& mesh = subject.mesh();
   const std::vector<int> part = parts_of_faces(mesh, graph);
   const std::vector<int> tint = tints(mesh, part, graph.parts.size());
-  Layer layer{"Parts", {}, {}};
+  Layer layer{subject.say(Message("Parts")), {}, {}};
   for (const Face f : mesh.faces())
     if (const int i = part[f.value]; i >= 0)
       layer.shapes.push_back({subject.outline(f),
                               {.fill = part_colors[tint[i]], .fill_opacity = 0.45},
-                              "Part " + std::to_string(i + 1)});
+                              subject.say(Message("Part {0}", i + 1))});
   return layer;
 }
 
 void add_edges(Layer& layer, const Subject& subject, const std::vector<Halfedge>& edges,
                const Style& style) {
-  for (const Halfedge h : edges) layer.shapes.push_back({subject.curve(h), style, half_edge(h)});
+  for (const Halfedge h : edges)
+    layer.shapes.push_back({subject.curve(h), style, subject.say(half_edge(h))});
 }
 
 }  // namespace
@@ -138,7 +142,7 @@ Drawing draw_motorcycle(const Subject& subject, const MotorcycleGraph& graph, do
   Drawing drawing = blank_drawing(subject);
   drawing.layers.push_back(parts_layer(subject, graph));
   drawing.layers.push_back(boundary_layer(subject));
-  Layer edges{"Motorcycle graph", {}, {}};
+  Layer edges{subject.say(Message("Motorcycle graph")), {}, {}};
   std::size_t inner_edges = 0;
   for (const auto& part : graph.parts) {
     add_edges(edges, subject, part, inner);
@@ -149,17 +153,16 @@ Drawing draw_motorcycle(const Subject& subject, const MotorcycleGraph& graph, do
   add_edges(edges, subject, graph.traced, traced);
   drawing.layers.push_back(std::move(edges));
 
-  const auto counted = [](std::size_t number, const std::string& what) {
-    return std::to_string(number) + " " + what;
-  };
-  Legend legend(subject, drawing, "Motorcycle graph");
+  Legend legend(subject, drawing, subject.say(Message("Motorcycle graph")));
   legend.gap();
-  legend.line(costly, counted(graph.costly.size(), "cost more than " + short_number(limit)));
-  legend.line(unmergeable_style(subject), counted(graph.unmergeable.size(), "cannot be merged"));
-  legend.line(traced, counted(graph.traced.size(), "traced from their ends"));
-  legend.line(inner, counted(inner_edges, "left to merge"));
+  legend.line(costly, subject.say(Message("{0} cost more than {1}", graph.costly.size(),
+                                          short_number(limit))));
+  legend.line(unmergeable_style(subject),
+              subject.say(Message("{0} cannot be merged", graph.unmergeable.size())));
+  legend.line(traced, subject.say(Message("{0} traced from their ends", graph.traced.size())));
+  legend.line(inner, subject.say(Message("{0} left to merge", inner_edges)));
   legend.area({.fill = part_colors[0], .fill_opacity = 0.45},
-              counted(graph.parts.size(), graph.parts.size() == 1 ? "part" : "parts"));
+              subject.say(Message("parts: {0}", graph.parts.size())));
   std::move(legend).add_to(drawing);
   return drawing;
 }

@@ -35,18 +35,20 @@ Shape region_border(const Subject& subject, const Region& region, double width) 
   return {path.text(), {.stroke = region_color, .stroke_width = width}, describe(region)};
 }
 
-void list(Legend& legend, const std::vector<RegionPrice>& regions, int shown) {
+void list(Legend& legend, const Subject& subject, const std::vector<RegionPrice>& regions,
+          int shown) {
   const int count = int(regions.size());
   const bool one = shown >= 0 && shown < count;
   const int first =
       one ? std::clamp(shown - lines_around, 0, std::max(0, count - 2 * lines_around)) : 0;
   const int last = std::min(count, first + 2 * lines_around);
-  if (first > 0) legend.entry({"...", std::to_string(first) + " smaller", ""}, false);
+  if (first > 0) legend.entry({"...", subject.say(Message("{0} smaller", first)), ""}, false);
   for (int i = first; i < last; ++i)
     legend.entry(
         {std::to_string(i + 1), describe(regions[i].region), short_number(regions[i].error)},
         i == shown);
-  if (last < count) legend.entry({"...", std::to_string(count - last) + " larger", ""}, false);
+  if (last < count)
+    legend.entry({"...", subject.say(Message("{0} larger", count - last)), ""}, false);
 }
 
 }  // namespace
@@ -58,7 +60,7 @@ std::string describe(const Region& region) {
 Drawing draw_regions(const Subject& subject, Face patch, const std::vector<RegionPrice>& regions,
                      int shown) {
   Drawing drawing = blank_drawing(subject);
-  Layer curves{"Curves", {}, {}};
+  Layer curves{subject.say(Message("Curves")), {}, {}};
   for (const Halfedge h : subject.curves())
     curves.shapes.push_back(
         {subject.curve(h), {.stroke = "#5b6170", .stroke_width = subject.line_width()}, ""});
@@ -68,7 +70,7 @@ Drawing draw_regions(const Subject& subject, Face patch, const std::vector<Regio
   // Many areas upon one another stay translucent.
   const double opacity = one ? 0.35 : std::clamp(1.5 / double(regions.size() + 1), 0.03, 0.35);
   const double width = (one ? 3 : 0.8) * subject.line_width();
-  Layer layer{"Regions", {}, {}};
+  Layer layer{subject.say(Message("Regions")), {}, {}};
   for (int i = 0; i < int(regions.size()); ++i)
     if (!one || i == shown)
       layer.shapes.push_back(region_area(subject, regions[i].region, opacity));
@@ -79,21 +81,22 @@ Drawing draw_regions(const Subject& subject, Face patch, const std::vector<Regio
                      .fill_opacity = 0.85,
                      .stroke = patch_color,
                      .stroke_width = 2 * subject.line_width()};
-  layer.shapes.push_back({subject.outline(patch), chosen, "Patch " + std::to_string(patch.value)});
+  layer.shapes.push_back(
+      {subject.outline(patch), chosen, subject.say(Message("Patch {0}", patch.value))});
   drawing.layers.push_back(std::move(layer));
 
-  Legend legend(subject, drawing, "Regions of patch " + std::to_string(patch.value));
+  Legend legend(subject, drawing, subject.say(Message("Regions of patch {0}", patch.value)));
   legend.gap();
-  legend.area(chosen, "the patch");
+  legend.area(chosen, subject.say(Message("the patch")));
   legend.area({.fill = region_color,
                .fill_opacity = 0.3,
                .stroke = region_color,
                .stroke_width = 2 * subject.line_width()},
-              one ? "the region shown" : "all its regions");
+              subject.say(one ? Message("the region shown") : Message("all its regions")));
   legend.gap();
-  legend.text(regions.empty() ? "No region within epsilon holds it."
-                              : "Rows \u00d7 columns, and the error:");
-  list(legend, regions, shown);
+  legend.text(subject.say(regions.empty() ? Message("No region within epsilon holds it.")
+                                          : Message("Rows × columns, and the error:")));
+  list(legend, subject, regions, shown);
   std::move(legend).add_to(drawing);
   return drawing;
 }

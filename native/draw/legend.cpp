@@ -15,11 +15,12 @@ constexpr double font = 2.2, indent = 5.6;
 }  // namespace
 
 Legend::Legend(const Subject& subject, const Drawing& drawing, const std::string& heading)
-    : unit_(subject.unit()),
+    : subject_(subject),
+      unit_(subject.unit()),
       start_(drawing.box.high().x + unit_, drawing.box.low().y + 3 * unit_),
       y_(start_.y),
       right_(start_.x) {
-  layer_.name = "Legend";
+  layer_.name = subject.say(Message("Legend"));
   y_ += font * unit_;
   add_label({start_.x, y_}, heading, true);
 }
@@ -115,9 +116,9 @@ void Legend::scale(const HeatScale& scale, double least) {
     add_mark(path, {.stroke = ink, .stroke_width = 0.2 * unit_});
     add_label({start_.x + indent * unit_, y_at(position) + 0.35 * font * unit_}, text);
   };
-  tick(1, short_number(scale.highest()) + " (largest)");
-  tick(0, least < scale.lowest() ? short_number(scale.lowest()) + " and less"
-                                 : short_number(scale.lowest()));
+  tick(1, subject_.say(Message("{0} (largest)", short_number(scale.highest()))));
+  const std::string lowest = short_number(scale.lowest());
+  tick(0, least < scale.lowest() ? subject_.say(Message("{0} and less", lowest)) : lowest);
   const double first = std::ceil(std::log10(scale.lowest()));
   for (double power = first; power < std::log10(scale.highest()); ++power) {
     const double position = scale.position(std::pow(10, power));
@@ -125,7 +126,7 @@ void Legend::scale(const HeatScale& scale, double least) {
     if (position > 0.08 && position < 0.92) tick(position, short_number(std::pow(10, power)));
   }
   y_ = top + height + 0.5 * line_height();
-  text("Least: " + short_number(least));
+  text(subject_.say(Message("Least: {0}", short_number(least))));
 }
 
 void Legend::add_to(Drawing& drawing) && {

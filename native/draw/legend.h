@@ -9,7 +9,8 @@
 
 namespace gradmesh {
 
-/// A column to the right of a drawing that says what is what, one line below the other.
+/// A column to the right of a drawing that says what is what, one line below the other. The subject
+/// must outlive it.
 class Legend {
  public:
   Legend(const Subject& subject, const Drawing& drawing, const std::string& heading);
@@ -37,6 +38,7 @@ class Legend {
   glm::dvec2 next_sample(const std::string& text);
   void add_mark(const PathText& path, const Style& style);
 
+  const Subject& subject_;
   double unit_;
   glm::dvec2 start_;
   double y_;

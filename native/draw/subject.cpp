@@ -16,8 +16,11 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-Subject::Subject(const Mesh& mesh, const Affine& view)
-    : mesh_(mesh), view_(view), box_(bounding_box(mesh, view)) {
+Subject::Subject(const Mesh& mesh, const Affine& view, Translation translation)
+    : mesh_(mesh),
+      view_(view),
+      translation_(std::move(translation)),
+      box_(bounding_box(mesh, view)) {
   std::vector<double> widths;
   for (const Face f : mesh.faces()) widths.push_back(narrowness(f));
   unit_ = 0.01 * std::max(box_.size().x, box_.size().y);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "draw/drawing.h"
 #include "draw/path_text.h"
 #include "mesh/mesh.h"
@@ -15,7 +16,10 @@ class Subject {
  public:
   /// `view` takes mesh units to those of the drawing, where y points down. The mesh must outlive
   /// this and have a size.
-  Subject(const Mesh& mesh, const Affine& view);
+  Subject(const Mesh& mesh, const Affine& view, Translation translation = &Subject::english);
+
+  /// A text of the drawing, in the person's language.
+  std::string say(const Message& message) const { return message.in(translation_); }
 
   const Mesh& mesh() const { return mesh_; }
   const Box& box() const { return box_; }
@@ -39,8 +43,11 @@ class Subject {
   double narrowness(Face face) const;
 
  private:
+  static std::string english(const std::string& text) { return text; }
+
   const Mesh& mesh_;
   Affine view_;
+  Translation translation_;
   Box box_;
   double unit_, line_width_;
 };

@@ -22,6 +22,7 @@ namespace gradmesh {
 ///                   edited it since; may be absent (svg_memory.h)
 ///   written         on the group: the mesh as it was last written, which tells what a person has
 ///                   moved; may be absent
+///   label           on the group: its inkscape:label as it was written
 ///   face            on a block's path: number of its first face; the others follow row by row
 ///   opacity         on the mask that holds the opacities, as blocks in grey, where there are any
 ///   kept-for        on a hidden original: the id of the object that was simplified (svg_kept.h)

@@ -113,8 +113,9 @@ class ShapeRestorer {
     }
     if (holder_ == outermost_) remove_attribute(outermost_, holding_attribute());
     if (group_ == outermost_ && opacity_mask(document_, group_)) remove_attribute(group_, "mask");
-    const auto label = attribute(outermost_, "label", inkscape_namespace);
-    if (label && label->starts_with("Gradient mesh:"))
+    // Not one that the person has given.
+    if (attribute(outermost_, "label", inkscape_namespace) ==
+        attribute(group_, "label", gradmesh_namespace))
       remove_attribute(outermost_, "label", inkscape_namespace);
     return_group_attributes(outermost_, shape);
   }

@@ -182,6 +182,7 @@ class MeshWriter {
     own("curves", format_curves(written_.mesh, written_.blocks));
     own("original", written_.original);
     own("written", remember_as_written(written_.mesh, written_.blocks, written_.coons_tolerance));
+    own("label", written_.label);
     set_attribute(group, "label", written_.label, inkscape_namespace, "inkscape");
     // The group around it, where there is one, is what the person sees first.
     for (xmlNode* outer = parent_element(group);

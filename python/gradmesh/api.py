@@ -99,11 +99,22 @@ def load(path: Path) -> Document:
     return Document(_core.Document.read_file(os.fspath(path)))
 
 
-def loads(data: Union[bytes, str], name: str = "document") -> Document:
-    """Reads a document of either kind from memory; `name` stands for the file in messages."""
+def loads(
+    data: Union[bytes, str],
+    name: str = "document",
+    translate: Optional[Callable[[str], str]] = None,
+) -> Document:
+    """Reads a document of either kind from memory; `name` stands for the file in messages.
+
+    translate: from a text in English, with places such as {0}, to that in which labels and drawings
+    are written.
+    """
     if isinstance(data, str):
         data = data.encode("utf-8")
-    return Document(_core.Document.parse(data, name))
+    document = _core.Document.parse(data, name)
+    if translate is not None:
+        document.set_translation(translate)
+    return Document(document)
 
 
 def info(document: Document) -> dict:

@@ -89,14 +89,14 @@ TEST(Draw, edges_show_every_curve_point_and_junction) {
   // Nine points of the grid, two ends of the split; its lower end lies on a curve between patches.
   EXPECT_EQ(layer(drawing, "Curves").shapes.size(), 14u);
   EXPECT_EQ(layer(drawing, "Points").shapes.size(), 11u);
-  EXPECT_TRUE(says(drawing, "1 T-junction"));
-  EXPECT_TRUE(says(drawing, "10 control points"));
-  EXPECT_TRUE(says(drawing, "5 patches"));
+  EXPECT_TRUE(says(drawing, "T-junctions: 1"));
+  EXPECT_TRUE(says(drawing, "control points: 10"));
+  EXPECT_TRUE(says(drawing, "patches: 5"));
   const auto& handles = layer(drawing, "Handles").shapes;
   EXPECT_EQ(count(handles[0].path, "L"), 2 * 14);
 
   const Mesh plain = grid_mesh();
-  EXPECT_FALSE(says(draw_edges(Subject(plain, Affine{})), "0 T-junctions"));
+  EXPECT_FALSE(says(draw_edges(Subject(plain, Affine{})), "T-junctions: 0"));
 }
 
 TEST(Draw, faces_are_numbered_in_the_mean_of_their_colors) {
@@ -168,7 +168,7 @@ TEST(Draw, motorcycle_parts_beside_each_other_differ) {
   EXPECT_EQ(parts[0].style.fill, parts[5].style.fill);
   EXPECT_NE(parts[1].style.fill, parts[2].style.fill);
   EXPECT_TRUE(says(drawing, "2 cost more than 0.5"));
-  EXPECT_TRUE(says(drawing, "2 parts"));
+  EXPECT_TRUE(says(drawing, "parts: 2"));
 }
 
 TEST(Draw, regions_are_shown_one_by_one_or_all) {

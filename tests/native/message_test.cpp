@@ -25,6 +25,17 @@ TEST(Message, keeps_the_template_and_what_goes_into_it) {
   EXPECT_EQ(std::get<std::string>(message.arguments()[1]), "why");
 }
 
+TEST(Message, is_said_in_another_language) {
+  const Translation german = [](const std::string& text) -> std::string {
+    return text == "row {0}" ? "Zeile {0}" : "{1} in {0}";
+  };
+  const Message message("{0} has {1}", Message("row {0}", 7), "it");
+  EXPECT_EQ(message.in(german), "it in Zeile 7");
+  // What a translator has got wrong is shown as it is.
+  const Translation wrong = [](const std::string&) { return "{1} {0 {x} {"; };
+  EXPECT_EQ(Message("row {0}", 7).in(wrong), "{1} {0 {x} {");
+}
+
 TEST(InputError, says_its_message_in_english) {
   const InputError error("{0}: {1}.", "file.svg", Message("it is empty"));
   EXPECT_STREQ(error.what(), "file.svg: it is empty.");

@@ -5,6 +5,7 @@ import gettext
 import os
 import re
 import subprocess
+import xml.etree.ElementTree as ET
 from io import BytesIO
 from itertools import combinations
 from string import Formatter
@@ -108,6 +109,42 @@ def test_a_refusal_of_the_core_is_german_throughout(run, document, item, options
     else:
         done = run(SAMPLES / f"{document}.svg", "--id=pear", *options, item=item, **GERMAN)
     assert refused(done) == f"apple.svg: {said}\n"
+
+
+def label(svg):
+    """Of the pear."""
+    (pear,) = [e for e in ET.fromstring(svg).iter() if e.get("id") == "pear"]
+    return pear.get("{http://www.inkscape.org/namespaces/inkscape}label")
+
+
+def test_labels_are_german_and_go_with_the_blocks(run):
+    simplified = run(SAMPLES / "fruit.svg", "--id=pear", "--resolution=150", **GERMAN).stdout
+    german = label(simplified)
+    assert re.fullmatch(r"Verlaufsgitter: \d+ von 132 Feldern, FLIP 0\.\d{4}", german)
+    assert label(run(simplified, "--id=pear", item="to_one_mesh").stdout) is None
+    own = simplified.replace(f'inkscape:label="{german}"', 'inkscape:label="Verlaufsgitter"')
+    assert label(run(own, "--id=pear", item="to_one_mesh").stdout) == "Verlaufsgitter"
+    saved = run(SAMPLES / "fruit.svg", item="save").stdout
+    assert 'inkscape:label="Verlaufsgitter: 132 Felder"' in run(saved, item="open", **GERMAN).stdout
+
+
+@pytest.mark.parametrize("show", ["edges", "errors", "faces", "motorcycle", "regions"])
+def test_drawings_are_german_throughout(run, show):
+    """No text of a drawing is as in English, but for numbers."""
+
+    def texts(language):
+        drawn = run(SAMPLES / "fruit.svg", "--id=pear", f"--show={show}", item="show_analysis", **language)
+        root = ET.fromstring(drawn.stdout)
+        (layer,) = [e for e in root if e.get("{urn:gradmesh}analysis")]
+        found = {text for e in layer.iter() for text in (e.text, label_of(e)) if text and text.strip()}
+        return {text for text in found if re.search("[A-Za-z]{2}", text)}
+
+    def label_of(element):
+        return element.get("{http://www.inkscape.org/namespaces/inkscape}label")
+
+    german = texts(GERMAN)
+    assert len(german) > 3
+    assert german & texts({}) == set()
 
 
 def test_why_blocks_cannot_be_merged_is_german_throughout(run, tmp_path):
