@@ -16,7 +16,8 @@ LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 ALL = 400  # patches of the sample "photo"
 
 reason = inkscape_harness.missing()
-if not reason and subprocess.run([PYTHON, "-c", "import gi; gi.require_version('Gtk', '3.0')"]).returncode:
+GTK = "import gi; gi.require_version('Gtk', '3.0')"
+if not reason and subprocess.run([PYTHON, "-c", GTK], stderr=subprocess.DEVNULL).returncode:
     reason = "not installed: gir1.2-gtk-3.0"
 pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
 

@@ -133,7 +133,8 @@ def test_drawings_are_german_throughout(run, show):
     """No text of a drawing is as in English, but for numbers."""
 
     def texts(language):
-        drawn = run(SAMPLES / "fruit.svg", "--id=pear", f"--show={show}", item="show_analysis", **language)
+        options = ("--id=pear", f"--show={show}")
+        drawn = run(SAMPLES / "fruit.svg", *options, item="show_analysis", **language)
         root = ET.fromstring(drawn.stdout)
         (layer,) = [e for e in root if e.get("{urn:gradmesh}analysis")]
         found = {text for e in layer.iter() for text in (e.text, label_of(e)) if text and text.strip()}
