@@ -32,7 +32,8 @@ struct GridOptions {
 /// shared between neighbours.
 inline MeshParts grid_parts(const GridOptions& options, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  const auto shake = [&](double by) { return 100 * by * glm::dvec2(unit(random), unit(random)); };
+  // Braces, unlike parentheses, keep the order in which numbers are drawn.
+  const auto shake = [&](double by) { return 100 * by * glm::dvec2{unit(random), unit(random)}; };
   const int rows = options.rows, columns = options.columns;
   std::vector<Value> corners;
   for (int i = 0; i <= rows; ++i)

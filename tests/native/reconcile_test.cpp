@@ -70,7 +70,7 @@ MeshParts edited_at_random(const MeshParts& written, std::mt19937& random) {
   for (int i = 0; i < 4; ++i) {
     Patch& patch = read.patches[random() % read.patches.size()];
     const int side = int(random() % 4);
-    const glm::dvec2 by(shift(random), shift(random));
+    const glm::dvec2 by{shift(random), shift(random)};
     switch (random() % 3) {
       case 0:
         move(patch, corner_place[side], by);
@@ -172,7 +172,7 @@ TEST(Reconcile, rounding_is_no_edit) {
     std::uniform_real_distribution<double> shift(-size, size);
     for (Patch& patch : read.patches)
       for (auto& row : patch.c)
-        for (Value& v : row) v.position += glm::dvec2(shift(random), shift(random));
+        for (Value& v : row) v.position += glm::dvec2{shift(random), shift(random)};
     const Reconciled result = reconcile(read, written);
     EXPECT_EQ(result.edited, size > 0.01);
     EXPECT_EQ(result.parts.patches == written.patches, size < 0.01);
