@@ -122,7 +122,7 @@ void add_simplify(CLI::App& program) {
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command.add_option("--omega", a->options.omega, "gqe, gqe1: weight of size against error")
+  command.add_option("--omega", a->options.omega, "gqe, gqe1, best: weight of size against error")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   add_kappa_option(command, a->options.kappa);

@@ -164,7 +164,8 @@ def simplify(
     visible_only: pixels that the object's own outline hides do not count towards the error.
     method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
-    "gqe1" weigh patches saved against error by `omega`; "lines" takes whole rows and columns out of
+    "gqe1" weigh patches saved against error by `omega`; "best" goes on from "gqe" and fits what it
+    merges to the picture; "lines" takes whole rows and columns out of
     a mesh that is one rectangle of patches, which stays one mesh gradient on the same object, and is
     used for smooth meshes whatever else is asked for; "manual" merges the half-edges `edges`, in
     this order, and raises InputError where one of them cannot be merged within epsilon
@@ -177,7 +178,7 @@ def simplify(
     result, with an id that ends in "-original". It is left out unless its own id is given.
     preview: only say what would become of each; the document stays as it is. With "manual" the
     error is told even where it is too large.
-    load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe" and "gqe1"
+    load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe", "gqe1" and "best"
     take what is known already, and to which they save what they have used.
     analysis_cache: a folder where each mesh has such a file of its own, found by its content; what is
     damaged there, or cannot be written, is done without.

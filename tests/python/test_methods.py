@@ -9,7 +9,7 @@ from built import SAMPLES, gradmesh as run
 import gradmesh
 
 FRUIT = SAMPLES / "fruit.svg"
-METHODS = ("random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1")
+METHODS = ("random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best")
 
 
 def simplified(**options):

@@ -116,7 +116,7 @@ def grid_document(chance, rows, columns, noise, opacity):
     opacity=st.sampled_from([1, 0.5, 0]),
     epsilon=st.sampled_from([0.0, 0.01, 0.1, 1.0]),
     metric=st.sampled_from(["flip", "ssim"]),
-    method=st.sampled_from(["random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1"]),
+    method=st.sampled_from(["random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best"]),
 )
 def test_random_meshes(seed, rows, columns, noise, opacity, epsilon, metric, method):
     data = grid_document(random.Random(seed), rows, columns, noise, opacity)

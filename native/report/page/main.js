@@ -113,7 +113,7 @@ const OPTION_NAMES = {
 /** Options that only some methods look at. */
 const OPTION_METHODS = {
   seed: ["random", "grid", "dual-grid", "motorcycle"],
-  omega: ["gqe", "gqe1"],
+  omega: ["gqe", "gqe1", "best"],
   kappa: ["motorcycle"],
 };
 
