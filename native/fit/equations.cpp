@@ -122,7 +122,7 @@ class SurfaceEquations {
  public:
   SurfaceEquations(const InfluencedFace& face, const Columns& columns) {
     for (const Influence& by : face.by) {
-      if (columns.place[std::size_t(by.unknown)] >= 0) places_.push_back(&by);
+      places_.push_back(&by);
       if (columns.color[std::size_t(by.unknown)] >= 0) colors_.push_back(&by);
     }
     for (int d = 0; d < 2; ++d)
@@ -140,9 +140,11 @@ class SurfaceEquations {
     const Eigen::MatrixXd place = samples.at * influence(places_, &Influence::place);
     const Eigen::MatrixXd color =
         s.at.col(5).asDiagonal() * (samples.at * influence(colors_, &Influence::color));
-    if (!places_.empty()) add_places(s, place);
-    if (!colors_.empty()) add_colors(s, color);
-    if (!places_.empty() && !colors_.empty()) add_both(s, place, color);
+    add_places(s, place);
+    if (!colors_.empty()) {
+      add_colors(s, color);
+      add_both(s, place, color);
+    }
     return std::move(result_);
   }
 
@@ -214,7 +216,7 @@ SideRow side_row(const InfluencedFace& face, const Columns& columns,
     const int column = columns.place[std::size_t(by.unknown)];
     double share = 0;
     for (std::size_t k = 0; k < 16; ++k) share += basis[k] * by.place[k];
-    if (column >= 0 && share != 0) row.emplace_back(local.at(column), share);
+    if (share != 0) row.emplace_back(local.at(column), share);
   }
   return row;
 }
@@ -226,8 +228,7 @@ void add_outline(const Patch& patch, const InfluencedFace& face, const Columns& 
   const Cubic<glm::dvec2> line = in_pixels(patch.side(side), target.frame());
   const int steps = std::clamp(int(glm::length(line.p1 - line.p0) / 3), 6, 40);
   // y follows x, by as many columns as there are places.
-  const int to_y = int(std::ranges::count_if(
-      face.by, [&](const Influence& by) { return columns.place[std::size_t(by.unknown)] >= 0; }));
+  const int to_y = int(face.by.size());
   for (int i = 0; i < steps; ++i) {
     const double t = (i + 0.5) / steps;
     const auto outline = target.outline_near(line.at(t));
@@ -251,8 +252,8 @@ void add_outline(const Patch& patch, const InfluencedFace& face, const Columns& 
 
 Columns::Columns(const std::vector<Unknown>& unknowns) {
   for (const Unknown& unknown : unknowns) {
-    place.push_back(unknown.moves_place ? count : -1);
-    if (unknown.moves_place) count += 2;
+    place.push_back(count);
+    count += 2;
     color.push_back(unknown.moves_color ? count : -1);
     if (unknown.moves_color) count += 3;
   }

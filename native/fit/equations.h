@@ -9,7 +9,7 @@
 namespace gradmesh {
 
 /// Where the numbers of each unknown stand in the equations: x and y from `place` on, in pixels,
-/// and r, g, b from `color` on; -1 where that part does not count.
+/// and r, g, b from `color` on, -1 where colour does not count.
 struct Columns {
   std::vector<int> place, color;
   int count = 0;

@@ -1,6 +1,5 @@
 #include "fit/fit.h"
 
-#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include "base/parallel.h"
@@ -12,7 +11,7 @@ namespace {
 Eigen::VectorXd by_column(const std::vector<double>& by_unknown, const Columns& columns) {
   Eigen::VectorXd result(columns.count);
   for (std::size_t i = 0; i < by_unknown.size(); ++i) {
-    if (columns.place[i] >= 0) result.segment<2>(columns.place[i]).setConstant(by_unknown[i]);
+    result.segment<2>(columns.place[i]).setConstant(by_unknown[i]);
     if (columns.color[i] >= 0) result.segment<3>(columns.color[i]).setConstant(by_unknown[i]);
   }
   return result;
@@ -20,11 +19,10 @@ Eigen::VectorXd by_column(const std::vector<double>& by_unknown, const Columns& 
 
 }  // namespace
 
-Fit::Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces,
-         const Freedom& freedom)
+Fit::Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces)
     : journal_(journal),
       target_(target),
-      unknowns_(unknowns_of(journal.mesh(), faces, freedom)),
+      unknowns_(unknowns_of(journal.mesh(), faces)),
       influenced_(influences(journal, unknowns_)) {}
 
 std::vector<Value> Fit::step(const std::vector<double>& damping) const {
@@ -40,14 +38,10 @@ std::vector<Value> Fit::step(const std::vector<double>& damping) const {
   if (!solution.allFinite()) return step;
   const glm::dmat2 to_mesh = glm::inverse(target_.frame().to_pixels.linear);
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
-    if (const int c = columns.place[i]; c >= 0)
-      step[i].position = to_mesh * glm::dvec2(solution(c), solution(c + 1));
+    const int p = columns.place[i];
+    step[i].position = to_mesh * glm::dvec2(solution(p), solution(p + 1));
     if (const int c = columns.color[i]; c >= 0)
       step[i].color = {solution(c), solution(c + 1), solution(c + 2), 0.0};
-    if (unknowns_[i].kind == Unknown::color) {
-      const glm::dvec4 now = mesh[unknowns_[i].corners.front()].color;
-      step[i].color = glm::clamp(now + step[i].color, 0.0, 1.0) - now;
-    }
   }
   return step;
 }

@@ -25,43 +25,7 @@ void add_tangents(const Mesh& mesh, const std::vector<Face>& faces,
   sort_once(curves);
   for (const Halfedge curve : curves)
     for (const Handle handle : mesh[curve].handles)
-      unknowns.push_back({Unknown::tangent, true, has_color_tangents(mesh), {}, curve, handle});
-}
-
-/// The colours at these corners of faces, which all lie at one point; those that follow from a
-/// parent's curve are none of their own.
-void add_colors_at(const Mesh& mesh, std::vector<Halfedge> corners,
-                   std::vector<Unknown>& unknowns) {
-  std::erase_if(corners, [&](Halfedge h) { return !mesh[h].own_color; });
-  while (!corners.empty()) {
-    const glm::dvec4 color = mesh[corners.front()].color;
-    const auto rest =
-        std::ranges::stable_partition(corners, [&](Halfedge h) { return mesh[h].color == color; });
-    unknowns.push_back({Unknown::color, false, true, {corners.begin(), rest.begin()}});
-    corners.erase(corners.begin(), rest.begin());
-  }
-}
-
-void add_colors(const Mesh& mesh, const std::vector<Face>& faces, std::vector<Unknown>& unknowns) {
-  std::map<Point, std::vector<Halfedge>> corners;
-  for (const Face f : faces)
-    for (const Halfedge h : mesh.sides(f)) corners[mesh.origin(h)];
-  for (const Halfedge h : mesh.halfedges())
-    if (mesh.is_leaf(h))
-      if (const auto place = corners.find(mesh.origin(h)); place != corners.end())
-        place->second.push_back(h);
-  for (auto& [point, leaves] : corners) add_colors_at(mesh, std::move(leaves), unknowns);
-}
-
-/// The curves that start or end at these corners.
-std::vector<Halfedge> curves_at(const Mesh& mesh, const std::vector<Halfedge>& corners) {
-  std::vector<Halfedge> curves;
-  for (const Halfedge h : corners) {
-    curves.push_back(mesh.curve(h));
-    curves.push_back(mesh.curve(mesh.prev(h)));
-  }
-  sort_once(curves);
-  return curves;
+      unknowns.push_back({Unknown::tangent, has_color_tangents(mesh), {}, curve, handle});
 }
 
 /// The influence of an unknown on a patch that was `before`, and is `after` a unit step of it.
@@ -69,7 +33,7 @@ Influence influence(int number, const Unknown& unknown, const Patch& before, con
   Influence result{number, {}, {}};
   for (std::size_t k = 0; k < 16; ++k) {
     const Value change = after.c[k / 4][k % 4] - before.c[k / 4][k % 4];
-    if (unknown.moves_place) result.place[k] = change.position.x;
+    result.place[k] = change.position.x;
     if (unknown.moves_color) result.color[k] = change.color.r;
   }
   return result;
@@ -82,14 +46,12 @@ bool is_zero(const Influence& influence) {
 
 }  // namespace
 
-std::vector<Unknown> unknowns_of(const Mesh& mesh, const std::vector<Face>& faces,
-                                 const Freedom& freedom) {
+std::vector<Unknown> unknowns_of(const Mesh& mesh, const std::vector<Face>& faces) {
   std::vector<Unknown> unknowns;
   for (const Face f : faces)
     for (const Halfedge h : mesh.sides(f))
-      unknowns.push_back({Unknown::twist, true, has_color_tangents(mesh), {h}});
-  if (freedom.tangents) add_tangents(mesh, faces, unknowns);
-  if (freedom.colors) add_colors(mesh, faces, unknowns);
+      unknowns.push_back({Unknown::twist, has_color_tangents(mesh), h});
+  add_tangents(mesh, faces, unknowns);
   return unknowns;
 }
 
@@ -97,14 +59,11 @@ void change(Journal& journal, const Unknown& unknown, const Value& by) {
   const Mesh& mesh = journal.mesh();
   switch (unknown.kind) {
     case Unknown::twist:
-      journal.edit(unknown.corners.front()).twist += by;
-      return journal.touch(mesh.face(unknown.corners.front()));
+      journal.edit(unknown.corner).twist += by;
+      return journal.touch(mesh.face(unknown.corner));
     case Unknown::tangent:
       journal.edit(unknown.handle).tangent += by;
       return refresh(journal, std::array{unknown.curve});
-    case Unknown::color:
-      for (const Halfedge h : unknown.corners) journal.edit(h).color += by.color;
-      return refresh(journal, curves_at(mesh, unknown.corners));
   }
 }
 

@@ -12,27 +12,21 @@ struct Unknown {
   enum Kind {
     twist,    ///< of a face, at one of its corners
     tangent,  ///< of a curve, at one of its ends
-    color,    ///< of the corners of faces that meet in a point and have one colour there
   };
   Kind kind;
-  /// Whether its place and its colour part count in the mesh's colour model.
-  bool moves_place, moves_color;
-  /// twist: the half-edge that has it; color: all that have it.
-  std::vector<Halfedge> corners{};
+  /// Whether its colour part counts in the mesh's colour model.
+  bool moves_color;
+  /// twist: the half-edge that has it.
+  Halfedge corner{};
   /// tangent: the curve as Mesh::curve names it, and which of its handles.
   Halfedge curve{};
   Handle handle{};
 };
 
-/// What may be changed.
-struct Freedom {
-  bool tangents = true, colors = true;
-};
-
-/// The unknowns of these faces: their twists and, where they are free, the tangents of the curves
-/// on which their sides lie, and the colours of their corners. Points stay where they are.
-std::vector<Unknown> unknowns_of(const Mesh& mesh, const std::vector<Face>& faces,
-                                 const Freedom& freedom);
+/// The unknowns of these faces: their twists, and the tangents of the curves on which their sides
+/// lie. Points and the colours of corners stay: freeing these as well gains nothing
+/// (docs/quality.md).
+std::vector<Unknown> unknowns_of(const Mesh& mesh, const std::vector<Face>& faces);
 
 /// Adds `by` to an unknown, as a part of the journal's operation; what hangs on it follows.
 void change(Journal& journal, const Unknown& unknown, const Value& by);
