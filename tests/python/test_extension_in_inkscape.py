@@ -344,6 +344,7 @@ METHODS = [
     ("motorcycle", {"kappa": 0.2}),
     ("gqe", {"omega": 0.3}),
     ("gqe1", {"omega": 0.9}),
+    ("best", {"omega": 0.6}),
     ("grid", {"seed": 2}),
     ("dual-grid", {"seed": 1}),
     ("random", {"seed": 2}),
