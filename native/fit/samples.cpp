@@ -2,20 +2,12 @@
 
 #include <memory>
 
+#include "geom/hermite.h"
+
 namespace gradmesh {
 namespace {
 
 using Basis = std::array<double, 4>;
-
-Basis basis(double t) {
-  const double t2 = t * t, t3 = t2 * t;
-  return {1 - 3 * t2 + 2 * t3, t - 2 * t2 + t3, t3 - t2, 3 * t2 - 2 * t3};
-}
-
-Basis basis_derivative(double t) {
-  const double t2 = t * t;
-  return {6 * t2 - 6 * t, 1 - 4 * t + 3 * t2, 3 * t2 - 2 * t, 6 * t - 6 * t2};
-}
 
 std::array<double, 16> products(const Basis& u, const Basis& v) {
   std::array<double, 16> result;
@@ -32,16 +24,18 @@ Samples make_samples(int rows, int columns) {
   Samples s{Eigen::MatrixXd(count, 16), Eigen::MatrixXd(count, 16), Eigen::MatrixXd(count, 16)};
   for (int i = 0; i < count; ++i) {
     const double u = (i / columns + 0.5) / rows, v = (i % columns + 0.5) / columns;
-    set_row(s.at, i, products(basis(u), basis(v)));
-    set_row(s.by_u, i, products(basis_derivative(u), basis(v)));
-    set_row(s.by_v, i, products(basis(u), basis_derivative(v)));
+    set_row(s.at, i, products(hermite_basis(u), hermite_basis(v)));
+    set_row(s.by_u, i, products(hermite_derivative(u), hermite_basis(v)));
+    set_row(s.by_v, i, products(hermite_basis(u), hermite_derivative(v)));
   }
   return s;
 }
 
 }  // namespace
 
-std::array<double, 16> basis_products(double u, double v) { return products(basis(u), basis(v)); }
+std::array<double, 16> basis_products(double u, double v) {
+  return products(hermite_basis(u), hermite_basis(v));
+}
 
 const Samples& samples_of(int rows, int columns) {
   static thread_local std::array<std::unique_ptr<Samples>, most_samples * most_samples> made;

@@ -1,5 +1,7 @@
 #include "geom/patch.h"
 
+#include "geom/hermite.h"
+
 namespace gradmesh {
 namespace {
 
@@ -13,16 +15,6 @@ constexpr int twist_index(int end) { return end == 0 ? 1 : 2; }
 
 using Basis = std::array<double, 4>;
 
-Basis basis(double t) {
-  const double t2 = t * t, t3 = t2 * t;
-  return {1 - 3 * t2 + 2 * t3, t - 2 * t2 + t3, t3 - t2, 3 * t2 - 2 * t3};
-}
-
-Basis basis_derivative(double t) {
-  const double t2 = t * t;
-  return {6 * t2 - 6 * t, 1 - 4 * t + 3 * t2, 3 * t2 - 2 * t, 6 * t - 6 * t2};
-}
-
 Value blend(const Patch& patch, const Basis& bu, const Basis& bv) {
   Value sum;
   for (int i = 0; i < 4; ++i)
@@ -32,18 +24,20 @@ Value blend(const Patch& patch, const Basis& bu, const Basis& bv) {
 
 }  // namespace
 
-Value Patch::at(double u, double v) const { return blend(*this, basis(u), basis(v)); }
+Value Patch::at(double u, double v) const {
+  return blend(*this, hermite_basis(u), hermite_basis(v));
+}
 
 Value Patch::derivative_u(double u, double v) const {
-  return blend(*this, basis_derivative(u), basis(v));
+  return blend(*this, hermite_derivative(u), hermite_basis(v));
 }
 
 Value Patch::derivative_v(double u, double v) const {
-  return blend(*this, basis(u), basis_derivative(v));
+  return blend(*this, hermite_basis(u), hermite_derivative(v));
 }
 
 Value Patch::derivative_uv(double u, double v) const {
-  return blend(*this, basis_derivative(u), basis_derivative(v));
+  return blend(*this, hermite_derivative(u), hermite_derivative(v));
 }
 
 Value Patch::corner(int k) const { return c[corner_row[k]][corner_column[k]]; }
