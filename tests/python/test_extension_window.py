@@ -14,8 +14,8 @@ pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missi
 # Where things are on the harness's screen once the page fits the window.
 PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 339)
 SIMPLIFY_TAB, METHOD_TAB = (58, 30), (215, 30)
-STRONG, ONLY_SAY, APPLY, CLOSE = (313, 152), (35, 410), (554, 510), (465, 510)
-DIALOG, CANVAS, STATUS = (0, 0, 598, 528), (620, 140, 1370, 900), (450, 960, 1060, 1000)
+STRONG, ONLY_SAY, APPLY, CLOSE = (313, 152), (35, 448), (554, 549), (465, 549)
+DIALOG, CANVAS, STATUS = (0, 0, 598, 567), (620, 140, 1370, 900), (450, 960, 1060, 1000)
 
 
 def test_say_apply_and_undo(tmp_path):
