@@ -1,7 +1,6 @@
 #include "fit/unknowns.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "ops/refresh.h"
