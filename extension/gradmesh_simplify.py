@@ -33,7 +33,7 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--result", default="blocks")
         pars.add_argument("--keep_original", type=inkex.Boolean, default=False)
         pars.add_argument("--remember_original", type=inkex.Boolean, default=True)
-        pars.add_argument("--method", default="gqe")
+        pars.add_argument("--method", default="best")
         pars.add_argument("--omega", type=float, default=0.75)
         pars.add_argument("--kappa", type=float, default=0.05)
         pars.add_argument("--seed", type=int, default=0)

@@ -68,6 +68,9 @@ void run_report(ReportArguments& a, const CLI::App& command) {
     start.options.progress = bar.callback();
     report.edges = analyze_edges(start.mesh, start.options);
     report.regions = analyze_regions(start.mesh, start.options);
+    // Takes longer than all the rest, and no other method fits.
+    if (report.run.is_object() && report.run.value("method", "") == name(Method::best))
+      report.fitted = analyze_fits(start.mesh, start.options, report.regions);
   }
   files.save();
 

@@ -18,8 +18,8 @@ namespace gradmesh {
 ///    "curves": [[x0, y0, ..., x3, y3], ...],     Bezier points in pixels, one for each half-edge
 ///    "hermite": [[[x, y, r, g, b, a], x 16], ...],  row by row (Eq. 3), one for each face
 ///    "merging": [...],   for each half-edge the price of merging it, why it cannot be, or null
-///    "regions": [{"rows", "columns", "error", "faces": [...]}, ...]}  by rising size
-/// The last two are empty in the mesh after.
+///    "regions": [{"rows", "columns", "error", "fitted", "faces": [...]}, ...]}  by rising size
+/// The last two are empty in the mesh after; "fitted" is null where it was not worked out.
 nlohmann::ordered_json page_data(const Report& report);
 
 }  // namespace gradmesh

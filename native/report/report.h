@@ -32,6 +32,8 @@ struct Report {
   /// Prices of the mesh before.
   std::vector<EdgePrice> edges;
   std::vector<RegionPrice> regions;
+  /// What the regions cost once fitted, in their order; empty: not worked out.
+  std::vector<double> fitted;
   /// The error up to which regions were priced.
   double epsilon = 0;
   /// What the simplification said of itself, an object of names and values; null: not known.

@@ -263,4 +263,20 @@ std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
   return best;
 }
 
+std::vector<double> fitted_prices(FitTrial& trial, const std::vector<RegionPrice>& regions,
+                                  double limit, StopWatch& watch) {
+  std::vector<double> prices;
+  for (const RegionPrice& r : regions) prices.push_back(r.error);
+  const int patches = trial.mesh().face_count();
+  ParallelTrials<FitTrial>(trial).for_each(
+      regions.size(),
+      [&](std::size_t done) {
+        return watch.should_stop({done, regions.size(), patches, trial.error()});
+      },
+      [&](FitTrial& own, std::size_t i) {
+        prices[i] = std::min(prices[i], own.price(regions[i].region, limit));
+      });
+  return prices;
+}
+
 }  // namespace gradmesh

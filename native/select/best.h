@@ -46,4 +46,10 @@ std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
                                         const std::vector<RegionPrice>& regions,
                                         const FitContext& context, StopWatch& watch);
 
+/// By how much each of the regions raises the error where it alone is merged and its patch fitted,
+/// in their order: at most its price, which must be at most `limit`. The price itself for those
+/// that `watch` leaves no time for.
+std::vector<double> fitted_prices(FitTrial& trial, const std::vector<RegionPrice>& regions,
+                                  double limit, StopWatch& watch);
+
 }  // namespace gradmesh

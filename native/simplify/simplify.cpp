@@ -207,6 +207,10 @@ class Run {
   std::vector<RegionPrice> regions() {
     return price_regions(trial_, analysis_, options_.epsilon, watch_);
   }
+  std::vector<double> fits(const std::vector<RegionPrice>& regions) {
+    const auto fork = trial_.fork_to_fit(std::make_shared<const FitTarget>(original_, frame_));
+    return fitted_prices(fork->trial, regions, options_.epsilon, watch_);
+  }
 
  private:
   /// Merges as gqe does; the mesh that fits make of that, where they keep to epsilon.
@@ -255,6 +259,13 @@ std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions
   check_method(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).regions();
+}
+
+std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& options,
+                                 const std::vector<RegionPrice>& regions) {
+  check_method(mesh, false);
+  Mesh copy = mesh;
+  return Run(copy, options).fits(regions);
 }
 
 AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options) {

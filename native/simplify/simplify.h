@@ -37,7 +37,7 @@ inline constexpr Method all_methods[] = {Method::random,     Method::grid,  Meth
                                          Method::best,       Method::lines, Method::manual};
 
 struct SimplifyOptions {
-  Method method = Method::gqe;
+  Method method = Method::best;
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
   double epsilon = 0.01;
@@ -88,7 +88,7 @@ struct SimplifyOptions {
 enum class Stopped { done, budget, cancelled, nothing_to_merge };
 
 struct SimplifyResult {
-  Method method = Method::gqe;
+  Method method = Method::best;
   int patches_before = 0, patches_after = 0;
   /// Error of the surface that will be written, measured on the whole frame.
   double error = 0;
@@ -122,6 +122,11 @@ SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 /// there is one. Fewer where the time budget ends or the caller cancels. Throw as simplify does.
 std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options);
 std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options);
+
+/// What those regions cost once each is fitted to the picture (select/best.h), in their order.
+/// Throws as simplify does.
+std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& options,
+                                 const std::vector<RegionPrice>& regions);
 
 /// The key of the analysis that belongs to this mesh and these options. Throws as simplify does.
 AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);

@@ -126,7 +126,7 @@ def simplify(
     document: Document,
     ids: Union[str, Iterable[str]] = (),
     *,
-    method: str = "gqe",
+    method: str = "best",
     metric: str = "flip",
     epsilon: float = 0.01,
     max_local_error: Optional[float] = None,

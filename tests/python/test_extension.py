@@ -118,7 +118,7 @@ def test_the_dialog_offers_every_method(run):
     offered = [option.get("value") for option in choice]
     there_are = refused(run(TWO_PATCHES, "--id=box", "--method=?")).partition("there are: ")[2]
     assert sorted(offered) == sorted(there_are.rstrip(".\n").split(", "))
-    assert offered[0] == "gqe"
+    assert offered[0] == "best"
 
 
 def test_how_much_by_name_or_number(run):

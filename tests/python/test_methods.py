@@ -32,13 +32,13 @@ def test_every_method_from_both_sides(tmp_path, method):
     assert (result.patches_after, result.error) == (told["patches_after"], told["error"])
 
 
-def test_gqe_is_the_default(tmp_path):
+def test_best_is_the_default(tmp_path):
     out, report = tmp_path / "out.svg", tmp_path / "report.json"
     options = ["--resolution", 200, "--report", report]
     assert run("simplify", FRUIT, "-o", out, *options).returncode == 0
     (told,) = json.loads(report.read_text())["meshes"]
-    assert told["method"] == "gqe"
-    assert simplified()[1] == simplified(method="gqe")[1] == out.read_bytes()
+    assert told["method"] == "best"
+    assert simplified()[1] == simplified(method="best")[1] == out.read_bytes()
 
 
 def test_random_choices_follow_the_seed():

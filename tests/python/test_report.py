@@ -76,6 +76,17 @@ def test_regions_are_those_of_the_analysis(fruit):
     assert fruit.data["after"]["regions"] == []
 
 
+def test_fits_lower_the_prices_of_regions(fruit, tmp_path):
+    assert all(r["fitted"] is None for r in fruit.data["before"]["regions"])  # gqe does not fit
+    after, told, page = (tmp_path / name for name in ("best.svg", "best.json", "best.html"))
+    made("simplify", FRUIT, "-o", after, *COARSE, "--method", "best", "--report", told)
+    made("report", FRUIT, after, "-o", page, "--run", told)
+    regions = page_data(page)["before"]["regions"]
+    assert all(r["fitted"] <= r["error"] for r in regions)
+    shares = sorted(r["fitted"] / r["error"] for r in regions if r["error"] > 0)
+    assert shares[len(shares) // 2] < 0.9
+
+
 def test_the_same_page_again(fruit, tmp_path):
     again = tmp_path / "again.html"
     made("report", FRUIT, fruit.after, "-o", again, *fruit.options)

@@ -178,10 +178,11 @@ class Inspector {
       oninput: () => show(Number(range.value) - 1),
     });
     const tell = (i) => {
-      const { rows, columns, error } = regions[i];
+      const { rows, columns, error, fitted } = regions[i];
       text.replaceChildren(
         make("b", {}, `${rows} \u00d7 ${columns} patches`),
         make("span", {}, `error ${short(error, 3)}`),
+        fitted === null ? "" : make("span", {}, `fitted ${short(fitted, 3)}`),
         make("small", { class: "quiet" }, `${i + 1} of ${regions.length}`),
       );
       range.value = i + 1;

@@ -138,6 +138,17 @@ function describeRun() {
       add(name, typeof value === "number" ? short(value, 5) : String(value));
   }
   if (run.seconds?.total !== undefined) add("Time", `${short(run.seconds.total, 3)} s`);
+  const share = fittedShare(data.before.regions);
+  if (share !== undefined) add("Error of a region once fitted", `${short(share, 2)} of its price`);
+}
+
+/** How much of a region's error is left once it is fitted, in the median. */
+function fittedShare(regions) {
+  const shares = regions
+    .filter(({ error, fitted }) => error > 0 && fitted !== null)
+    .map(({ error, fitted }) => fitted / error)
+    .sort((a, b) => a - b);
+  return shares[Math.floor(shares.length / 2)];
 }
 
 function describeErrors() {
