@@ -35,10 +35,10 @@ def curve(points):
     return f"M {text[0]} C {' '.join(text[1:])}"
 
 
-def with_patches(svg, out):
-    """Writes the document with the sides of all its patches drawn on top."""
+def with_patches(svg, out, mesh_id=MESH_ID):
+    """Writes the document with the sides of all patches of the mesh, or of all blocks, drawn on top."""
     document = Document(svg)
-    nets = list(document.blocks().values()) or [document.net(document.by_id[MESH_ID])]
+    nets = list(document.blocks().values()) or [document.net(document.by_id[mesh_id])]
     lines = [line for net in nets for line in (*net[::3], *net.T[::3])]
     for color, width in (("#ffffff", 2.4), ("#1b3a5c", 1)):
         style = f"fill:none;stroke:{color};stroke-width:{width}"
@@ -61,8 +61,8 @@ def panels(folder):
     ]
 
 
-def side_by_side(pictures, out, gap=8):
-    """Writes a sheet of (caption, picture), from left to right."""
+def side_by_side(pictures, gap=8):
+    """A sheet of (caption, picture), from left to right."""
     height = max(picture.height for _, picture in pictures)
     width = sum(picture.width + gap for _, picture in pictures) - gap
     sheet = Image.new("RGB", (width, height + 36), "white")
@@ -73,17 +73,22 @@ def side_by_side(pictures, out, gap=8):
         sheet.paste(picture, (left, 0))
         draw.text((left + picture.width // 2, height + 19), caption, "black", font, anchor="mm")
         left += picture.width + gap
-    sheet.save(out, optimize=True)
+    return sheet
+
+
+def painted(panels, folder, width):
+    """The panels with pictures instead of files, painted by Inkscape so many pixels wide."""
+    pictures = []
+    with Inkscape() as inkscape:
+        for caption, svg in panels:
+            png = inkscape.export_png(svg, folder / "picture.png", width=width)
+            with Image.open(png) as picture:
+                pictures.append((caption, picture.convert("RGB")))
+    return pictures
 
 
 def before_after(folder, out):
-    pictures = []
-    with Inkscape() as inkscape:
-        for caption, svg in panels(folder):
-            png = inkscape.export_png(svg, folder / "picture.png", width=WIDTH)
-            with Image.open(png) as picture:
-                pictures.append((caption, picture.convert("RGB")))
-    side_by_side(pictures, out)
+    side_by_side(painted(panels(folder), folder, WIDTH)).save(out, optimize=True)
 
 
 # Where things are on the harness's screen once the page fits the window.
@@ -127,7 +132,7 @@ def nodes(folder, out):
             window.key("ctrl+a")
             window.click(*MESH_TOOL)
             pictures.append((f"{patches} patches", shot(window, folder, MESH)))
-    side_by_side(pictures, out)
+    side_by_side(pictures).save(out, optimize=True)
 
 
 def report(folder, out):
