@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <thread>
 
 namespace gradmesh {
@@ -20,11 +21,20 @@ void parallel_for(std::size_t count, const Body& body) {
 #ifdef __SANITIZE_THREAD__
   // Debian's oneTBB is not built for the thread sanitizer, which would not see it synchronise.
   std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < count;) body(i);
+  std::exception_ptr faults[2];
+  const auto work = [&](std::exception_ptr& fault) {
+    try {
+      for (std::size_t i; (i = next++) < count;) body(i);
+    } catch (...) {
+      fault = std::current_exception();
+      next = count;
+    }
   };
-  const std::jthread other(work);
-  work();
+  std::jthread other([&] { work(faults[1]); });
+  work(faults[0]);
+  other.join();
+  for (const std::exception_ptr& fault : faults)
+    if (fault) std::rethrow_exception(fault);
 #else
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
                     [&](const tbb::blocked_range<std::size_t>& range) {

@@ -221,6 +221,7 @@ void bind_options(py::module_& m) {
       .def_readwrite("edges", &SimplifyOptions::edges)
       .def_readwrite("time_budget", &SimplifyOptions::time_budget)
       .def_readwrite("threads", &SimplifyOptions::threads);
+  m.def("check_resolution", &check_resolution);
   py::class_<AnalysisPaths>(m, "AnalysisPaths")
       .def(py::init([](const std::string& load, const std::string& save, const std::string& cache) {
              return AnalysisPaths{load, save, cache};

@@ -1,5 +1,6 @@
 #include "cli/common_options.h"
 
+#include "base/limits.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
@@ -12,7 +13,7 @@ void add_metric_option(CLI::App& command, std::string& metric) {
 
 void add_resolution_option(CLI::App& command, int& resolution) {
   command.add_option("--resolution", resolution, "Pixels along the longer side")
-      ->check(CLI::Range(16, 8192))
+      ->check(CLI::Range(16, int(limits().resolution)))
       ->capture_default_str();
 }
 

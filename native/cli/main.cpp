@@ -1,4 +1,5 @@
 #include <iostream>
+#include <new>
 #include <stdexcept>
 
 #include "cli/commands.h"
@@ -11,22 +12,25 @@ int run(int argc, char** argv) {
                    "gradmesh");
   program.set_version_flag("--version", GRADMESH_VERSION);
   program.require_subcommand(1);
-  add_info(program);
-  add_simplify(program);
-  add_render(program);
-  add_compare(program);
-  add_analyze(program);
-  add_draw(program);
-  add_report(program);
-  add_convert(program);
-  add_update(program);
   try {
+    add_info(program);
+    add_simplify(program);
+    add_render(program);
+    add_compare(program);
+    add_analyze(program);
+    add_draw(program);
+    add_report(program);
+    add_convert(program);
+    add_update(program);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {
     std::cerr << "gradmesh: " << error.what() << "\n";
     return 2;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "gradmesh: there is not enough memory for this.\n";
+    return 1;
   } catch (const std::exception& error) {
     std::cerr << "gradmesh: " << error.what() << "\n";
     return 1;

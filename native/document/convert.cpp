@@ -22,8 +22,7 @@ namespace {
 void check(const ConvertOptions& options) {
   if (options.subdivide && (*options.subdivide < 1 || *options.subdivide > 32))
     throw std::invalid_argument("patches can be subdivided into 1 to 32 each way.");
-  if (options.resolution < 16 || options.resolution > 8192)
-    throw std::invalid_argument("the resolution must be between 16 and 8192 pixels.");
+  check_resolution(options.resolution);
 }
 
 void transform(MeshParts& parts, const Affine& affine) {

@@ -13,7 +13,7 @@ struct ConvertOptions {
   /// towards SVG, unless all colours are such mixtures already, and 1 towards .hemesh, where it
   /// loses nothing.
   std::optional<int> subdivide;
-  /// How the error is measured; 16..8192 pixels along the longer side.
+  /// How the error is measured; in pixels along the longer side, as of check_resolution.
   MetricKind metric = MetricKind::flip;
   int resolution = 700;
 };

@@ -1,5 +1,6 @@
 #include "io/atomic_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/limits.h"
 
 #ifdef _WIN32
 #include <io.h>
@@ -49,6 +51,14 @@ int bring_to_disk(std::FILE* file) { return fsync(fileno(file)); }
   fail_to_write(path, Message("{0}", error.message()));
 }
 
+[[noreturn]] void fail_as_too_large(const fs::path& path, std::uint64_t read) {
+  std::error_code ignored;
+  const std::uintmax_t whole = fs::file_size(path, ignored);
+  const std::uint64_t needed = ignored ? read : std::max<std::uint64_t>(whole, read);
+  throw InputError("{0} has {1} bytes, {2}.", path.string(), needed,
+                   beyond_limit("document", limits().document, needed));
+}
+
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
 /// A new file in the folder; its path goes to `path`. Null with errno where none can be made.
@@ -77,7 +87,8 @@ std::string read_bytes(const fs::path& path) {
   std::string bytes;
   char block[1 << 16];
   while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
-    bytes.append(block, count);
+    if (bytes.append(block, count).size() > limits().document)
+      fail_as_too_large(path, bytes.size());
   if (std::ferror(file.get())) fail_to_read(path, last_error());
   return bytes;
 }

@@ -6,7 +6,8 @@
 
 namespace gradmesh {
 
-/// All bytes of a file. Throws InputError naming the file.
+/// All bytes of a file. Throws InputError naming the file, also where it is beyond the limit on
+/// documents.
 std::string read_bytes(const std::filesystem::path& path);
 
 /// Puts `bytes` into the file, wholly or not at all: they are written to a new file in the same

@@ -3,7 +3,11 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
+
+#include "base/limits.h"
 
 namespace gradmesh {
 namespace {
@@ -23,6 +27,10 @@ std::string read(const std::string& path, Image& image) {
   if (!input) return one_line(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   const int channels = spec.nchannels;
+  const std::uint64_t longer = std::uint64_t(std::max(spec.width, spec.height));
+  if (const std::uint64_t most = limits().resolution; longer > most)
+    return "it is " + std::to_string(longer) + " pixels long, " +
+           beyond_limit("resolution", most, longer).english();
   image = Image(spec.width, spec.height);
   std::vector<std::uint8_t> samples(image.pixels() * std::size_t(channels));
   if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, samples.data()))

@@ -1,13 +1,17 @@
 #include "io/svg_document.h"
 
+#include <libxml/SAX2.h>
 #include <libxml/parser.h>
 #include <libxml/valid.h>
 #include <libxml/xmlerror.h>
 #include <libxml/xmlsave.h>
 
-#include <limits>
+#include <algorithm>
+#include <climits>
+#include <new>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "io/atomic_file.h"
 #include "io/svg_scanner.h"
 #include "io/xml_node.h"
@@ -15,9 +19,9 @@
 namespace gradmesh {
 namespace {
 
-// No network, and none of XML_PARSE_NOENT, DTDLOAD, DTDATTR or HUGE: entities stay as they are
-// written, no other file is opened, and libxml2's limits on depth and growth hold.
-constexpr int parse_options = XML_PARSE_NONET | XML_PARSE_BIG_LINES;
+// No network, and none of XML_PARSE_NOENT, DTDLOAD or DTDATTR: entities stay as they are written
+// and no other file is opened. Embedded photos are longer than what libxml2 takes without HUGE.
+constexpr int parse_options = XML_PARSE_NONET | XML_PARSE_BIG_LINES | XML_PARSE_HUGE;
 
 const xmlChar* chars(const std::string& text) {
   return reinterpret_cast<const xmlChar*>(text.c_str());
@@ -61,6 +65,43 @@ class Reports {
   int line_ = 0;
 };
 
+using Context = std::unique_ptr<xmlParserCtxt, void (*)(xmlParserCtxt*)>;
+
+/// Entities can grow without end when libxml2 has no limits: where a document declares one, it has.
+void limit_from_here(void* context, const xmlChar* name, int type, const xmlChar* public_id,
+                     const xmlChar* system_id, xmlChar* content) {
+  static_cast<xmlParserCtxt*>(context)->options &= ~XML_PARSE_HUGE;
+  xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
+}
+
+/// Null where the bytes are no XML, which is reported.
+xmlDoc* parse_tree(std::string_view bytes) {
+  const Context context(xmlNewParserCtxt(), xmlFreeParserCtxt);
+  if (!context) throw std::bad_alloc();
+  context->sax->entityDecl = limit_from_here;
+  return xmlCtxtReadMemory(context.get(), bytes.data(), int(bytes.size()), nullptr, nullptr,
+                           parse_options);
+}
+
+/// How many elements lie inside one another where that are the most. Without recursion, as the
+/// tree may be as deep as the file is long.
+std::size_t nesting(const xmlNode* root) {
+  std::size_t depth = 1, deepest = 1;
+  for (const xmlNode* node = root;;) {
+    if (node->type == XML_ELEMENT_NODE && node->children) {
+      node = node->children;
+      deepest = std::max(deepest, ++depth);
+      continue;
+    }
+    while (node != root && !node->next) {
+      node = node->parent;
+      --depth;
+    }
+    if (node == root) return deepest;
+    node = node->next;
+  }
+}
+
 /// Registers the ids of all elements with libxml2, which keeps the register true when elements are
 /// removed or renamed. Of equal ids the first counts, as in browsers and Inkscape.
 void register_ids(xmlNode* node) {
@@ -86,13 +127,18 @@ SvgDocument SvgDocument::parse(std::string_view bytes, const std::string& name) 
   };
   if (bytes.starts_with("\x1f\x8b")) refuse(Message("it is compressed, save it as plain SVG"));
   if (bytes.empty()) refuse(Message("it is empty"));
-  if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
-    refuse(Message("it is larger than 2 GB"));
+  const std::size_t most = std::min<std::uint64_t>(limits().document, INT_MAX);
+  if (bytes.size() > most)
+    refuse(Message("it has {0} bytes, {1}", bytes.size(),
+                   beyond_limit("document", most, bytes.size())));
 
   const Reports reports;
-  SvgDocument document(
-      xmlReadMemory(bytes.data(), int(bytes.size()), nullptr, nullptr, parse_options));
+  SvgDocument document(parse_tree(bytes));
   if (!document.document_) refuse(reports.reason());
+  const std::size_t nested = nesting(document.root()), deepest = limits().nesting;
+  if (nested > deepest)
+    refuse(Message("{0} elements lie inside one another, {1}", nested,
+                   beyond_limit("nesting", deepest, nested)));
   if (svg_name(document.root()) != "svg") refuse(Message("its outermost element is not <svg>"));
 
   // The URL of the document is where `fail` finds the file's name.

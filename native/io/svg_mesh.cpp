@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "base/limits.h"
 #include "io/svg_color.h"
 #include "io/svg_length.h"
 #include "io/svg_scanner.h"
@@ -33,6 +34,9 @@ std::vector<const xmlNode*> href_chain(const SvgDocument& document, const xmlNod
       fail(node, Message("its href {0} does not lead to a meshgradient", excerpt(target)));
     node = next;
   }
+  if (const std::size_t most = limits().links; chain.size() > most)
+    fail(gradient, Message("{0} gradients refer to one another, {1}", chain.size(),
+                           beyond_limit("links", most, chain.size())));
   return chain;
 }
 

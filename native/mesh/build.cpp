@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "mesh/dependence.h"
 
 namespace gradmesh {
@@ -221,6 +222,11 @@ class MeshBuilder {
   std::vector<Halfedge> parents_;
 };
 
-Mesh build_mesh(const MeshParts& parts) { return MeshBuilder(parts).build(); }
+Mesh build_mesh(const MeshParts& parts) {
+  const std::size_t patches = parts.patches.size(), most = limits().patches;
+  if (patches > most)
+    throw InputError("it has {0} patches, {1}.", patches, beyond_limit("patches", most, patches));
+  return MeshBuilder(parts).build();
+}
 
 }  // namespace gradmesh

@@ -4,9 +4,31 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "geom/box.h"
 
 namespace gradmesh {
+namespace {
+
+void check_size(const Frame& frame) {
+  const Limits& most = limits();
+  const auto longer = std::uint64_t(std::max(frame.width, frame.height));
+  if (longer > most.resolution)
+    throw InputError("a picture of {0} x {1} pixels is asked for, {2}.", frame.width, frame.height,
+                     beyond_limit("resolution", most.resolution, longer));
+  if (const std::uint64_t bytes = measuring_bytes(frame, 1); bytes > most.memory)
+    throw InputError("to measure {0} x {1} pixels takes {2} bytes, {3}.", frame.width, frame.height,
+                     bytes, beyond_limit("memory", most.memory, bytes));
+}
+
+}  // namespace
+
+std::uint64_t measuring_bytes(const Frame& frame, std::size_t threads) {
+  constexpr std::uint64_t bytes_of_all = 80, bytes_of_thread = 35;
+  const std::uint64_t pixels = std::uint64_t(frame.width) * std::uint64_t(frame.height);
+  return pixels * (bytes_of_all + bytes_of_thread * threads);
+}
+
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding) {
   constexpr int steps = 8;
   Box box;
@@ -26,6 +48,7 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePaddi
   // The small addition keeps a side of exactly `resolution` pixels from being cut by rounding.
   frame.width = std::max(1, int((size.x + 2 * pad) * scale + 1e-9));
   frame.height = std::max(1, int((size.y + 2 * pad) * scale + 1e-9));
+  check_size(frame);
   const Affine fit =
       Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low());
   frame.to_pixels = fit * view;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "base/affine.h"
@@ -37,8 +38,13 @@ struct FramePadding {
 /// The frame of the paper's section 5: the longer side of the mesh's bounding box, padded, gets
 /// `resolution` pixels; the other side is cut to a whole number. `view` turns mesh units into what
 /// the person sees, up to scale, which is where the box is taken.
-/// Throws InputError where the mesh has no size.
+/// Throws InputError where the mesh has no size, and where the frame is beyond the limits on
+/// resolution or memory.
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding = {});
+
+/// About how many bytes it takes to measure errors in the frame on so many threads, as found by
+/// running gqe and best at 350 to 2800 pixels.
+std::uint64_t measuring_bytes(const Frame& frame, std::size_t threads);
 
 /// The pixels that a patch can cover in the frame; not clipped to it.
 Window pixel_bounds(const Patch& patch, const Frame& frame);

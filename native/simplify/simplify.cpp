@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "base/limits.h"
 #include "base/parallel.h"
 #include "error/merge_trial.h"
 #include "mesh/grid.h"
@@ -24,8 +25,7 @@ void check(const SimplifyOptions& options) {
     throw std::invalid_argument("epsilon must be between 0 and 1.");
   if (options.max_local_error && !(*options.max_local_error >= 0 && *options.max_local_error <= 1))
     throw std::invalid_argument("the largest local error must be between 0 and 1.");
-  if (options.resolution < 16 || options.resolution > 8192)
-    throw std::invalid_argument("the resolution must be between 16 and 8192 pixels.");
+  check_resolution(options.resolution);
   if (!std::isfinite(options.time_budget) || options.time_budget < 0)
     throw std::invalid_argument("the time budget must be 0 or more seconds.");
   if (!(options.omega >= 0 && options.omega <= 1))
@@ -48,6 +48,13 @@ Frame measured_frame(const Mesh& original, const SimplifyOptions& options) {
   Frame frame = fit_frame(original, options.view, options.resolution, options.padding);
   if (options.visible) frame.hidden = std::make_shared<HiddenPixels>(*options.visible, frame);
   return frame;
+}
+
+/// The threads that are asked for, or as many as memory is allowed for.
+int threads_for(const Frame& frame, int asked) {
+  std::size_t threads = asked > 0 ? std::size_t(asked) : thread_count();
+  while (threads > 1 && measuring_bytes(frame, threads) > limits().memory) --threads;
+  return int(threads);
 }
 
 /// The prices that this run may use and add to.
@@ -158,11 +165,11 @@ class Run {
  public:
   Run(Mesh& mesh, const SimplifyOptions& options)
       : options_((check(options), options)),
-        limit_(options.threads),
         watch_(options.time_budget, options.progress),
         mesh_(mesh),
         original_(options.original ? *options.original : mesh),
         frame_(measured_frame(original_, options)),
+        limit_(threads_for(frame_, options.threads)),
         trial_(mesh,
                EditError(original_, mesh, frame_, options.metric, options.masks_opacity,
                          options.max_local_error),
@@ -230,17 +237,24 @@ class Run {
   }
 
   const SimplifyOptions& options_;
-  const ThreadLimit limit_;
   StopWatch watch_;
   Mesh& mesh_;
   const Mesh& original_;
   const Frame frame_;
+  const ThreadLimit limit_;
   MergeTrial trial_;
   Analysis own_analysis_;
   Analysis& analysis_;
 };
 
 }  // namespace
+
+void check_resolution(int resolution) {
+  const std::uint64_t most = limits().resolution;
+  if (resolution < 16 || std::uint64_t(resolution) > most)
+    throw std::invalid_argument("the resolution must be between 16 and " + std::to_string(most) +
+                                " pixels.");
+}
 
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
   check_method(mesh, options.method == Method::lines);

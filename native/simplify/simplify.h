@@ -47,7 +47,7 @@ struct SimplifyOptions {
   /// of those there are, above 0 and at most 1. The error is then as small as the method finds.
   std::optional<int> patches;
   std::optional<double> ratio;
-  /// Pixels along the longer side of the frame, 16..8192.
+  /// Pixels along the longer side of the frame, as of check_resolution.
   int resolution = 700;
   /// Of random, grid, dual-grid and motorcycle.
   std::uint64_t seed = 0;
@@ -130,6 +130,9 @@ std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& option
 
 /// The key of the analysis that belongs to this mesh and these options. Throws as simplify does.
 AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);
+
+/// Throws std::invalid_argument where a resolution is not 16 to the limit on it, in pixels.
+void check_resolution(int resolution);
 
 /// Names as in options and reports: "dual-grid", "flip", "nothing to merge".
 const char* name(Method method);

@@ -414,8 +414,7 @@ def convert(
 
 
 def _pixels(resolution: int) -> int:
-    if not 16 <= resolution <= 8192:
-        raise ValueError("the resolution must be between 16 and 8192 pixels")
+    _core.check_resolution(resolution)
     return resolution
 
 

@@ -1,0 +1,209 @@
+"""Nothing is lost: files are whole or untouched, and what is not the mesh comes back as it was."""
+
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+from lxml import etree
+
+from built import PROGRAM, SAMPLES, gradmesh
+
+FRUIT = SAMPLES / "fruit.svg"
+QUICK = ("--resolution", "64", "--method", "gqe")
+EMBEDDED = '<image id="photo" width="9" height="9" href="data:image/png;base64,{}"/>'
+
+
+def with_photo(megabytes):
+    """The fruit with a photo in it, so large that writing takes a while."""
+    text = FRUIT.read_text()
+    defs = text.index("<defs")
+    return text[:defs] + EMBEDDED.format("A" * (megabytes << 20)) + text[defs:]
+
+
+def limited(what, value):
+    """To be called in a child: a limit that signals no more than an error."""
+
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(what, (value, value))
+
+    return limit
+
+
+def run(arguments, **options):
+    return subprocess.run(
+        list(map(str, arguments)), capture_output=True, text=True, timeout=120, **options
+    )
+
+
+def leftovers(folder, *expected):
+    return [path.name for path in folder.iterdir() if path.name not in expected]
+
+
+def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path):
+    document, arguments = tmp_path / "drawing.svg", [PROGRAM, "simplify"]
+    before = with_photo(8).encode()
+    document.write_bytes(before)
+    arguments += [document, "-o", document, *QUICK, "--quiet"]
+    start = time.monotonic()
+    assert run(arguments).returncode == 0
+    usual = time.monotonic() - start
+    after = document.read_bytes()
+    assert after != before
+
+    moments = random.Random(1)
+    killed = finished = 0
+    for _ in range(200):
+        document.write_bytes(before)
+        with subprocess.Popen(list(map(str, arguments))) as child:
+            time.sleep(moments.uniform(0, 1.2 * usual))
+            child.kill()
+        killed += child.returncode == -signal.SIGKILL
+        found = document.read_bytes()
+        finished += found == after
+        assert found in (before, after)
+    assert killed > 50 and finished > 0
+    # What a killed program was writing has a name of its own.
+    assert all(name.startswith(".gradmesh-") for name in leftovers(tmp_path, "drawing.svg"))
+
+
+@pytest.mark.parametrize("room", [0, 1000, 100_000])
+def test_a_full_disk(tmp_path, room):
+    document = tmp_path / "drawing.svg"
+    document.write_text(with_photo(1))
+    before = document.read_bytes()
+    done = run(
+        [PROGRAM, "simplify", document, "-o", document, *QUICK],
+        preexec_fn=limited(resource.RLIMIT_FSIZE, room),
+    )
+    assert done.returncode == 1 and done.stdout == ""
+    assert str(document) in done.stderr and "cannot be written" in done.stderr
+    assert done.stderr.count("\n") == 1
+    assert document.read_bytes() == before and leftovers(tmp_path, "drawing.svg") == []
+
+
+@pytest.mark.skipif(not shutil.which("setpriv"), reason="setpriv is not installed")
+def test_a_folder_that_cannot_be_written_to(tmp_path):
+    folder = tmp_path / "shelf"
+    folder.mkdir()
+    document = folder / "drawing.svg"
+    shutil.copy(FRUIT, document)
+    before = document.read_bytes()
+    folder.chmod(0o555)
+    # Root may write everywhere, unless it gives that up.
+    humbly = ["setpriv", "--bounding-set=-dac_override"] if os.geteuid() == 0 else []
+    try:
+        done = run([*humbly, PROGRAM, "simplify", document, "-o", document, *QUICK])
+    finally:
+        folder.chmod(0o755)
+    assert done.returncode == 1 and "Permission denied" in done.stderr
+    assert str(document) in done.stderr and done.stderr.count("\n") == 1
+    assert document.read_bytes() == before and leftovers(folder, "drawing.svg") == []
+
+
+def test_too_little_memory_ends_in_a_sentence(tmp_path):
+    document = tmp_path / "drawing.svg"
+    shutil.copy(FRUIT, document)
+    before = document.read_bytes()
+    endings = set()
+    for megabytes in (*range(20, 120, 4), 4096):
+        done = run(
+            [PROGRAM, "simplify", document, "-o", tmp_path / "out.svg", *QUICK, "--threads", 1],
+            preexec_fn=limited(resource.RLIMIT_AS, megabytes << 20),
+        )
+        if "error while loading shared libraries" in done.stderr or done.returncode == 127:
+            continue  # too little to start at all
+        assert done.returncode in (0, 1), (megabytes, done)
+        if done.returncode == 1:
+            assert done.stderr.startswith("gradmesh: ") and done.stderr.count("\n") == 1, done.stderr
+        endings.add(done.returncode)
+        assert document.read_bytes() == before
+    assert 0 in endings
+
+
+STRANGE = """<?xml version="1.0" encoding="ISO-8859-1" standalone="no"?>
+<!-- \u00fcber allem --><?strange instruction?>
+<!DOCTYPE svg [<!ENTITY blue "#0000ff"><!ATTLIST rect note CDATA "x">]>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:odd="urn:odd" xmlns:xlink="http://www.w3.org/1999/xlink"
+     odd:order='single "quotes"'   width="200"
+     height="200">
+  <style><![CDATA[ rect > .a { fill: red } ]]></style><odd:thing z="1" a="2"><b xmlns=""/></odd:thing>
+  <text xml:space="preserve">  &lt;kept&gt; &amp; &#13; \u00e4  <tspan>x</tspan> tail </text>
+  <script>if (a &lt; b) { /* ]]&gt; */ }</script>
+  <rect fill="&blue;" width="5" height="5"/>
+{mesh}
+  <g id="empty"></g><g/><!-- - -->
+  <use xlink:href="#empty"
+       x="1"/>
+</svg>
+<!-- behind -->
+"""
+MESH = """  <defs><meshgradient id="m" gradientUnits="userSpaceOnUse" x="0" y="0">{rows}</meshgradient></defs>
+  <rect id="box" width="90" height="30" fill="url(#m)"/>"""
+STOPS = ('<stop path="l 30,0" stop-color="#123456"/>', '<stop path="l 0,30" stop-color="#345678"/>',
+         '<stop path="l -30,0" stop-color="#345678"/>', '<stop path="l 0,-30" stop-color="#123456"/>')  # fmt: skip
+ROW = "<meshrow>" + "".join(
+    f"<meshpatch>{''.join(stops)}</meshpatch>" for stops in (STOPS, STOPS[:3], STOPS[:3])
+) + "</meshrow>"  # fmt: skip
+
+
+def without(tree, ids, keep):
+    """The document as lxml writes it without these elements, nor others with ids not in `keep`."""
+    for element in list(tree.getroot().iter("*")):
+        name = element.get("id")
+        if name is not None and (name in ids or name not in keep):
+            parent, tail = element.getparent(), element.tail
+            if parent is None:
+                continue
+            before = element.getprevious()
+            parent.remove(element)
+            if before is not None:
+                before.tail = (before.tail or "") + (tail or "")
+            else:
+                parent.text = (parent.text or "") + (tail or "")
+    return etree.tostring(tree, xml_declaration=True, encoding=tree.docinfo.encoding,
+                          standalone=tree.docinfo.standalone)  # fmt: skip
+
+
+def compare(before, after, gone):
+    """Both documents without these elements, in bytes; new prefixes of namespaces on the root aside."""
+    keep = ids_of(before)
+    new = set(after.getroot().nsmap.items()) - set(before.getroot().nsmap.items())
+    rest = without(after, gone, keep)
+    for prefix, uri in new:
+        rest = rest.replace(f' xmlns:{prefix}="{uri}"'.encode(), b"", 1)
+    return without(before, gone, keep), rest
+
+
+def read(path):
+    parser = etree.XMLParser(resolve_entities=False, strip_cdata=False, load_dtd=False, huge_tree=True)
+    return etree.parse(str(path), parser)
+
+
+def ids_of(tree):
+    return {element.get("id") for element in tree.getroot().iter("*")} - {None}
+
+
+def test_all_that_is_not_the_mesh_comes_back_byte_for_byte(tmp_path):
+    document, out = tmp_path / "strange.svg", tmp_path / "out.svg"
+    text = STRANGE.replace("{mesh}", MESH.format(rows=ROW))
+    document.write_bytes(text.encode("ISO-8859-1"))
+    assert gradmesh("simplify", document, "-o", out, "--epsilon", 0.2).returncode == 0
+    before, after = compare(read(document), read(out), {"box", "m"})
+    assert b"odd:order" in before and b'"box"' not in before
+    assert before == after
+
+
+@pytest.mark.parametrize("sample, chosen", [("two", "cap"), ("fruit", "pear"), ("opacity", "bubble")])
+def test_other_meshes_come_back_byte_for_byte(tmp_path, sample, chosen):
+    document, out = SAMPLES / f"{sample}.svg", tmp_path / "out.svg"
+    assert gradmesh("simplify", document, "-o", out, "--id", chosen, *QUICK).returncode == 0
+    before, after = read(document), read(out)
+    # With the object goes the gradient that only it used.
+    first, second = compare(before, after, {chosen} | (ids_of(before) - ids_of(after)))
+    assert first == second
