@@ -109,6 +109,10 @@ def refusals_as_sentences():
         yield
     except gradmesh.InputError as error:
         raise inkex.AbortExtension(sentence(translated(error.message))) from error
+    except MemoryError as error:
+        raise inkex.AbortExtension(
+            _("There is not enough memory for this, so the document stays as it was.")
+        ) from error
     except ValueError as error:
         raise inkex.AbortExtension(settings_do_not_work(error)) from error
 
