@@ -54,7 +54,7 @@ void read_row(const Image& image, const std::array<float, 256>& linear_light, in
   const float *red = light.row(0, 0), *green = light.row(1, 0), *blue = light.row(2, 0);
   for (int plane = 0; plane < opponents; ++plane) {
     float* out = opponent.at(plane, x0, y);
-    for (int i = 0; i < x1 - x0; i += hn::Lanes(d)) {
+    for (int i = 0; i < x1 - x0; i += int(hn::Lanes(d))) {
       const V r = hn::Load(d, red + i), g = hn::Load(d, green + i), b = hn::Load(d, blue + i);
       hn::StoreU(product(rgb_to_opponent, plane, r, g, b), d, out + i);
     }
@@ -96,7 +96,7 @@ void filter_luminance_down(const float* in, std::ptrdiff_t stride, int count, Ro
   float *y = columns.row(y_column, 0), *smooth_out = columns.row(smooth_column, 0),
         *slope_out = columns.row(slope_column, 0),
         *curvature_out = columns.row(curvature_column, 0);
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
+  for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     const V centre = hn::Load(d, in + i), twice = hn::Add(centre, centre);
     V blurred = hn::Zero(d), smooth = blurred, slope = blurred, curvature = blurred;
     for (int k = FeatureTaps::reach; k > 0; --k) {
@@ -118,7 +118,7 @@ void filter_luminance_down(const float* in, std::ptrdiff_t stride, int count, Ro
 void filter_red_green_down(const float* in, std::ptrdiff_t stride, int count, Rows& columns) {
   const Taps<float, ColourTaps::short_reach>& blur = ColourTaps::get().red_green;
   float* cx = columns.row(cx_column, 0);
-  for (int i = 0; i < count; i += hn::Lanes(d))
+  for (int i = 0; i < count; i += int(hn::Lanes(d)))
     hn::Store(filter_even(d, blur, in + i, stride), d, cx + i);
 }
 
@@ -126,7 +126,7 @@ void filter_blue_yellow_down(const float* in, std::ptrdiff_t stride, int count, 
   const auto &wide_taps = ColourTaps::get().blue_yellow_wide,
              &narrow_taps = ColourTaps::get().blue_yellow_narrow;
   float *wide_out = columns.row(cz_wide_column, 0), *narrow_out = columns.row(cz_narrow_column, 0);
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
+  for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     V wide = hn::Zero(d), narrow = wide;
     for (int k = ColourTaps::reach; k > 0; --k) {
       const V above = hn::Load(d, in + i - k * stride), below = hn::Load(d, in + i + k * stride);
@@ -148,7 +148,7 @@ void colour_row(const Rows& columns, int count, float* lightness, float* a, floa
   const float *luminance_in = start(y_column), *red_green_in = start(cx_column),
               *wide_in = start(cz_wide_column), *narrow_in = start(cz_narrow_column);
   const ColourTaps& taps = ColourTaps::get();
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
+  for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     const V y = filter_even(d, taps.luminance, luminance_in + i, 1);
     const V cx = filter_even(d, taps.red_green, red_green_in + i, 1);
     const V cz = hn::Add(filter_even(d, taps.blue_yellow_wide, wide_in + i, 1),
@@ -164,7 +164,7 @@ void feature_row(const Rows& columns, int count, float* edge, float* point) {
   const float *smooth = start(smooth_column), *slope_in = start(slope_column),
               *curvature_in = start(curvature_column);
   const FeatureTaps& taps = FeatureTaps::get();
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
+  for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     const V centre = hn::LoadU(d, smooth + i), twice = hn::Add(centre, centre);
     V slope = hn::Zero(d), curvature = slope;
     for (int k = FeatureTaps::reach; k > 0; --k) {

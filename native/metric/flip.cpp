@@ -44,7 +44,7 @@ HWY_INLINE V difference(const float* s, const float* t) {
 /// appearance comes from far away, so that of the next row is asked for ahead.
 void compare(AppearanceRow<const float> s, std::ptrdiff_t next_row, AppearanceRow<float> t,
              int count, float* out) {
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
+  for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     for (const float* plane : {s.lightness, s.a, s.b, s.edge, s.point})
       hwy::Prefetch(plane + next_row + i);
     const V da = difference(s.a + i, t.a + i), db = difference(s.b + i, t.b + i);

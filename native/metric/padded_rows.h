@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 
 #include "base/image.h"
 
@@ -26,7 +27,11 @@ class PaddedRows {
     const std::size_t size = std::size_t(stride_) * window.height() * planes;
     if (size <= capacity_) return;
     samples_ = hwy::AllocateAligned<Sample>(size);
-    capacity_ = size;
+    capacity_ = samples_ ? size : 0;
+    if (!samples_) throw std::bad_alloc();
+    // The lanes behind a row count for nothing, but a comparison of whole vectors may branch on
+    // them.
+    std::fill_n(samples_.get(), size, Sample(0));
   }
 
   void clear() { std::fill_n(samples_.get(), planes_ * window_.height() * stride_, Sample(0)); }

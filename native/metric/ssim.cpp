@@ -114,7 +114,7 @@ void moments_of_columns(const Rows& in, int y, Rows& columns) {
   static_assert(rows_at_once == 4);
   const std::ptrdiff_t stride = in.stride(), out_stride = columns.stride();
   float *means = columns.row(column_mean, 0), *variances = columns.row(column_variance, 0);
-  for (int i = 0; i < in.window().width(); i += hn::Lanes(d)) {
+  for (int i = 0; i < in.window().width(); i += int(hn::Lanes(d))) {
     const float* at = in.row(0, y) + i;
     const V near = hn::Load(d, at + 2 * stride);
     V mean_0, mean_1, mean_2, mean_3, variance_0, variance_1, variance_2, variance_3;
@@ -136,7 +136,7 @@ void moments_of_columns(const Rows& in, int y, Rows& columns) {
 void moments_of_row(const float* column_means, const float* column_variances, int count,
                     float* mean, float* variance) {
   const Taps<float, radius>& taps = gaussian();
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
+  for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     const float *means = column_means + i, *variances = column_variances + i;
     const V centre = hn::LoadU(d, means);
     V shift = hn::Zero(d), squares = shift;
@@ -200,7 +200,7 @@ void filter_columns(const Rows& in, int y, Rows& columns) {
   for (int plane = 0; plane < difference_planes; ++plane) {
     const float* row = in.row(plane, y);
     float* out = columns.row(plane, 0);
-    for (int i = 0; i < count; i += hn::Lanes(d)) {
+    for (int i = 0; i < count; i += int(hn::Lanes(d))) {
       const V first = filter_even(d, taps, row + i, stride);
       const V second = filter_even(d, taps, row + i + stride, stride);
       const V third = filter_even(d, taps, row + i + 2 * stride, stride);
@@ -223,7 +223,7 @@ void add_distances(const Rows& columns, int row, int count, const float* mean_y,
   const float* differences = columns.row(difference, row) + radius;
   const float* squares = columns.row(squared, row) + radius;
   const float* products = columns.row(times_reference, row) + radius;
-  for (int i = 0; i < count; i += hn::Lanes(d)) {
+  for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     const V md = filter_even(d, taps, differences + i, 1);
     const V mdd = filter_even(d, taps, squares + i, 1);
     const V myd = filter_even(d, taps, products + i, 1);
