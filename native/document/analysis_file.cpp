@@ -32,6 +32,14 @@ std::uint64_t number_of(const std::string& hex_digits) {
   return number;
 }
 
+/// Json::get would cut a number that is no int in a way that no one has defined.
+int whole_number(const Json& json) {
+  if (!json.is_number_integer()) throw std::invalid_argument("not a whole number");
+  const auto number = json.get<std::int64_t>();
+  if (number != int(number)) throw std::out_of_range("not an int");
+  return int(number);
+}
+
 /// Of the values, however they are laid out in the file.
 std::string checksum(const Json& analyses) {
   Hash hash;
@@ -60,12 +68,12 @@ Analysis from_json(const Json& json) {
   analysis.key = {number_of(json.at("original").get<std::string>()),
                   number_of(json.at("content").get<std::string>()),
                   metric_named(json.at("metric").get<std::string>()),
-                  json.at("width").get<int>(),
-                  json.at("height").get<int>(),
+                  whole_number(json.at("width")),
+                  whole_number(json.at("height")),
                   color_model_named(json.at("color_model").get<std::string>())};
   for (const Json& price : json.at("prices")) {
-    const Region region{Face{price.at(0).get<int>()}, price.at(1).get<int>(),
-                        price.at(2).get<int>(), price.at(3).get<int>()};
+    const Region region{Face{whole_number(price.at(0))}, whole_number(price.at(1)),
+                        whole_number(price.at(2)), whole_number(price.at(3))};
     // JSON knows no infinity: null stands for it.
     const double error =
         price.at(4).is_null() ? std::numeric_limits<double>::infinity() : price.at(4).get<double>();
@@ -106,13 +114,6 @@ bool fits(const Mesh& mesh, const Region& r) {
   return !tops.empty() && region_name(mesh, r, tops) == r;
 }
 
-/// The first region that is not in the mesh; null where all are.
-const Region* misfit(const Analysis& analysis, const Mesh& mesh) {
-  for (const auto& [region, price] : analysis.prices)
-    if (!fits(mesh, region)) return &region;
-  return nullptr;
-}
-
 void write(const std::filesystem::path& path, Json analyses) {
   const std::string sum = checksum(analyses);
   const Json file{{"format", format},
@@ -123,12 +124,23 @@ void write(const std::filesystem::path& path, Json analyses) {
 }
 
 std::list<Analysis> read(const std::filesystem::path& path) {
-  const std::string name = path.string(), text = read_bytes(path);
+  return parse_analyses(read_bytes(path), path.string());
+}
+
+}  // namespace
+
+std::list<Analysis> parse_analyses(std::string_view text, const std::string& name) {
+  // What is read is written and taken apart by recursion: a file of brackets alone must not be.
+  constexpr int deepest = 8;
   const auto damaged = InputError("{0}: this analysis is damaged or cut off.", name);
   if (text.find(format) == std::string::npos)
     throw InputError("{0}: this is no file with an analysis.", name);
   try {
-    const Json json = Json::parse(text);
+    const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
+      if (depth > deepest) throw damaged;
+      return true;
+    };
+    const Json json = Json::parse(text, check_depth);
     if (json.at("version") != version)
       throw InputError(
           "{0}: this analysis has the format version {1}, but only version {2} is known here.",
@@ -144,7 +156,11 @@ std::list<Analysis> read(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace
+const Region* misfit(const Analysis& analysis, const Mesh& mesh) {
+  for (const auto& [region, price] : analysis.prices)
+    if (!fits(mesh, region)) return &region;
+  return nullptr;
+}
 
 AnalysisFiles::AnalysisFiles(AnalysisPaths paths) : paths_(std::move(paths)) {
   if (!paths_.load.empty()) analyses_ = read(paths_.load);

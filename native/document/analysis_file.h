@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <list>
+#include <string>
+#include <string_view>
 
 #include "mesh/mesh.h"
 #include "select/analysis.h"
@@ -16,6 +18,13 @@ struct AnalysisPaths {
   /// time, and what is damaged there or cannot be written is done without.
   std::filesystem::path cache = {};
 };
+
+/// The analyses in the text of such a file (AnalysisFiles); `name` is the file's, for messages.
+/// Throws InputError where the text is something else, or damaged.
+std::list<Analysis> parse_analyses(std::string_view text, const std::string& name);
+
+/// The first of its regions that is not in the mesh; null where all are.
+const Region* misfit(const Analysis& analysis, const Mesh& mesh);
 
 /// The analyses of a document's meshes, kept in a file of their own (paper B.3): JSON,
 ///   {"format": "gradmesh analysis", "version": 2, "checksum": C, "analyses": [

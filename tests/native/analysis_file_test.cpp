@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <random>
+#include <sstream>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "document/document.h"
 #include "io/atomic_file.h"
 #include "meshes.h"
@@ -221,6 +224,39 @@ TEST(AnalysisFile, no_damage_passes) {
       EXPECT_EQ(std::string(error.what()).rfind(path.string() + ": ", 0), 0u) << error.what();
     }
   }
+}
+
+/// The text of a file that holds these analyses, which are JSON in its shortest form.
+std::string file_of(const std::string& analyses) {
+  Hash hash;
+  hash.add(analyses);
+  std::ostringstream text;
+  text << R"({"format": "gradmesh analysis", "version": 2, "checksum": ")" << std::hex
+       << std::setw(16) << std::setfill('0') << hash.value() << R"(", "analyses": )" << analyses
+       << "}";
+  return text.str();
+}
+
+TEST(AnalysisFile, takes_whole_numbers_only_where_those_are_meant) {
+  const auto with = [](const std::string& width, const std::string& face) {
+    return file_of(R"([{"original":"1","content":"2","metric":"flip","width":)" + width +
+                   R"(,"height":5,"color_model":"bicubic","prices":[[)" + face +
+                   R"(,0,1,2,0.5,true]]}])");
+  };
+  EXPECT_EQ(parse_analyses(with("4", "3"), "prices").front().key.width, 4);
+  for (const std::string number : {"4.0", "1e+300", "4294967300", "18446744073709551616", "null"})
+    for (const std::string& text : {with(number, "3"), with("4", number)})
+      EXPECT_EQ(refusal([&] { parse_analyses(text, "prices"); }),
+                "prices: this analysis is damaged or cut off.");
+}
+
+TEST(AnalysisFile, refuses_brackets_without_end) {
+  const std::string brackets = std::string(100'000, '[') + std::string(100'000, ']');
+  const std::string before = R"({"format": "gradmesh analysis", "version": )";
+  for (const std::string& text : {before + brackets + "}", before + std::string(100'000, '['),
+                                  before + R"(2, "analyses": )" + brackets + "}"})
+    EXPECT_EQ(refusal([&] { parse_analyses(text, "prices"); }),
+              "prices: this analysis is damaged or cut off.");
 }
 
 TEST(AnalysisFile, refuses_regions_that_are_not_in_the_mesh) {
