@@ -52,6 +52,12 @@ std::optional<Affine> make_transform(std::string_view name, const Arguments& arg
   return std::nullopt;
 }
 
+bool is_finite(const Affine& affine) {
+  for (const glm::dvec2 v : {affine.linear[0], affine.linear[1], affine.offset})
+    if (!std::isfinite(v.x) || !std::isfinite(v.y)) return false;
+  return true;
+}
+
 }  // namespace
 
 std::optional<Affine> parse_transform(std::string_view text) {
@@ -67,7 +73,7 @@ std::optional<Affine> parse_transform(std::string_view text) {
     product = product * *next;
     scanner.skip_comma();
   }
-  return product;
+  return is_finite(product) ? std::optional(product) : std::nullopt;
 }
 
 }  // namespace gradmesh

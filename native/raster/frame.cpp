@@ -31,16 +31,22 @@ std::uint64_t measuring_bytes(const Frame& frame, std::size_t threads) {
 
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding) {
   constexpr int steps = 8;
+  // Far from where products of a few such numbers leave the range of a double.
+  constexpr double smallest = 1e-60, largest = 1e60;
   Box box;
   for (const Face f : mesh.faces()) {
     const Patch patch = mesh.patch(f);
     for (int i = 0; i <= steps; ++i)
-      for (int j = 0; j <= steps; ++j)
-        box.add(view.point(patch.at(double(i) / steps, double(j) / steps).position));
+      for (int j = 0; j <= steps; ++j) {
+        const glm::dvec2 p = view.point(patch.at(double(i) / steps, double(j) / steps).position);
+        if (!(std::abs(p.x) < largest && std::abs(p.y) < largest))
+          throw InputError("the mesh is too large, as its transforms place it.");
+        box.add(p);
+      }
   }
   const glm::dvec2 size = box.size();
   const double longer = std::max(size.x, size.y);
-  if (!(longer > 0)) throw InputError("the mesh has no size.");
+  if (!(longer > smallest)) throw InputError("the mesh has no size.");
 
   const double pad = padding.share * longer + padding.length;
   const double scale = resolution / (longer + 2 * pad);

@@ -3,7 +3,9 @@
 #include <hwy/targets.h>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "geom/written.h"
 #include "random_meshes.h"
@@ -453,6 +455,16 @@ TEST(Frame, follows_the_paper) {
   // 200 x 100 units and 3 more on every side.
   EXPECT_EQ(frame.height, int(106.0 * 700 / 206));
   EXPECT_NEAR(frame.to_pixels.point({0, 0}).x, 3.0 * 700 / 206, 1e-9);
+}
+
+TEST(Frame, refuses_meshes_that_no_numbers_hold) {
+  const Mesh mesh = grid_mesh();
+  EXPECT_EQ(fit_frame(mesh, Affine::scaling({1e50, 1e50}), 100).width, 100);
+  EXPECT_EQ(fit_frame(mesh, Affine::scaling({1e-50, 1e-50}), 100).width, 100);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double factor : {0.0, 1e-300, 1e300, infinity, std::nan("")})
+    EXPECT_THROW(fit_frame(mesh, Affine::scaling({factor, factor}), 100), InputError) << factor;
+  EXPECT_THROW(fit_frame(mesh, Affine::translation({0, infinity}), 100), InputError);
 }
 
 TEST(Written, colors_are_rounded_and_near_coons_is_coons) {

@@ -101,6 +101,14 @@ TEST(SvgTransform, EachKindAndOrder) {
     EXPECT_FALSE(parse_transform(text)) << text;
 }
 
+TEST(SvgTransform, IsFinite) {
+  std::string text;
+  for (int i = 0; i < 34; ++i) text += "scale(1e9)";
+  EXPECT_TRUE(parse_transform(text));
+  EXPECT_FALSE(parse_transform(text + "scale(1000)"));
+  EXPECT_FALSE(parse_transform(text + "translate(1000)"));
+}
+
 TEST(Affine, InverseUndoes) {
   const Affine map = parse_transform("rotate(30) skewX(10) translate(5 7) scale(2 -3)").value();
   expect_near((map.inverse() * map).point({3, 5}), {3, 5}, 1e-12);
