@@ -11,8 +11,6 @@
 namespace gradmesh {
 namespace {
 
-constexpr double largest_number = 1e9;
-
 class LineReader {
  public:
   LineReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -44,7 +42,7 @@ class LineReader {
   double number() {
     const std::string_view text = word();
     double value = 0;
-    if (!parses_as(text, value) || !(std::abs(value) <= largest_number))
+    if (!parses_as(text, value) || !(std::abs(value) <= largest_hemesh_number))
       fail(Message("{0} is not a number, or not between -1e9 and 1e9", excerpt(text)));
     return value;
   }

@@ -64,8 +64,11 @@ struct HemeshFile {
   int line_of_halfedge(int h) const { return line_of_patch(int(patches.size())) + h; }
 };
 
+/// No number of a file is larger.
+inline constexpr double largest_hemesh_number = 1e9;
+
 /// Reads the text. What the records say is not looked at, except that numbers are finite and of
-/// reasonable size. Throws InputError naming `name` and the line.
+/// that size. Throws InputError naming `name` and the line.
 HemeshFile parse_hemesh(std::string_view text, const std::string& name);
 
 /// The text of the records, numbers in the shortest form that reads back as the very same. The

@@ -16,6 +16,22 @@ constexpr double interval_tolerance = 1e-5;
 /// Bars of bars of bars: more levels are taken for a circle.
 constexpr int most_levels = 1000;
 
+bool is_in_range(const Value& v) {
+  const auto is_small = [](double x) { return std::abs(x) <= largest_hemesh_number; };
+  return is_small(v.position.x) && is_small(v.position.y) && is_small(v.color.r) &&
+         is_small(v.color.g) && is_small(v.color.b);
+}
+
+/// Whether the mesh can be written: parts of a curve can take larger numbers than the whole.
+bool is_writable(const Mesh& mesh) {
+  bool good = true;
+  for (const Point p : mesh.points()) good = good && is_in_range({mesh.position(p), {}});
+  for (const Handle h : mesh.handles()) good = good && is_in_range(mesh[h].tangent);
+  for (const Halfedge h : mesh.halfedges())
+    good = good && is_in_range(mesh[h].twist) && is_in_range({{}, mesh[h].color});
+  return good;
+}
+
 /// The point t of a part of a curve, on the whole; exact at both ends.
 double within(Interval part, double t) { return std::lerp(part.first, part.second, t); }
 
@@ -190,7 +206,10 @@ class HemeshReader {
     if (leaf != first_leaf(side)) return {side, part.first};
     const auto [parent, over] = place_on_side(checked_halfedge(side, at(side).parent));
     if (!sides_.contains(parent)) fail(side, Message("its parent is no side of any patch"));
-    return {parent, within(over, at(side).interval.first)};
+    const double t = within(over, at(side).interval.first);
+    if (std::abs(t - 0.5) > 0.5 + interval_tolerance)
+      fail(side, Message("it does not start on its parent"));
+    return {parent, t};
   }
 
   /// Where a leaf starts; nothing yet for T-junctions, since build_mesh places those. On the
@@ -239,6 +258,7 @@ class HemeshReader {
   void complete_patches() {
     try {
       const Mesh mesh = build_mesh(parts_);
+      if (!is_writable(mesh)) throw InputError("its mesh has numbers beyond 1e9.");
       for (const Face f : mesh.faces()) parts_.patches[std::size_t(f.value)] = mesh.patch(f);
     } catch (const InputError& error) {
       throw InputError("{0}: {1}", name_, error.message());

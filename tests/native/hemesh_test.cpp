@@ -239,13 +239,17 @@ TEST(Hemesh, doubled_sides_and_bars_of_bars_are_read_as_what_they_stand_for) {
   EXPECT_GT(bars_of_bars, 30);
 }
 
-TEST(Hemesh, a_divided_curve_on_the_boundary_becomes_two) {
-  // The junction's mesh without patch 0: its bottom is now the boundary.
+/// The junction's mesh without patch 0, whose bottom is now the boundary.
+HemeshFile divided_boundary() {
   HemeshFile file = parse_hemesh(write_hemesh(build_mesh(junction_parts())), "test.hemesh");
   file.patches[0] = -1;
   for (HemeshFile::Halfedge& h : file.halfedges)
     if (h.twin == 2) h.twin = -1;
-  const Mesh mesh = read(format_hemesh(file));
+  return file;
+}
+
+TEST(Hemesh, a_divided_curve_on_the_boundary_becomes_two) {
+  const Mesh mesh = read(format_hemesh(divided_boundary()));
   EXPECT_EQ(validate(mesh), std::vector<std::string>{});
   ASSERT_EQ(mesh.face_count(), 2);
   EXPECT_EQ(junctions(mesh), 0u);
@@ -298,6 +302,22 @@ std::string with_value(int line, int column, const std::string& value) {
   lines[std::size_t(line - 1)].clear();
   for (const std::string& word : words) lines[std::size_t(line - 1)] += word + ' ';
   return joined(lines);
+}
+
+TEST(Hemesh, refuses_a_start_that_is_not_on_the_parent) {
+  for (const double t : {-1.0, 7.0}) {
+    HemeshFile file = divided_boundary();
+    for (HemeshFile::Halfedge& h : file.halfedges)
+      if (h.is_stem()) h.interval = {t, t};
+    const std::string message = refusal(format_hemesh(file));
+    EXPECT_NE(message.find("it does not start on its parent"), std::string::npos) << message;
+  }
+}
+
+TEST(Hemesh, refuses_a_mesh_that_it_could_not_write) {
+  HemeshFile file = divided_boundary();
+  for (HemeshFile::Point& p : file.points) p.position.x = p.position.x > 0 ? 1e9 : -1e9;
+  EXPECT_EQ(refusal(format_hemesh(file)), "test.hemesh: its mesh has numbers beyond 1e9.");
 }
 
 TEST(Hemesh, refuses_with_file_and_line) {
