@@ -113,6 +113,29 @@ void register_ids(xmlNode* node) {
   for (xmlNode* child : child_elements(node)) register_ids(child);
 }
 
+/// The text with all replaced that would mean something else in `url(#id)`.
+std::string as_id(std::string text) {
+  for (char& c : text) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == ':' ||
+                          static_cast<unsigned char>(c) >= 0x80;
+    if (!is_plain) c = '_';
+  }
+  return text;
+}
+
+std::string serialized(xmlDoc* document, const char* encoding) {
+  const Reports reports;
+  const std::unique_ptr<xmlBuffer, void (*)(xmlBuffer*)> buffer(xmlBufferCreate(), xmlBufferFree);
+  xmlSaveCtxt* context = xmlSaveToBuffer(buffer.get(), encoding, XML_SAVE_AS_XML);
+  const bool saved = context && xmlSaveDoc(context, document) >= 0;
+  if (!context || xmlSaveClose(context) < 0 || !saved)
+    throw InputError("{0} cannot be written: {1}.", reinterpret_cast<const char*>(document->URL),
+                     reports.reason());
+  return {reinterpret_cast<const char*>(xmlBufferContent(buffer.get())),
+          std::size_t(xmlBufferLength(buffer.get()))};
+}
+
 }  // namespace
 
 SvgDocument::SvgDocument(xmlDoc* document) : document_(document) {}
@@ -164,24 +187,20 @@ void SvgDocument::set_id(xmlNode* node, const std::string& id) {
 
 std::string SvgDocument::give_id(xmlNode* node, const std::string& prefix) {
   std::string id;
-  do id = prefix + std::to_string(next_id_++);
+  do id = as_id(prefix) + std::to_string(next_id_++);
   while (find(id));
   set_id(node, id);
   return id;
 }
 
 std::string SvgDocument::serialize() const {
-  const Reports reports;
   const xmlChar* declared = document_->encoding;
-  const char* encoding = declared ? reinterpret_cast<const char*>(declared) : "UTF-8";
-  const std::unique_ptr<xmlBuffer, void (*)(xmlBuffer*)> buffer(xmlBufferCreate(), xmlBufferFree);
-  xmlSaveCtxt* context = xmlSaveToBuffer(buffer.get(), encoding, XML_SAVE_AS_XML);
-  const bool saved = context && xmlSaveDoc(context, document_.get()) >= 0;
-  if (!context || xmlSaveClose(context) < 0 || !saved)
-    throw InputError("{0} cannot be written: {1}.", reinterpret_cast<const char*>(document_->URL),
-                     reports.reason());
-  return {reinterpret_cast<const char*>(xmlBufferContent(buffer.get())),
-          std::size_t(xmlBufferLength(buffer.get()))};
+  if (!declared) return serialized(document_.get(), "UTF-8");
+  const char* encoding = reinterpret_cast<const char*>(declared);
+  const std::string text = serialized(document_.get(), encoding);
+  // Where even the brackets are others, as in UTF-7, only what libxml2 itself knows is read again.
+  const bool is_known = xmlParseCharEncoding(encoding) != XML_CHAR_ENCODING_ERROR;
+  return is_known || text.starts_with('<') ? text : serialized(document_.get(), "UTF-8");
 }
 
 void SvgDocument::write_file(const std::filesystem::path& path) const {

@@ -28,10 +28,11 @@ class SvgDocument {
   xmlNode* find(std::string_view id) const;
   /// Gives the element this id, which no other may have.
   void set_id(xmlNode* node, const std::string& id);
-  /// Gives the element an id that no other has: `prefix` and a number.
+  /// Gives the element an id that no other has: `prefix` and a number, with all replaced that has
+  /// no place in `url(#id)`, such as the bracket of another object's id.
   std::string give_id(xmlNode* node, const std::string& prefix);
 
-  /// The document in its own encoding, UTF-8 if it declares none.
+  /// In its own encoding; in UTF-8 if it declares none, or one that could not be read again.
   std::string serialize() const;
   /// Writes the whole file or leaves what was there; throws InputError.
   void write_file(const std::filesystem::path& path) const;

@@ -93,7 +93,10 @@ MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode*
   if (const auto text = attribute(path, "transform")) {
     const auto affine = parse_transform(*text);
     if (!affine) fail(path, Message("its transform {0} is malformed", excerpt(*text)));
-    for (Patch& patch : block.patches) transform(patch, *affine);
+    for (Patch& patch : block.patches) {
+      transform(patch, *affine);
+      if (!is_within_limits(patch)) fail(path, Message("it reaches beyond 1e9 user units"));
+    }
   }
   return block;
 }

@@ -67,16 +67,6 @@ std::string current_color(const StyleSheet& styles, const xmlNode* node) {
   return "black";
 }
 
-bool is_within_limits(const Patch& patch) {
-  const BezierNet net = bezier_net(patch);
-  return std::all_of(net.begin(), net.end(), [](const auto& row) {
-    return std::all_of(row.begin(), row.end(), [](const Value& value) {
-      const glm::dvec2 p = value.position;
-      return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
-    });
-  });
-}
-
 Message place_name(int row, int column) {
   return Message("row {0}, patch {1}", row + 1, column + 1);
 }
@@ -292,6 +282,16 @@ MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
 }
 
 }  // namespace
+
+bool is_within_limits(const Patch& patch) {
+  const BezierNet net = bezier_net(patch);
+  return std::all_of(net.begin(), net.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [](const Value& value) {
+      const glm::dvec2 p = value.position;
+      return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
+    });
+  });
+}
 
 MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
   if (is_smooth(gradient))

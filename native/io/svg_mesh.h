@@ -18,6 +18,9 @@ struct MeshGrid {
   std::vector<Patch> patches;
 };
 
+/// Whether no control point lies beyond Scanner's limit.
+bool is_within_limits(const Patch& patch);
+
 /// The patches of a <meshgradient> in its own coordinates (of x, y and the paths, before
 /// gradientTransform). As in Inkscape 1.2 the element that `href` leads to gives only its rows and
 /// gradientUnits; x, y, type and gradientTransform are the element's own (SVG 2 would inherit

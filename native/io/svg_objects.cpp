@@ -61,7 +61,7 @@ class Collector {
 
   void add(xmlNode* node, PaintRole role, xmlNode* gradient, const xmlNode* kept) {
     std::string id = object_id(node);
-    if (id.empty()) id = document_.give_id(node, std::string(svg_name(node)));
+    if (id.empty()) id = document_.give_id(whole_object(node), std::string(svg_name(node)));
     objects.push_back({node, std::move(id), role, gradient, kept});
   }
 

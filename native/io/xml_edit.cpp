@@ -1,10 +1,26 @@
 #include "io/xml_edit.h"
 
+#include "io/xml_node.h"
+
 namespace gradmesh {
 namespace {
 
 const xmlChar* chars(const std::string& text) {
   return reinterpret_cast<const xmlChar*>(text.c_str());
+}
+
+/// Whether an element or attribute has the prefix although no namespace was declared for it: a
+/// declaration further up would give it a meaning that it does not have.
+bool has_undeclared(const xmlNode* node, const std::string& prefix) {
+  const auto has_prefix = [&](const xmlChar* name, const xmlNs* ns) {
+    return !ns && std::string_view(reinterpret_cast<const char*>(name)).starts_with(prefix + ":");
+  };
+  if (has_prefix(node->name, node->ns)) return true;
+  for (const xmlAttr* a = node->properties; a; a = a->next)
+    if (has_prefix(a->name, a->ns)) return true;
+  for (const xmlNode* child : child_elements(node))
+    if (has_undeclared(child, prefix)) return true;
+  return false;
 }
 
 xmlNs* declare_namespace(xmlNode* node, std::string_view space, const std::string& prefix) {
@@ -14,7 +30,8 @@ xmlNs* declare_namespace(xmlNode* node, std::string_view space, const std::strin
   xmlNode* root = xmlDocGetRootElement(node->doc);
   for (int n = 0;; ++n) {
     const std::string name = n == 0 ? prefix : prefix + std::to_string(n);
-    if (!xmlSearchNs(node->doc, node, chars(name))) return xmlNewNs(root, chars(uri), chars(name));
+    if (!xmlSearchNs(node->doc, node, chars(name)) && !has_undeclared(root, name))
+      return xmlNewNs(root, chars(uri), chars(name));
   }
 }
 

@@ -180,6 +180,16 @@ TEST(SvgDocument, KeepsWhatItDoesNotKnow) {
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + head + "\xc3\xa9</svg>\n");
 }
 
+TEST(SvgDocument, CanBeReadAgainWhateverItsEncoding) {
+  for (const std::string encoding : {"UTF-7", "windows-1252", "KOI8-R", "ISO-8859-15", "ASCII"}) {
+    const std::string text =
+        "<?xml version=\"1.0\" encoding=\"" + encoding + "\"?>\n" + head + "<g id=\"a\"/></svg>\n";
+    const std::string written = parse(text).serialize();
+    EXPECT_TRUE(parse(written).find("a")) << encoding;
+    if (encoding != "UTF-7") EXPECT_EQ(written, text);
+  }
+}
+
 TEST(SvgDocument, EntitiesAreTakenOnlyWhereHarmless) {
   const auto first_color = [](const std::string& entities, const std::string& paint) {
     SvgDocument document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +

@@ -181,6 +181,28 @@ TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
   EXPECT_EQ(mesh_objects(document).size(), 1u);
 }
 
+TEST(SvgWrite, gives_no_meaning_to_prefixes_that_the_document_does_not_declare) {
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<g id=\"g\" gradmesh:version=\"1\"><rect id=\"p\" width=\"400\" "
+                    "height=\"400\" fill=\"url(#m)\"/></g>",
+                    grid_mesh()),
+      "d.svg");
+  EXPECT_FALSE(is_mesh_group(document.find("g")));
+  EXPECT_TRUE(is_mesh_group(document.find("p")));
+}
+
+TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<rect id=\"a)b 'c\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
+                    grid_mesh()),
+      "d.svg");
+  const auto objects = mesh_objects(document);
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].id, "a)b 'c");
+  EXPECT_EQ(read_mesh_group(document, objects[0].node).patches.size(), 9u);
+  EXPECT_EQ(attribute(objects[0].node, "clip-path").value_or("").substr(0, 16), "url(#a_b__c-shap");
+}
+
 TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
   SvgDocument document = SvgDocument::parse(
       after_writing("<rect id=\"p\" width=\"400\" height=\"400\" class=\"c\" clip-path=\"url(#k)\" "
@@ -326,6 +348,18 @@ TEST(SvgWrite, both_paints_of_one_object) {
   for (const xmlNode* part : parts) EXPECT_TRUE(child_elements(part, "rect").empty());
 }
 
+TEST(SvgGroup, whose_object_has_lost_its_id_gets_one_that_stays) {
+  const std::string body =
+      "<rect id=\"p\" width=\"100\" height=\"100\" style=\"fill:url(#m);stroke:#00f\"/>";
+  SvgDocument document = SvgDocument::parse(after_writing(body, grid_mesh()), "d.svg");
+  xmlNode* outer = document.find("p");
+  ASSERT_FALSE(is_mesh_group(outer));
+  xmlUnsetProp(outer, BAD_CAST "id");
+  const std::string id = mesh_objects(document).at(0).id;
+  EXPECT_EQ(document.find(id), outer);
+  EXPECT_EQ(mesh_objects(document).at(0).id, id);
+}
+
 TEST(SvgGroup, says_what_is_missing) {
   const std::string good = after_writing(
       "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
@@ -354,6 +388,10 @@ TEST(SvgGroup, says_what_is_missing) {
   EXPECT_EQ(complaint([&](xmlNode* g) { own(g, "curves", "1 | x"); }),
             "d.svg: g \"p\": its gradmesh:curves cannot be read.");
   EXPECT_NE(complaint([&](xmlNode* g) { own(g, "curves", "1 | 1"); }), "");
+  EXPECT_NE(complaint([&](xmlNode* g) {
+              xmlSetProp(child_elements(g)[0], BAD_CAST "transform", BAD_CAST "scale(1e8)");
+            }).find("it reaches beyond 1e9 user units."),
+            std::string::npos);
 }
 
 TEST(Blocks, hold_every_face_once_and_whole_grids_in_one) {
