@@ -35,6 +35,7 @@ struct PointRecord {
   bool alive = true;
 
   bool is_junction() const { return stem.valid(); }
+  bool operator==(const PointRecord&) const = default;
 };
 
 /// Tangent of a curve at one of its ends, pointing from the end into the curve. The colour part
@@ -44,12 +45,16 @@ struct HandleRecord {
   /// The half-edge that starts where the handle is.
   Halfedge halfedge;
   bool alive = true;
+
+  bool operator==(const HandleRecord&) const = default;
 };
 
 struct FaceRecord {
   /// The top side of the patch (u = 0).
   Halfedge halfedge;
   bool alive = true;
+
+  bool operator==(const FaceRecord&) const = default;
 };
 
 /// Which part of its parent a child spans, in the parent's direction. A stem spans one point.
@@ -92,6 +97,8 @@ struct HalfedgeRecord {
   bool own_color = true;
 
   bool alive = true;
+
+  bool operator==(const HalfedgeRecord&) const = default;
 };
 
 }  // namespace gradmesh

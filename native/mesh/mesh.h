@@ -39,6 +39,9 @@ class Mesh {
 
   int face_count() const { return face_count_; }
 
+  /// Record by record, those that are not alive too: what an undo restores.
+  bool operator==(const Mesh&) const = default;
+
   // --- the half-edge tree ---
   bool is_parent(Halfedge h) const { return (*this)[h].first_child.valid(); }
   bool is_leaf(Halfedge h) const { return !is_parent(h); }
