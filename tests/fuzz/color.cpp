@@ -1,0 +1,24 @@
+#include <string>
+
+#include "io/svg_color.h"
+#include "io/svg_scanner.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+void check(std::string_view text) {
+  const auto color = parse_color(text);
+  if (color)
+    for (int k = 0; k < 4; ++k)
+      require((*color)[k] >= 0 && (*color)[k] <= 1, "the channel is between 0 and 1");
+  require(parse_color(lower(text)) == color, "small and large letters are the same colour");
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
+  return 0;
+}

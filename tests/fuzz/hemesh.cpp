@@ -1,0 +1,33 @@
+#include <optional>
+#include <string>
+
+#include "io/hemesh_reader.h"
+#include "io/hemesh_writer.h"
+#include "mesh/build.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+void check(std::string_view text) {
+  std::optional<Mesh> mesh;
+  if (!accepts([&] { mesh = build_mesh(read_hemesh(text, input_name)); })) return;
+  require_sound(*mesh);
+  const std::string written = write_hemesh(*mesh);
+  must_accept(
+      [&] {
+        const Mesh again = build_mesh(read_hemesh(written, input_name));
+        require_sound(again);
+        require(again.face_count() == mesh->face_count(), "no patch is lost");
+        require(write_hemesh(again) == written, "what was written is written as it is");
+      },
+      "what was written can be read");
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
+  return 0;
+}

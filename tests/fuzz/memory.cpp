@@ -1,0 +1,42 @@
+#include <optional>
+#include <string>
+
+#include "io/base64.h"
+#include "io/svg_memory.h"
+#include "io/zip.h"
+#include "mesh/build.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+void check_packing(const std::string& text) {
+  require(base64_bytes(base64(text)) == text, "base64 gives the bytes back");
+  require(unzip(zip(text), text.size()) == text, "zip gives the bytes back");
+  // Also as they come from a stranger: packed by nobody.
+  unzip(text, 1 << 16);
+  if (const auto bytes = base64_bytes(text)) unzip(*bytes, 1 << 16);
+}
+
+/// The text as the document in a memory.
+void check_recall(const std::string& text) {
+  const auto parts = recall(base64(zip(text)));
+  if (!parts) return;
+  const Mesh mesh = build_mesh(*parts);
+  require_sound(mesh);
+  const auto again = recall(remember(mesh));
+  require(again.has_value(), "what is remembered can be recalled");
+  const Mesh recalled = build_mesh(*again);
+  require_sound(recalled);
+  require(recalled.face_count() == mesh.face_count(), "no patch is lost");
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(gradmesh::fuzz::as_text(data, size));
+  gradmesh::fuzz::check_packing(text);
+  gradmesh::fuzz::check_recall(text);
+  return 0;
+}

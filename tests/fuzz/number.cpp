@@ -1,0 +1,61 @@
+#include <cmath>
+#include <string>
+
+#include "io/svg_document.h"
+#include "io/svg_length.h"
+#include "io/svg_number.h"
+#include "io/svg_scanner.h"
+#include "io/svg_transform.h"
+#include "io/xml_edit.h"
+#include "io/xml_node.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+void check_number(std::string_view text) {
+  const auto number = parse_number(text);
+  if (!number) return;
+  require(std::abs(*number) <= max_coordinate, "the number is within the limit");
+  require(parse_number(format_exactly(*number)) == number, "the number reads back exactly");
+  const auto rounded = parse_number(format_number(*number));
+  require(rounded && std::abs(*rounded - *number) <= 1e-8 * std::abs(*number),
+          "the number reads back, rounded");
+}
+
+void check_fraction(std::string_view text) {
+  const auto fraction = parse_fraction(text);
+  require(!fraction || (*fraction >= 0 && *fraction <= 1), "the fraction is between 0 and 1");
+}
+
+/// As an attribute, and as the size that percentages are taken of.
+void check_length(const std::string& text) {
+  static const SvgDocument document = SvgDocument::parse("<svg><rect/></svg>", input_name);
+  xmlNode* const svg = document.root();
+  xmlNode* const rect = child_elements(svg).front();
+  set_attribute(rect, "x", text);
+  set_attribute(rect, "y", "50%");
+  set_attribute(svg, "viewBox", text);
+  accepts([&] { require(std::isfinite(read_length(rect, "x", LengthAxis::x)), "it is finite"); });
+  accepts([&] { require(std::isfinite(read_length(rect, "y", LengthAxis::y)), "it is finite"); });
+  accepts([&] { require(std::isfinite(read_box_length(rect, "x")), "it is finite"); });
+  remove_attribute(svg, "viewBox");
+  set_attribute(svg, "width", text);
+  set_attribute(svg, "height", text);
+  accepts([&] { read_length(rect, "y", LengthAxis::diagonal); });
+}
+
+void check(std::string_view text) {
+  check_number(text);
+  check_fraction(text);
+  check_length(std::string(text));
+  parse_transform(text);
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
+  return 0;
+}

@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "branch_meshes.h"
+#include "io/blocks.h"
+#include "io/svg_memory.h"
+#include "mesh/region.h"
+#include "mesh/subdivide.h"
+#include "ops/merge.h"
+#include "ops/merge_faces.h"
+#include "ops/merge_region.h"
+#include "ops/split.h"
+#include "ops/split_line.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+/// Choices, front to back; all are 0 where the bytes have come to an end.
+class Choices {
+ public:
+  Choices(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
+
+  bool at_end() const { return next_ == end_; }
+  /// 0..255.
+  unsigned byte() { return at_end() ? 0u : *next_++; }
+  unsigned below(std::size_t count) { return (byte() << 8 | byte()) % unsigned(count); }
+  /// Above 0 and below 1.
+  double share() { return (byte() + 0.5) / 256; }
+
+ private:
+  const std::uint8_t *next_, *end_;
+};
+
+MeshParts chosen_parts(Choices& choices) {
+  switch (choices.byte() % 8) {
+    case 0:
+      return test::l_branch();
+    case 1:
+      return test::u_branch();
+    case 2:
+      return test::cross(1 + int(choices.byte() % 2));
+    case 3:
+      return test::ring(3 + int(choices.byte() % 5));
+    default:
+      break;
+  }
+  const unsigned size = choices.byte(), noise = choices.byte();
+  std::mt19937 random(choices.byte());
+  return test::grid_parts({.rows = 1 + int(size % 4),
+                           .columns = 1 + int(size / 4 % 4),
+                           .position_noise = noise % 8 / 10.0,
+                           .color_noise = noise / 8 % 4 / 10.0,
+                           .color_model = noise < 128 ? ColorModel::bilinear : ColorModel::bicubic},
+                          random);
+}
+
+/// Splits only make meshes larger; from here on they are left out.
+constexpr int many_faces = 40;
+
+class Operations {
+ public:
+  Operations(Mesh& mesh, Choices& choices) : mesh_(mesh), choices_(choices), journal_(mesh) {}
+
+  void next() {
+    const unsigned which = choices_.byte() % 10;
+    const bool may_grow = mesh_.face_count() < many_faces;
+    if (which < 4) return merge_edge();
+    if (which == 4) return undo();
+    if (which == 5) return merge_some_faces();
+    if (which == 6) return merge_some_region();
+    if (!may_grow) return;
+    const Halfedge side = leaf();
+    if (which == 7) split(journal_, side, choices_.share());
+    if (which == 8) split_line(journal_, side, choices_.share());
+    if (which == 9) split_line_across(journal_, side, choices_.share());
+  }
+
+  void undo_all() {
+    while (journal_.depth() > 0) journal_.undo();
+  }
+
+ private:
+  Face face() {
+    const auto faces = mesh_.faces();
+    return *std::next(faces.begin(), choices_.below(std::size_t(mesh_.face_count())));
+  }
+  Halfedge leaf() { return mesh_.sides(face())[choices_.byte() % 4]; }
+
+  void merge_edge() {
+    const Halfedge edge = leaf();
+    if (can_merge(mesh_, edge) == MergeObstacle::none) merge(journal_, edge);
+  }
+
+  void merge_some_faces() {
+    std::vector<Face> faces{face(), face(), face()};
+    std::ranges::sort(faces);
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    merge_faces(journal_, faces);
+  }
+
+  void merge_some_region() {
+    const unsigned shape = choices_.byte();
+    const Region region{face(), int(shape % 4), 1 + int(shape / 4 % 4), 1 + int(shape / 16 % 4)};
+    const std::vector<Halfedge> tops = region_tops(mesh_, region);
+    if (!tops.empty()) merge_region(journal_, region, tops);
+  }
+
+  void undo() {
+    if (journal_.depth() > 0) journal_.undo();
+  }
+
+  Mesh& mesh_;
+  Choices& choices_;
+  Journal journal_;
+};
+
+/// That each side of a patch, as the patch itself is painted, lies on the curve of the patches
+/// across, and each stem starts on its bar's curve: there are no gaps, at T-junctions either.
+void require_no_gaps(const Mesh& mesh) {
+  for (const Face f : mesh.faces()) {
+    const Patch patch = mesh.patch(f);
+    const std::array<Halfedge, 4> sides = mesh.sides(f);
+    for (int k = 0; k < 4; ++k) {
+      const Halfedge across = mesh.other_side(sides[std::size_t(k)]);
+      if (!across.valid()) continue;
+      const Cubic<Value> side = patch.side(k), curve = mesh.curve_of(across);
+      const Interval span = mesh.span(sides[std::size_t(k)]);
+      double largest = 0;
+      for (const Value& v : {curve.p0, curve.m0, curve.m1, curve.p1})
+        largest = std::max(largest, glm::length(v.position));
+      for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const glm::dvec2 there = curve.at(1 - (span.first + t * span.length())).position;
+        require(glm::distance(side.at(t).position, there) <= 1e-9 * largest, "there are no gaps");
+      }
+    }
+  }
+}
+
+/// What the writers make of such a mesh is the same mesh to the readers.
+void require_writable(const Mesh& mesh) {
+  must_accept(
+      [&] {
+        const auto remembered = recall(remember(mesh));
+        require(remembered.has_value(), "what is remembered can be recalled");
+        const Mesh recalled = build_mesh(*remembered);
+        require_sound(recalled);
+        require(recalled.face_count() == mesh.face_count(), "no patch is lost");
+        for (const std::vector<Block>& blocks : possible_blocks(mesh))
+          if (mesh.color_model() == ColorModel::bilinear)
+            require_sound(build_mesh(block_parts(mesh, blocks, 0.01)));
+        require_sound(build_mesh(subdivided(mesh, 2)));
+      },
+      "what is written can be read");
+}
+
+void check(Choices choices) {
+  const bool writes = choices.byte() % 4 == 0;
+  const Mesh start = build_mesh(chosen_parts(choices));
+  require_sound(start);
+  Mesh mesh = start;
+  Operations operations(mesh, choices);
+  while (!choices.at_end()) {
+    operations.next();
+    require_sound(mesh);
+    require_no_gaps(mesh);
+  }
+  if (writes) require_writable(mesh);
+  operations.undo_all();
+  require(mesh == start, "all undone, the mesh is what it was");
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check({data, size});
+  return 0;
+}

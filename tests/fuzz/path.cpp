@@ -1,0 +1,33 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/svg_path.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+void check(std::string_view data) {
+  const auto box = path_box(data);
+  const auto outline = path_outline(data);
+  require(box.has_value() == outline.has_value(), "both can read it, or neither");
+  if (!box || box->empty()) return;
+  const glm::dvec2 low = box->low(), high = box->high();
+  const double largest =
+      std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
+  require(std::isfinite(largest), "the box is finite");
+  const double rounding = 1e-6 * largest;
+  for (const auto& polygon : *outline)
+    for (const glm::dvec2 p : polygon)
+      require(p.x >= low.x - rounding && p.x <= high.x + rounding && p.y >= low.y - rounding &&
+                  p.y <= high.y + rounding,
+              "the outline lies in the box");
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
+  return 0;
+}

@@ -1,0 +1,49 @@
+#include <string>
+
+#include "io/svg_document.h"
+#include "io/svg_objects.h"
+#include "io/svg_scanner.h"
+#include "io/svg_style.h"
+#include "io/xml_edit.h"
+#include "io/xml_node.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+void set_text(xmlNode* node, const std::string& text) {
+  xmlNodeSetContent(node, nullptr);
+  xmlNodeAddContentLen(node, reinterpret_cast<const xmlChar*>(text.data()), int(text.size()));
+}
+
+/// The text as a style sheet, and as the style of one element.
+void check(const std::string& text) {
+  static const SvgDocument document = SvgDocument::parse(
+      "<svg><style/><g class=\"a b\"><path id=\"p\" class=\"a\" fill=\"red\"/></g></svg>",
+      input_name);
+  xmlNode* const style = child_elements(document.root(), "style").front();
+  xmlNode* const group = child_elements(document.root(), "g").front();
+  xmlNode* const path = child_elements(group).front();
+  set_text(style, text);
+  set_attribute(group, "style", text);
+
+  const StyleSheet styles(document.root());
+  for (const auto& [property, value] : parse_declarations(text)) {
+    require(property == lower(trimmed(property)), "names are in small letters");
+    require(styles.declared(group, property) == value || text.find('\0') != text.npos,
+            "an element's own style wins");
+    referenced_id(value);
+    fallback_color(value);
+  }
+  require(styles.declared(path, "fill").has_value(), "an attribute counts");
+  styles.inherited(path, "fill");
+  styles.inherited(path, "stop-color");
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(std::string(gradmesh::fuzz::as_text(data, size)));
+  return 0;
+}

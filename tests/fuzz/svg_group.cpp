@@ -1,0 +1,64 @@
+#include <string>
+
+#include "io/svg_document.h"
+#include "io/svg_group.h"
+#include "io/xml_edit.h"
+#include "io/xml_node.h"
+#include "mesh/build.h"
+#include "mesh/reconcile.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+/// A group of one block of two patches above two of one each, which a few T-junctions can join.
+SvgDocument blocks() {
+  const std::string square =
+      "<stop path='l 20,0' stop-color='red'/><stop path='l 0,10'/><stop path='l -20,0'/>";
+  const auto gradient = [&](const std::string& id, const std::string& place,
+                            const std::string& more) {
+    return "<meshgradient id='" + id + "' gradientUnits='userSpaceOnUse' " + place +
+           "><meshrow><meshpatch>" + square + "<stop path='l 0,-10'/></meshpatch>" + more +
+           "</meshrow></meshgradient>";
+  };
+  const std::string beside = "<meshpatch>" + square + "</meshpatch>";
+  return SvgDocument::parse(
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:gradmesh='urn:gradmesh'><defs>" +
+          gradient("a", "x='0' y='0'", beside) + gradient("b", "x='0' y='10'", "") +
+          gradient("c", "x='20' y='10'", "") +
+          "</defs><g id='g' gradmesh:version='1'>"
+          "<path gradmesh:face='0' fill='url(#a)'/><path gradmesh:face='2' fill='url(#b)'/>"
+          "<path gradmesh:face='3' fill='url(#c)'/></g></svg>",
+      input_name);
+}
+
+/// The text as the group's `curves`.
+void check(const std::string& text) {
+  static const SvgDocument document = blocks();
+  xmlNode* const group = child_elements(document.root(), "g").front();
+  set_attribute(group, "curves", text, gradmesh_namespace, "gradmesh");
+  accepts([&] {
+    const MeshParts parts = read_mesh_group(document, group);
+    const Mesh mesh = build_mesh(parts);
+    require_sound(mesh);
+    must_accept(
+        [&] {
+          const std::vector<Block> blocks = find_blocks(mesh);
+          const Mesh written = build_mesh(block_parts(mesh, blocks, 0));
+          require_sound(written);
+          require(written.face_count() == mesh.face_count(), "no patch is lost");
+          format_curves(mesh, blocks);
+        },
+        "a mesh that was read can be written");
+    require_sound(build_mesh(reconcile(parts).parts));
+    require(!reconcile(parts, parts).edited, "a mesh is what it was written as");
+  });
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(std::string(gradmesh::fuzz::as_text(data, size)));
+  return 0;
+}

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "io/svg_group.h"
+#include "io/svg_memory.h"
+#include "io/svg_mesh.h"
+#include "io/svg_mesh_writer.h"
+#include "io/svg_restore.h"
+#include "io/svg_write.h"
+#include "mesh/build.h"
+#include "mesh/grid.h"
+#include "ops/merge.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+constexpr double tolerance = 0.01;
+
+Mesh read(const SvgDocument& document, const MeshObject& object) {
+  return build_mesh(object.gradient ? read_mesh(document, object)
+                                    : read_mesh_group(document, object.node));
+}
+
+/// The first mesh that can be read, and is not smooth: such are never written in blocks.
+std::optional<std::pair<MeshObject, Mesh>> first_mesh(SvgDocument& document) {
+  std::optional<std::pair<MeshObject, Mesh>> found;
+  for (const MeshObject& object : mesh_objects(document)) {
+    accepts([&] { found.emplace(object, read(document, object)); });
+    if (found && !found->second.is_smooth()) return found;
+  }
+  return std::nullopt;
+}
+
+/// The object, named by its id and what the mesh paints, in the document as a program finds it that
+/// opens what is written.
+std::pair<SvgDocument, MeshObject> reopened(const SvgDocument& document, const std::string& id,
+                                            PaintRole role) {
+  SvgDocument again = SvgDocument::parse(document.serialize(), input_name);
+  const auto objects = mesh_objects(again);
+  const auto found = std::ranges::find_if(
+      objects, [&](const MeshObject& object) { return object.id == id && object.role == role; });
+  require(found != objects.end(), "the object is there again");
+  return {std::move(again), *found};
+}
+
+void merge_some(Mesh& mesh) {
+  Journal journal(mesh);
+  for (int left = 2; left > 0; --left)
+    for (const Halfedge h : mesh.halfedges())
+      if (can_merge(mesh, h) == MergeObstacle::none) {
+        merge(journal, h);
+        break;
+      }
+}
+
+/// Simplifies the mesh and writes it as blocks.
+void write_blocks(SvgDocument& document, const MeshObject& object, Mesh mesh) {
+  const std::string original = remember(mesh);
+  const int before = mesh.face_count();
+  merge_some(mesh);
+  const std::vector<Block> blocks = possible_blocks(mesh)[0];
+  const Mesh expected = build_mesh(block_parts(mesh, blocks, tolerance));
+  require_sound(expected);
+  write_mesh(document, object, {mesh, blocks, tolerance, "label", before, original});
+
+  const auto [again, group] = reopened(document, object.id, object.role);
+  require(is_mesh_group(group.node) && patches_before(group.node) == before, "it is a group");
+  const Mesh written = read(again, group);
+  require_sound(written);
+  require(written.face_count() == expected.face_count(), "no patch is lost");
+}
+
+/// Makes one mesh gradient of the group's mesh again, where it is a rectangle.
+void write_one(SvgDocument& document, const std::string& id, PaintRole role) {
+  auto [again, group] = reopened(document, id, role);
+  const Mesh mesh = read(again, group);
+  if (!find_grid(mesh) ||
+      !accepts([&, &again = again, &group = group] { check_restorable(again, group); }))
+    return;
+  const MeshObject shape = restore_shape(again, group);
+  write_mesh_gradient(again, shape, mesh, tolerance);
+  const auto [last, object] = reopened(again, shape.id, role);
+  require(read(last, object).face_count() == mesh.face_count(), "no patch is lost");
+}
+
+void check(std::string_view bytes) {
+  std::optional<SvgDocument> document;
+  std::optional<std::pair<MeshObject, Mesh>> first;
+  if (!accepts([&] {
+        document = SvgDocument::parse(bytes, input_name);
+        first = first_mesh(*document);
+      }) ||
+      !first)
+    return;
+  must_accept(
+      [&] {
+        const auto& [object, mesh] = *first;
+        write_blocks(*document, object, mesh);
+        write_one(*document, object.id, object.role);
+      },
+      "what was written can be read");
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
+  return 0;
+}
