@@ -9,32 +9,60 @@
 namespace gradmesh {
 namespace {
 
+/// Where a reader of CSS stands: inside quotes or parentheses, after a backslash.
+class Nesting {
+ public:
+  bool is_outside() const { return !quote_ && depth_ == 0 && !escaped_; }
+
+  void take(char c) {
+    if (escaped_) {
+      escaped_ = false;
+    } else if (c == '\\') {
+      escaped_ = true;
+    } else if (quote_) {
+      if (c == quote_) quote_ = 0;
+    } else if (c == '"' || c == '\'') {
+      quote_ = c;
+    } else if (c == '(') {
+      ++depth_;
+    } else if (c == ')') {
+      depth_ = std::max(0, depth_ - 1);
+    }
+  }
+
+  /// What is missing to be outside.
+  std::string ending() const {
+    return std::string(escaped_ ? "\\" : "") + std::string(quote_ ? 1 : 0, quote_) +
+           std::string(std::size_t(depth_), ')');
+  }
+
+ private:
+  char quote_ = 0;
+  int depth_ = 0;
+  bool escaped_ = false;
+};
+
 /// Position of the next of `ends` in `text` from `start` on that is neither inside quotes nor
 /// inside parentheses; the text's size if there is none.
 std::size_t find_outside(std::string_view text, std::string_view ends, std::size_t start) {
-  char quote = 0;
-  int depth = 0;
+  Nesting nesting;
   for (std::size_t i = start; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\\') {
-      ++i;
-    } else if (quote) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '(') {
-      ++depth;
-    } else if (c == ')') {
-      depth = std::max(0, depth - 1);
-    } else if (depth == 0 && ends.find(c) != ends.npos) {
-      return i;
-    }
+    if (nesting.is_outside() && ends.find(text[i]) != ends.npos) return i;
+    nesting.take(text[i]);
   }
   return text.size();
 }
 
-/// `text` without CSS comments, each of which separates like a blank, and without the marks that
-/// once hid style sheets from old browsers.
+/// The text with what CSS adds at its end where quotes or parentheses are left open: other
+/// declarations may come to stand behind it.
+std::string closed(std::string_view text) {
+  Nesting nesting;
+  for (const char c : text) nesting.take(c);
+  return std::string(text) + nesting.ending();
+}
+
+/// `text` without CSS comments and without the marks that once hid style sheets from old browsers,
+/// each of which separates like a blank.
 std::string without_comments(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -45,6 +73,7 @@ std::string without_comments(std::string_view text) {
       result += ' ';
     } else if (rest.starts_with("<!--") || rest.starts_with("-->")) {
       i += rest.starts_with("-->") ? 3 : 4;
+      result += ' ';
     } else {
       result += text[i++];
     }
@@ -100,9 +129,9 @@ Declarations parse_declarations(std::string_view text) {
     const std::size_t end = find_outside(view, ";", start);
     const std::string_view declaration = view.substr(start, end - start);
     const std::size_t colon = declaration.find(':');
-    if (colon != declaration.npos)
-      declarations[lower(trimmed(declaration.substr(0, colon)))] =
-          without_important(declaration.substr(colon + 1));
+    const std::string name = lower(trimmed(declaration.substr(0, colon)));
+    if (colon != declaration.npos && is_name(name))
+      declarations[name] = closed(without_important(declaration.substr(colon + 1)));
     start = end + 1;
   }
   return declarations;

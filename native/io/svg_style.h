@@ -10,7 +10,7 @@
 namespace gradmesh {
 
 /// Property names (lower case) and their values, as of a `style` attribute; the last of equal
-/// names counts. `!important` is left out.
+/// names counts. `!important` and what has no name is left out, open quotes are closed.
 using Declarations = std::map<std::string, std::string, std::less<>>;
 Declarations parse_declarations(std::string_view text);
 

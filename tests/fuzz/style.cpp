@@ -16,6 +16,14 @@ void set_text(xmlNode* node, const std::string& text) {
   xmlNodeAddContentLen(node, reinterpret_cast<const xmlChar*>(text.data()), int(text.size()));
 }
 
+/// Declarations are written in another order than they were read in, and mean the same.
+void check_order(const Declarations& declarations) {
+  std::string reversed;
+  for (const auto& [property, value] : declarations)
+    reversed = property + ":" + value + ";" + reversed;
+  require(parse_declarations(reversed) == declarations, "the order does not count");
+}
+
 /// The text as a style sheet, and as the style of one element.
 void check(const std::string& text) {
   static const SvgDocument document = SvgDocument::parse(
@@ -27,6 +35,7 @@ void check(const std::string& text) {
   set_text(style, text);
   set_attribute(group, "style", text);
 
+  check_order(parse_declarations(text));
   const StyleSheet styles(document.root());
   for (const auto& [property, value] : parse_declarations(text)) {
     require(property == lower(trimmed(property)), "names are in small letters");

@@ -10,6 +10,7 @@
 #include "io/svg_path.h"
 #include "io/svg_scanner.h"
 #include "io/svg_shape.h"
+#include "io/svg_style.h"
 #include "io/svg_transform.h"
 
 namespace gradmesh {
@@ -247,6 +248,15 @@ TEST(SvgShape, Outlines) {
   EXPECT_NEAR(size("d"), 2, 1e-9);
   EXPECT_EQ(size("t"), -1);
   EXPECT_EQ(size("l"), -1);
+}
+
+TEST(SvgStyle, WhatIsLeftOpenDoesNotSwallowWhatIsWrittenBehindIt) {
+  const auto read = [](std::string_view text) { return parse_declarations(text); };
+  EXPECT_EQ(read("fill:red;font:'a;b"), (Declarations{{"fill", "red"}, {"font", "'a;b'"}}));
+  EXPECT_EQ(read("fill:url(\"#m"), (Declarations{{"fill", "url(\"#m\")"}}));
+  EXPECT_EQ(read("fill:red\\"), (Declarations{{"fill", "red\\\\"}}));
+  EXPECT_EQ(read("fill:red;'stroke:blue;"), (Declarations{{"fill", "red"}}));
+  EXPECT_EQ(read("fill:re<!--d"), (Declarations{{"fill", "re d"}}));
 }
 
 }  // namespace
