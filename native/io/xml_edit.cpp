@@ -25,13 +25,16 @@ bool has_undeclared(const xmlNode* node, const std::string& prefix) {
 
 xmlNs* declare_namespace(xmlNode* node, std::string_view space, const std::string& prefix) {
   const std::string uri(space);
-  if (xmlNs* known = xmlSearchNsByHref(node->doc, node, chars(uri)); known && known->prefix)
+  // A prefix with a colon is none, although libxml2 lets it pass.
+  if (xmlNs* known = xmlSearchNsByHref(node->doc, node, chars(uri));
+      known && known->prefix && !xmlStrchr(known->prefix, ':'))
     return known;
   xmlNode* root = xmlDocGetRootElement(node->doc);
   for (int n = 0;; ++n) {
     const std::string name = n == 0 ? prefix : prefix + std::to_string(n);
-    if (!xmlSearchNs(node->doc, node, chars(name)) && !has_undeclared(root, name))
-      return xmlNewNs(root, chars(uri), chars(name));
+    xmlNs* const found = xmlSearchNs(node->doc, node, chars(name));
+    if (found && xmlStrEqual(found->href, chars(uri))) return found;
+    if (!found && !has_undeclared(root, name)) return xmlNewNs(root, chars(uri), chars(name));
   }
 }
 

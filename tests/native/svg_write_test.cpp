@@ -191,6 +191,16 @@ TEST(SvgWrite, gives_no_meaning_to_prefixes_that_the_document_does_not_declare) 
   EXPECT_TRUE(is_mesh_group(document.find("p")));
 }
 
+TEST(SvgWrite, does_not_use_a_prefix_that_is_none) {
+  SvgDocument document = SvgDocument::parse(
+      after_writing("<g xmlns:a:b=\"urn:gradmesh\"><rect id=\"p\" width=\"400\" height=\"400\" "
+                    "fill=\"url(#m)\"/></g>",
+                    grid_mesh()),
+      "d.svg");
+  ASSERT_TRUE(is_mesh_group(document.find("p")));
+  EXPECT_EQ(read_mesh_group(document, document.find("p")).patches.size(), 9u);
+}
+
 TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
   SvgDocument document = SvgDocument::parse(
       after_writing("<rect id=\"a)b 'c\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
