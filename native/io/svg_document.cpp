@@ -74,6 +74,16 @@ void limit_from_here(void* context, const xmlChar* name, int type, const xmlChar
   xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
 }
 
+/// A tree takes far more memory than the text of many small elements and attributes.
+void check_tree_size(std::string_view bytes, const auto& refuse) {
+  constexpr std::uint64_t bytes_of_node = 250;
+  const auto nodes = std::ranges::count(bytes, '<') + std::ranges::count(bytes, '=');
+  const std::uint64_t needed = std::uint64_t(nodes) * bytes_of_node, most = limits().memory;
+  if (needed > most)
+    refuse(Message("its elements take about {0} bytes, {1}", needed,
+                   beyond_limit("memory", most, needed)));
+}
+
 /// Null where the bytes are no XML, which is reported.
 xmlDoc* parse_tree(std::string_view bytes) {
   const Context context(xmlNewParserCtxt(), xmlFreeParserCtxt);
@@ -154,6 +164,8 @@ SvgDocument SvgDocument::parse(std::string_view bytes, const std::string& name) 
   if (bytes.size() > most)
     refuse(Message("it has {0} bytes, {1}", bytes.size(),
                    beyond_limit("document", most, bytes.size())));
+
+  check_tree_size(bytes, refuse);
 
   const Reports reports;
   SvgDocument document(parse_tree(bytes));

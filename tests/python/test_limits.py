@@ -82,6 +82,13 @@ def test_gradients_that_refer_to_one_another(tmp_path):
     )
 
 
+def test_more_elements_than_memory_holds(tmp_path):
+    document = tmp_path / "many.svg"
+    document.write_text(FRUIT.read_text().replace("</svg>", "<g/>" * 100_000 + "</svg>"))
+    sentence = refused(run("info", document, limits="memory=20M"), document, "its elements take")
+    assert run("info", document, limits=allowed(sentence)).returncode == 0
+
+
 def test_a_file_without_end():
     refused(run("info", "/dev/zero", limits="document=1M"), "/dev/zero", "the limit of 1048576")
 
