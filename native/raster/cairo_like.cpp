@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/parallel.h"
 #include "geom/written.h"
@@ -20,20 +21,21 @@ using Colors = std::array<glm::dvec4, 2>;
 /// 16 bits per channel.
 using Color16 = std::array<int, 4>;
 
-/// A curve of more steps than 2 to that power is cut in halves, and the colour, whose steps are
-/// rounded, starts afresh in each. Cairo allows four times as many for what lies wholly inside
-/// the rectangle that it paints; but Inkscape paints strips of 64 pixels, wherever they lie.
-constexpr int most_halvings = 6;
-/// Cairo rounds positions to 1/256 of a pixel before it cuts off the fraction.
-constexpr double rounding = 1.0 / 512;
+/// Rows that Inkscape paints at a time when it writes a picture.
+constexpr int strip_height = 64;
+/// What takes more steps than 2 to that power is cut in halves, and the colour, whose steps are
+/// rounded, starts afresh in each: where it lies wholly inside the rectangle that is painted, or
+/// reaches beyond.
+constexpr int most_halvings_inside = 8, most_halvings_across = 6;
 
-/// How often a curve must be halved so that none of the parts is longer than 1 / sqrt(2): the
-/// derivative is a quadratic Bezier curve, bounded by its ends and the middles of its legs.
+/// How often a curve must be halved so that none of the parts is longer than 1 / sqrt(2), and at
+/// least once: the derivative is a quadratic Bezier curve, bounded by its ends and the middles of
+/// its legs.
 int halvings(const Points& p) {
   const auto squared = [](glm::dvec2 d) { return glm::dot(d, d); };
   const double longest = std::max({squared(p[1] - p[0]), squared(p[3] - p[2]),
                                    squared(p[2] - p[0]) / 4, squared(p[3] - p[1]) / 4});
-  int n = 0;
+  int n = 1;
   while (std::ldexp(1.0, 2 * n) <= 18 * longest) ++n;
   return n;
 }
@@ -65,9 +67,34 @@ Differences<glm::dvec2> differences(const Points& p, int steps) {
   return {p[0], a + b + c, 2.0 * b + 6.0 * c, 6.0 * c};
 }
 
-/// 32 fractional bits.
-std::int64_t fixed(double x) { return std::llround(std::ldexp(x, 32)); }
-std::int64_t pixel(std::int64_t x) { return x >> 32; }
+std::int64_t fixed(double x, int fractional_bits) {
+  return std::llrint(std::ldexp(x, fractional_bits));
+}
+
+std::int64_t without_bits(std::int64_t x, int bits) {
+  return (x + (std::int64_t(1) << (bits - 1))) >> bits;
+}
+
+/// The pixel that holds a position, which is rounded to 1/256.
+int pixel(double x) { return int(fixed(x, 8) >> 8); }
+
+/// One coordinate of a curve in cairo's fixed point: the start in 1/256 of a pixel, what has been
+/// walked since in 2^-23, the differences in 2^-28.
+class FixedWalk {
+ public:
+  FixedWalk(double start, double d1, double d2, double d3)
+      : start_(fixed(start, 8)), d1_(fixed(d1, 28)), d2_(fixed(d2, 28)), d3_(fixed(d3, 28)) {}
+
+  int pixel() const { return int((start_ + without_bits(walked_, 15)) >> 8); }
+  void step() {
+    walked_ += without_bits(d1_, 5);
+    d1_ += d2_;
+    d2_ += d3_;
+  }
+
+ private:
+  std::int64_t start_, walked_ = 0, d1_, d2_, d3_;
+};
 
 Color16 color16(const glm::dvec4& color) {
   Color16 result;
@@ -91,51 +118,80 @@ std::array<std::uint8_t, 3> over_white(const Color16& color) {
 
 class ForwardPainter {
  public:
-  ForwardPainter(Window window, Image& image) : window_(window), image_(image) {}
+  /// Paints what of `strip`, the rectangle that cairo paints at a time, lies in `window`.
+  ForwardPainter(Window strip, Window window, Image& image)
+      : strip_(strip), window_(window.clipped(strip)), image_(image) {}
 
   /// Part of a patch, between two v: curves along v through its control points, and the colours
   /// at u = 0 and u = 1 at either v.
-  struct Strip {
+  struct Part {
     std::array<Points, 4> rows;
     Colors start, end;
   };
 
-  void paint(const Strip& strip) {
+  void paint(const Part& part) {
+    Hull hull;
     int n = 0;
-    for (const Points& row : strip.rows) n = std::max(n, halvings(row));
-    if (n > most_halvings) return paint_halves(strip);
+    for (const Points& row : part.rows) {
+      hull.add(row);
+      n = std::max(n, halvings(row));
+    }
+    if (hull.is_outside(strip_)) return;
+    if (n > hull.most_halvings(strip_)) return paint_halves(part);
     const int steps = 1 << n;
     std::array<Differences<glm::dvec2>, 4> rows;
-    for (int i = 0; i < 4; ++i) rows[i] = differences(strip.rows[i], steps);
+    for (int i = 0; i < 4; ++i) rows[i] = differences(part.rows[i], steps);
+    Colors colors = part.start;
     for (int step = 0; step <= steps; ++step) {
-      const double t = double(step) / steps;
       Points curve;
-      Colors colors;
       for (int i = 0; i < 4; ++i) curve[i] = rows[i].value;
-      for (int k = 0; k < 2; ++k) colors[k] = glm::mix(strip.start[k], strip.end[k], t);
       paint_curve(curve, colors);
       for (int i = 0; i < 4; ++i) rows[i].step();
+      for (int k = 0; k < 2; ++k) colors[k] += (part.end[k] - part.start[k]) / double(steps);
     }
   }
 
  private:
-  void paint_halves(const Strip& strip) {
-    Strip first = strip, second = strip;
+  /// The box around control points.
+  class Hull {
+   public:
+    void add(const Points& points) {
+      for (const glm::dvec2 p : points) {
+        low_ = glm::min(low_, p);
+        high_ = glm::max(high_, p);
+      }
+    }
+    bool is_outside(const Window& w) const {
+      return low_.x >= w.x1 || low_.y >= w.y1 || high_.x <= w.x0 || high_.y <= w.y0;
+    }
+    int most_halvings(const Window& w) const {
+      const bool is_inside = low_.x >= w.x0 && low_.y >= w.y0 && high_.x <= w.x1 && high_.y <= w.y1;
+      return is_inside ? most_halvings_inside : most_halvings_across;
+    }
+
+   private:
+    glm::dvec2 low_{std::numeric_limits<double>::infinity()}, high_ = -low_;
+  };
+
+  void paint_halves(const Part& part) {
+    Part first = part, second = part;
     for (int i = 0; i < 4; ++i) {
-      const auto [left, right] = halves(strip.rows[i]);
+      const auto [left, right] = halves(part.rows[i]);
       first.rows[i] = left;
       second.rows[i] = right;
     }
     for (int k = 0; k < 2; ++k)
-      first.end[k] = second.start[k] = 0.5 * (strip.start[k] + strip.end[k]);
+      first.end[k] = second.start[k] = 0.5 * (part.start[k] + part.end[k]);
     paint(first);
     paint(second);
   }
 
   void paint_curve(const Points& points, const Colors& colors) {
-    if (is_outside(points)) return;
+    Hull hull;
+    hull.add(points);
+    if (hull.is_outside(strip_)) return;
     const int n = halvings(points);
-    if (n > most_halvings) {
+    if (n > hull.most_halvings(strip_)) {
       const auto [first, second] = halves(points);
       const glm::dvec4 middle = 0.5 * (colors[0] + colors[1]);
       paint_curve(first, {colors[0], middle});
@@ -149,32 +205,23 @@ class ForwardPainter {
     for (int k = 0; k < 4; ++k) change[k] = (last[k] - color[k]) / steps;
 
     const Differences<glm::dvec2> d = differences(points, steps);
-    Differences<std::int64_t> x{fixed(d.value.x + rounding), fixed(d.d1.x), fixed(d.d2.x),
-                                fixed(d.d3.x)};
-    Differences<std::int64_t> y{fixed(d.value.y + rounding), fixed(d.d1.y), fixed(d.d2.y),
-                                fixed(d.d3.y)};
+    FixedWalk x(d.value.x, d.d1.x, d.d2.x, d.d3.x), y(d.value.y, d.d1.y, d.d2.y, d.d3.y);
     for (int step = 0; step <= steps; ++step) {
-      draw(pixel(x.value), pixel(y.value), color);
+      draw(x.pixel(), y.pixel(), color);
       x.step();
       y.step();
       for (int k = 0; k < 4; ++k) color[k] += change[k];
     }
     // Once more the very end, which rounding may have missed.
-    draw(pixel(fixed(points[3].x + rounding)), pixel(fixed(points[3].y + rounding)), last);
+    draw(pixel(points[3].x), pixel(points[3].y), last);
   }
 
-  bool is_outside(const Points& p) const {
-    const glm::dvec2 low = glm::min(glm::min(p[0], p[1]), glm::min(p[2], p[3])) - 1.0;
-    const glm::dvec2 high = glm::max(glm::max(p[0], p[1]), glm::max(p[2], p[3])) + 1.0;
-    return high.x < window_.x0 || high.y < window_.y0 || low.x > window_.x1 || low.y > window_.y1;
-  }
-
-  void draw(std::int64_t x, std::int64_t y, const Color16& color) {
+  void draw(int x, int y, const Color16& color) {
     if (x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1)
-      image_.set_pixel(int(x), int(y), over_white(color));
+      image_.set_pixel(x, y, over_white(color));
   }
 
-  Window window_;
+  Window strip_, window_;
   Image& image_;
 };
 
@@ -182,39 +229,39 @@ class ForwardPainter {
 /// sampled in steps of less than 1 / sqrt(2) pixel, v by v and along each u, so every pixel that it
 /// covers holds a sample; the last sample in a pixel colours it. That lies beside the centre,
 /// towards the larger u and v, and pixels that the patch only touches are painted too. Numbers are
-/// rounded where cairo rounds them: FLIP charges 0.03 for a single level of difference.
-void paint_forward(const Patch& patch, const Affine& to_pixels, Window window, Image& image) {
+/// rounded and added up where cairo does so: FLIP charges 0.03 for a single level of difference.
+void paint_forward(const Patch& patch, const Affine& to_pixels, ForwardPainter& painter) {
   const BezierNet net = bezier_net(patch);
-  ForwardPainter::Strip whole;
+  ForwardPainter::Part whole;
   // Far outside every frame, and still a number of steps that ends.
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       whole.rows[i][j] = glm::clamp(to_pixels.point(net[i][j].position), -1e6, 1e6);
-  whole.start = {net[0][0].color, net[3][0].color};
-  whole.end = {net[0][3].color, net[3][3].color};
-  ForwardPainter(window, image).paint(whole);
+  // Inkscape hands colours over as floats.
+  const auto color = [&](int i, int j) { return glm::dvec4(glm::vec4(net[i][j].color)); };
+  whole.start = {color(0, 0), color(3, 0)};
+  whole.end = {color(0, 3), color(3, 3)};
+  painter.paint(whole);
 }
-
-/// Rows that one thread paints at a time. A patch is sampled again in each band that it reaches.
-constexpr int band_height = 128;
 
 class CairoLikeRasterizer final : public Rasterizer {
  public:
   void paint(const Mesh& mesh, const Frame& frame, Window window, Image& image) const override {
     if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, window, image);
     const bool as_stops = mesh.color_model() == ColorModel::bilinear;
-    window = window.clipped(frame.window());
-    const int bands = (window.height() + band_height - 1) / band_height;
-    parallel_for(std::size_t(bands), [&](std::size_t i) {
-      Window band = window;
-      band.y0 = window.y0 + int(i) * band_height;
-      band.y1 = std::min(window.y1, band.y0 + band_height);
-      fill(image, band, std::uint8_t(255));
+    const int strips = (frame.height + strip_height - 1) / strip_height;
+    parallel_for(std::size_t(strips), [&](std::size_t i) {
+      Window strip = frame.window();
+      strip.y0 = int(i) * strip_height;
+      strip.y1 = std::min(frame.height, strip.y0 + strip_height);
+      const Window seen = window.clipped(strip);
+      if (seen.empty()) return;
+      fill(image, seen, std::uint8_t(255));
+      ForwardPainter painter(strip, window, image);
       for (const Face f : mesh.faces()) {
         Patch patch = mesh.patch(f);
         if (as_stops) patch = as_written(patch, frame.coons_tolerance, frame.masked_opacity);
-        if (!pixel_bounds(patch, frame).clipped(band).empty())
-          paint_forward(patch, frame.to_pixels, band, image);
+        paint_forward(patch, frame.to_pixels, painter);
       }
     });
   }

@@ -18,10 +18,9 @@ if not REASON and not PROGRAM.exists():
     REASON = f"not built: {PROGRAM}"
 pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
 
-# FLIP charges 0.03 for a single level everywhere: at most one pixel in fifteen may be a level off.
-# That much is Inkscape's own doing: it paints strips of 64 pixels, and a patch that lies wholly
-# inside one is sampled with other rounding than one that reaches across.
-SAME = 0.002
+# FLIP charges 0.03 for a single level everywhere: at most one pixel in a thousand may be a level
+# off, where transforms are multiplied in another order.
+SAME = 3e-5
 EPSILON = 0.01
 # Enough merges for several blocks and nested T-junctions in every sample.
 COARSE = 0.03
