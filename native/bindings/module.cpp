@@ -229,12 +229,37 @@ void bind_options(py::module_& m) {
            py::arg("load"), py::arg("save"), py::arg("cache"));
 }
 
-py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution) {
+py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution,
+                                 bool like_inkscape) {
   const MeshEntry entry = document.selected({id}).front();
-  const Image image = document.render(entry, resolution, *make_software_rasterizer());
+  const Image image = like_inkscape
+                          ? document.render_like_inkscape(entry, resolution)
+                          : document.render(entry, resolution, *make_software_rasterizer());
   py::array_t<std::uint8_t> array({image.height, image.width, 3});
   std::ranges::copy(interleaved(image), array.mutable_data());
   return array;
+}
+
+/// An array of height x width x 3.
+using Pixels = py::array_t<std::uint8_t>;
+
+Image image_of(const Pixels& array) {
+  if (array.ndim() != 3 || array.shape(2) != 3 || array.size() == 0)
+    throw std::invalid_argument("a picture is an array of height x width x 3 bytes.");
+  Image image(int(array.shape(1)), int(array.shape(0)));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c) *image.at(x, y, c) = array.at(y, x, c);
+  return image;
+}
+
+double compare(const Pixels& reference, const Pixels& test, const std::string& metric) {
+  const Image a = image_of(reference), b = image_of(test);
+  if (a.width != b.width || a.height != b.height)
+    throw std::invalid_argument("the pictures are not of one size.");
+  const MetricKind kind = metric_named(metric);
+  const py::gil_scoped_release release;
+  return mean(make_metric(kind, a)->map(b));
 }
 
 }  // namespace
@@ -246,6 +271,8 @@ PYBIND11_MODULE(_core, m) {
   m.attr("version") = GRADMESH_VERSION;
   bind_errors(m);
   bind_options(m);
+  m.def("compare", &compare, py::arg("reference").noconvert(), py::arg("test").noconvert(),
+        py::arg("metric"));
   py::class_<Document>(m, "Document")
       .def_static("read_file", [](const std::string& path) { return Document::read_file(path); })
       .def_static("parse",
@@ -271,7 +298,7 @@ PYBIND11_MODULE(_core, m) {
            py::arg("resolution"))
       .def("draw", &draw_document, py::kw_only(), py::arg("id"), py::arg("show"),
            py::arg("picture"), py::arg("options"), py::arg("analyses"), py::arg("progress"))
-      .def("render", &render, py::arg("id"), py::arg("resolution"))
+      .def("render", &render, py::arg("id"), py::arg("resolution"), py::arg("like_inkscape"))
       .def("info", &info_text)
       .def("convert", &convert_document, py::kw_only(), py::arg("kind"), py::arg("id"),
            py::arg("subdivide"), py::arg("metric"), py::arg("resolution"))

@@ -14,14 +14,10 @@ struct RenderArguments {
 
 void run_render(const RenderArguments& a) {
   const std::unique_ptr<Document> document = Document::read_file(a.in);
-  if (a.like_inkscape && document->color_model() == ColorModel::bicubic)
-    throw InputError(
-        "{0}: Inkscape cannot paint its bicubic colours; gradmesh convert makes an SVG document "
-        "of it.",
-        a.in);
-  const auto rasterizer =
-      a.like_inkscape ? make_cairo_like_rasterizer() : make_software_rasterizer();
-  write_png(document->render(one_mesh(*document, a.id), a.resolution, *rasterizer), a.out);
+  const MeshEntry entry = one_mesh(*document, a.id);
+  write_png(a.like_inkscape ? document->render_like_inkscape(entry, a.resolution)
+                            : document->render(entry, a.resolution, *make_software_rasterizer()),
+            a.out);
 }
 
 }  // namespace

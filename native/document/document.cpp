@@ -73,6 +73,15 @@ Image Document::render(const MeshEntry& entry, int resolution, const Rasterizer&
   return rasterizer.paint(painted, frame(entry, painted, resolution));
 }
 
+Image Document::render_like_inkscape(const MeshEntry& entry, int resolution) const {
+  if (color_model() == ColorModel::bicubic)
+    throw InputError(
+        "{0}: Inkscape cannot paint its bicubic colours; gradmesh convert makes an SVG document "
+        "of it.",
+        name());
+  return render(entry, resolution, *make_cairo_like_rasterizer());
+}
+
 std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& meshes) {
   std::vector<MeshReport> reports;
   for (const SimplifiedMesh& m : meshes) reports.push_back({m.entry.id, m.result});

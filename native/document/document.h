@@ -94,6 +94,9 @@ class Document {
   /// The frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
   Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer) const;
+  /// The picture that Inkscape paints of it, in the same frame. Throws where the colours are
+  /// bicubic, which Inkscape cannot paint.
+  Image render_like_inkscape(const MeshEntry& entry, int resolution) const;
 
   /// What a run over a mesh begins with: the mesh, in the colour model that is asked for, and the
   /// options with what this document sets: the view, the padding, the ways to write, the original

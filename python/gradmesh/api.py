@@ -346,12 +346,29 @@ def _analyses(
     return _core.AnalysisPaths(*paths)
 
 
-def render(document: Document, id: Optional[str] = None, resolution: int = 700) -> "numpy.ndarray":
+def render(
+    document: Document,
+    id: Optional[str] = None,
+    resolution: int = 700,
+    *,
+    like_inkscape: bool = False,
+) -> "numpy.ndarray":
     """Paints one mesh, on white: uint8 array of shape (height, width, 3), sRGB.
 
     `id` may be left out where the document has one mesh only.
+    like_inkscape: takes Inkscape's point of each pixel instead of the centre; InputError for a
+    .hemesh file, whose colours Inkscape cannot paint.
     """
-    return document._core.render(_one_id(document, id), _pixels(resolution))
+    return document._core.render(_one_id(document, id), _pixels(resolution), like_inkscape)
+
+
+def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: str = "flip") -> float:
+    """The error between two pictures as render() returns them, of one size: 0 where they are equal.
+
+    metric: "flip", or "ssim", which is 1 - SSIM. Raises TypeError where an array is not of bytes and
+    ValueError where its shape is not (height, width, 3).
+    """
+    return _core.compare(reference, test, metric)
 
 
 def draw(

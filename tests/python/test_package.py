@@ -202,6 +202,30 @@ def test_render(fruit):
     assert (picture == gradmesh.render(fruit, "pear", 120)).all()
 
 
+def test_render_like_inkscape(fruit):
+    picture = gradmesh.render(fruit, resolution=120, like_inkscape=True)
+    centres = gradmesh.render(fruit, resolution=120)
+    assert picture.shape == centres.shape and 0 < gradmesh.compare(centres, picture) < 0.1
+
+
+def test_compare():
+    picture = gradmesh.render(gradmesh.load(SAMPLES / "fruit.svg"), resolution=64)
+    darker = picture // 2
+    assert gradmesh.compare(picture, picture) == gradmesh.compare(darker, darker, "ssim") == 0
+    assert 0 < gradmesh.compare(picture, darker, "ssim") < 1
+    assert gradmesh.compare(picture, darker) == gradmesh.compare(picture, darker, "flip") > 0
+    assert gradmesh.compare(picture[::2], darker[::2]) > 0  # any strides
+    with pytest.raises(ValueError, match="one size"):
+        gradmesh.compare(picture, darker[1:])
+    for shape in (picture[0], picture[:, :, :2], picture[:0]):
+        with pytest.raises(ValueError, match="height x width x 3"):
+            gradmesh.compare(shape, shape)
+    with pytest.raises(TypeError):
+        gradmesh.compare(picture / 255, picture / 255)
+    with pytest.raises(ValueError, match="metric"):
+        gradmesh.compare(picture, picture, "psnr")
+
+
 def test_render_needs_to_know_which_mesh_and_how_large(fruit):
     two = gradmesh.load(SAMPLES / "two.svg")
     with pytest.raises(ValueError, match="2 meshes"):
