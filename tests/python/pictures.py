@@ -91,7 +91,7 @@ def write_bare_mesh(document, element, path, resolution=700):
     ET.SubElement(root, SVG + "rect", size, fill="white")
     first = blocks[0] if blocks else element
     matrix = svg_meshes.compose(frame.matrix, document.to_document(first))
-    group = ET.SubElement(root, SVG + "g", transform=_matrix_text(matrix))
+    group = ET.SubElement(root, SVG + "g", transform=matrix_text(matrix))
     if blocks:
         group.extend(copy.deepcopy(blocks))
         if mask := document.opacity_mask(first):
@@ -105,7 +105,7 @@ def _large_rectangle(document, element, root):
     gradient_id = document.paint(element).get("id")
     (gradient,) = [e for e in root.iter() if e.get("id") == gradient_id]
     gradient.set("gradientUnits", "userSpaceOnUse")
-    gradient.set("gradientTransform", _matrix_text(document.units(element)))
+    gradient.set("gradientTransform", matrix_text(document.units(element)))
     net = document.net(element)
     low = complex(net.real.min(), net.imag.min())
     size = complex(net.real.max(), net.imag.max()) - low
@@ -115,5 +115,5 @@ def _large_rectangle(document, element, root):
     return ET.Element(SVG + "rect", attributes, fill=f"url(#{gradient_id})")
 
 
-def _matrix_text(matrix):
+def matrix_text(matrix):
     return f"matrix({','.join(repr(float(v)) for v in matrix)})"

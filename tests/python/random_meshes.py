@@ -1,0 +1,73 @@
+"""Random rectangular meshes by seed, in kinds that differ in what a painter may get wrong."""
+
+import cmath
+import sys
+from math import pi
+
+from built import SAMPLES
+
+sys.path.insert(0, str(SAMPLES))
+
+from meshgrid import Mesh, Notation, meshgradient  # noqa: E402
+
+SIDE = 40.0  # of a patch, before it is shaken
+
+
+class Kind:
+    """`noise`: how far corners are moved, and handles twice as far, in sides of a patch. `inner`:
+    how far interior points are, with `tensor` written."""
+
+    def __init__(self, noise=0.15, inner=None, opacity=False, smooth=False, transformed=False):
+        self.noise, self.inner, self.opacity = noise, inner, opacity
+        self.smooth, self.transformed = smooth, transformed
+
+    def mesh(self, chance):
+        rows, columns = chance.randint(1, 4), chance.randint(1, 4)
+        corners = [
+            [complex(SIDE * j, SIDE * i) + _shake(chance, self.noise) for j in range(columns + 1)]
+            for i in range(rows + 1)
+        ]
+        colours = [[self._colour(chance) for _ in range(columns + 1)] for _ in range(rows + 1)]
+        mesh = Mesh(corners, colours)
+        for i, line in enumerate(mesh.points):
+            for j in range(len(line)):
+                if (i % 3 == 0) != (j % 3 == 0):
+                    line[j] += _shake(chance, 2 * self.noise)
+                elif self.inner and i % 3 and j % 3:
+                    line[j] += _shake(chance, self.inner)
+        if self.inner:
+            mesh.tensor = {(row, column) for row in range(rows) for column in range(columns)}
+        return mesh
+
+    def _colour(self, chance):
+        return (*(chance.random() for _ in range(3)), chance.random() if self.opacity else 1.0)
+
+    def gradient(self, chance, name, attributes=""):
+        """A `meshgradient` element in user space, with the id `name`."""
+        smooth = 'type="bicubic" ' if self.smooth else ""
+        attributes = f'gradientUnits="userSpaceOnUse" {smooth}{attributes}'
+        notation = Notation(relative=chance.random() < 0.5, digits=4)
+        return meshgradient(self.mesh(chance), name, attributes, notation)
+
+    def matrix(self, chance):
+        """The linear part of an affine map (a, b, c, d): turned, sheared, scaled, mirrored."""
+        if not self.transformed:
+            return (1.0, 0.0, 0.0, 1.0)
+        turn = cmath.exp(2j * pi * chance.random())
+        x, y = chance.uniform(0.3, 3) * turn, chance.uniform(0.3, 3) * turn * 1j
+        y = y * chance.choice((1, -1)) + x * chance.uniform(-0.5, 0.5)
+        return (x.real, x.imag, y.real, y.imag)
+
+
+def _shake(chance, reach):
+    return SIDE * complex(chance.uniform(-reach, reach), chance.uniform(-reach, reach))
+
+
+KINDS = {
+    "Coons": Kind(),
+    "tensor": Kind(inner=0.15),
+    "bicubic": Kind(smooth=True),
+    "opacity": Kind(opacity=True, inner=0.1),
+    "folds": Kind(noise=0.6, inner=0.8),
+    "transforms": Kind(inner=0.1, transformed=True),
+}
