@@ -202,7 +202,8 @@ def _rounded(point, digits):
 
 def _segment(side, closing, notation):
     """The path data of one side, four Bezier points."""
-    straight = all(abs(side[i] - mix(side[0], side[3], i / 3)) < 1e-9 for i in (1, 2))
+    rounding = 1e-9 * abs(side[3] - side[0])
+    straight = all(abs(side[i] - mix(side[0], side[3], i / 3)) <= rounding for i in (1, 2))
     rounded = [_rounded(p, notation.digits) for p in side]
     letter, points = ("l", rounded[3:]) if straight else ("c", rounded[1:])
     if closing and not straight and not notation.closing_point:

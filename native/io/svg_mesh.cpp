@@ -128,8 +128,11 @@ class GridReader {
       const auto place = Message("{0}, stop {1}", place_name(row, column), side - first + 1);
       const std::string path = attribute(stop, "path").value_or("");
       if (!read_side(points, side, side == last, path))
-        fail(holder_, Message("{0}: the path {1} is not one c, C, l or L segment of finite numbers",
-                              place, excerpt(path)));
+        fail(
+            holder_,
+            Message(
+                "{0}: the path {1} is not one c, C, l or L segment of numbers between -1e9 and 1e9",
+                place, excerpt(path)));
       const bool is_known = (side == 0 && column > 0) || (side == 1 && row > 0);
       if (!is_known) side_point(points, side, 0).color = read_color(stop, place);
     }
@@ -185,8 +188,9 @@ class GridReader {
       scanner.skip_comma();
       const auto y = scanner.number();
       if (!x || !y || (corner == 3 && !scanner.at_end()))
-        fail(holder_, Message("{0}: the tensor {1} is not four points of finite numbers",
-                              place_name(row, column), excerpt(*tensor)));
+        fail(holder_,
+             Message("{0}: the tensor {1} is not four points of numbers between -1e9 and 1e9",
+                     place_name(row, column), excerpt(*tensor)));
       interior[corner]->position = side_point(net, corner, 0).position + glm::dvec2(*x, *y);
     }
   }

@@ -1,5 +1,6 @@
 #include "simplify/simplify.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -55,6 +56,18 @@ int threads_for(const Frame& frame, int asked) {
   std::size_t threads = asked > 0 ? std::size_t(asked) : thread_count();
   while (threads > 1 && measuring_bytes(frame, threads) > limits().memory) --threads;
   return int(threads);
+}
+
+/// Where nothing is painted whatever is merged costs nothing, though Inkscape may still show a
+/// line.
+void check_seen(EditError& error, const SimplifyOptions& options) {
+  if (options.visible) return;
+  if (std::ranges::all_of(error.state()->painting.top.samples,
+                          [](std::uint32_t sample) { return sample == 0; }))
+    throw InputError(
+        "the mesh is so thin that it covers no pixel at a resolution of {0}, so that no error "
+        "could be measured.",
+        options.resolution);
 }
 
 /// The prices that this run may use and add to.
@@ -170,10 +183,7 @@ class Run {
         original_(options.original ? *options.original : mesh),
         frame_(measured_frame(original_, options)),
         limit_(threads_for(frame_, options.threads)),
-        trial_(mesh,
-               EditError(original_, mesh, frame_, options.metric, options.masks_opacity,
-                         options.max_local_error),
-               options.epsilon),
+        trial_(mesh, measured_error(), options.epsilon),
         analysis_(analysis_for(analysis_key(original_, mesh, frame_, options.metric), options,
                                own_analysis_)) {}
 
@@ -220,6 +230,13 @@ class Run {
   }
 
  private:
+  EditError measured_error() const {
+    EditError error(original_, mesh_, frame_, options_.metric, options_.masks_opacity,
+                    options_.max_local_error);
+    check_seen(error, options_);
+    return error;
+  }
+
   /// Merges as gqe does; the mesh that fits make of that, where they keep to epsilon.
   std::optional<FittedMesh> select_best() {
     // Both before anything is merged.

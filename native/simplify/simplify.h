@@ -27,7 +27,7 @@ enum class Method {
   motorcycle,
   gqe,
   gqe1,
-  best,     ///< gqe, fitted to the picture and merged on (select/best.h)
+  best,    ///< gqe, fitted to the picture and merged on (select/best.h)
   lines,   ///< whole rows and columns, of a mesh that is one rectangle (select/lines.h)
   manual,  ///< the edges that the caller names (B.2)
 };
@@ -112,9 +112,9 @@ struct SimplifyResult {
 /// small parts within the local bound; where it is above epsilon from the start, nothing is merged.
 /// With a target: until so few are left.
 /// Throws std::invalid_argument where an option is out of range or the analysis is another mesh's,
-/// InputError where the mesh has no size, where it is smooth or no rectangle and the method is not
-/// for such, or, with `manual`, where an edge cannot be merged within epsilon and the local bound;
-/// the mesh is then as it was.
+/// InputError where the mesh has no size or covers no pixel, where it is smooth or no rectangle and
+/// the method is not for such, or, with `manual`, where an edge cannot be merged within epsilon and
+/// the local bound; the mesh is then as it was.
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 
 /// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most

@@ -329,7 +329,7 @@ TEST(SvgMesh, BadMeshesAreNamed) {
   };
   const auto path_complaint = [&](const std::string& path) {
     return m + "row 1, patch 1, stop 1: the path \"" + path +
-           "\" is not one c, C, l or L segment of finite numbers.";
+           "\" is not one c, C, l or L segment of numbers between -1e9 and 1e9.";
   };
   EXPECT_EQ(complaint(mesh(row(square + next_square) + row(square_below))),
             m + "row 2 does not have as many patches as row 1: 1, not 2.");
@@ -357,7 +357,8 @@ TEST(SvgMesh, BadMeshesAreNamed) {
             m + "row 1, patch 1, stop 1: \"nan\" is not an opacity.");
   EXPECT_EQ(complaint(mesh(row(patch(stop("l 10,0") + stop("l 0,10") + stop("l -10,0") + stop("l"),
                                      "tensor=\"1,1 2,2 3,3\"")))),
-            m + "row 1, patch 1: the tensor \"1,1 2,2 3,3\" is not four points of finite numbers.");
+            m + "row 1, patch 1: the tensor \"1,1 2,2 3,3\" is not four points of numbers between "
+                "-1e9 and 1e9.");
   EXPECT_EQ(complaint(mesh(row(square), "gradientTransform=\"turn(3)\"")),
             m + "its gradientTransform \"turn(3)\" is malformed.");
   EXPECT_EQ(complaint(mesh(row(square), "gradientTransform=\"scale(3 0)\"")),
