@@ -13,6 +13,7 @@ namespace {
 
 struct CompareArguments {
   std::string a, b, metric = "flip";
+  int resolution = 700;
 };
 
 /// The only mesh of a document.
@@ -36,15 +37,15 @@ struct OnlyMesh {
 
 using Pair = std::pair<Image, Image>;
 
-Pair paint_both(const OnlyMesh& a, const OnlyMesh& b) {
-  const auto [first, second] = common_frames(a.seen, b.seen, 700);
+Pair paint_both(const OnlyMesh& a, const OnlyMesh& b, int resolution) {
+  const auto [first, second] = common_frames(a.seen, b.seen, resolution);
   const auto rasterizer = make_software_rasterizer();
   return {rasterizer->paint(a.seen.mesh, first), rasterizer->paint(b.seen.mesh, second)};
 }
 
 /// A document beside an image is painted as large as the image.
-Pair pictures(const std::string& a, const std::string& b) {
-  if (kind_of(a) && kind_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b));
+Pair pictures(const std::string& a, const std::string& b, int resolution) {
+  if (kind_of(a) && kind_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b), resolution);
   if (kind_of(a)) {
     const Image second = read_image(b);
     return {OnlyMesh(a).paint_like(second), second};
@@ -54,7 +55,7 @@ Pair pictures(const std::string& a, const std::string& b) {
 }
 
 void run_compare(const CompareArguments& args) {
-  const auto [first, second] = pictures(args.a, args.b);
+  const auto [first, second] = pictures(args.a, args.b, args.resolution);
   if (first.width != second.width || first.height != second.height)
     throw InputError("{0} and {1} are not of one size.", args.a, args.b);
   std::printf("%.6f\n", mean(make_metric(metric_named(args.metric), first)->map(second)));
@@ -70,6 +71,7 @@ void add_compare(CLI::App& program) {
   command.add_option("A", a->a, "Image, SVG document or .hemesh file; the reference")->required();
   command.add_option("B", a->b, "Image, SVG document or .hemesh file")->required();
   add_metric_option(command, a->metric);
+  add_resolution_option(command, a->resolution);
   command.callback([a] { run_compare(*a); });
 }
 
