@@ -6,13 +6,14 @@
 #include "io/svg_group.h"
 #include "io/svg_number.h"
 #include "io/xml_edit.h"
+#include "mesh/boundary.h"
 
 namespace gradmesh {
 namespace {
 
-std::string path_data(const std::vector<glm::dvec2>& polygon) {
+std::string path_data(const std::vector<glm::dvec2>& polygon, int digits) {
   std::string d;
-  for (const glm::dvec2 p : polygon) d += (d.empty() ? "M " : " L ") + format_point(p, 6);
+  for (const glm::dvec2 p : polygon) d += (d.empty() ? "M " : " L ") + format_point(p, digits);
   return d + " Z";
 }
 
@@ -25,18 +26,21 @@ BlocksWriter::BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMe
 Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) const {
   const bool color = channel == MeshChannel::color;
   const double margin = seam_margin();
+  const Box mesh_box = bounding_box(written_.mesh, {});
+  const GradientFormat format{.coons_tolerance = written_.coons_tolerance,
+                              .channel = channel,
+                              .rounding = rounding_within(mesh_box)};
   Box box;
   int face = 0;
   for (const Block& block : written_.blocks) {
     const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
-                                                      {written_.coons_tolerance, channel},
-                                                      id_ + (color ? "-mesh" : "-opacity"));
+                                                      format, id_ + (color ? "-mesh" : "-opacity"));
     xmlNode* path = add_child(parent, "path");
     if (before) xmlAddPrevSibling(before, path);
     document_.give_id(path, id_ + (color ? "-block" : "-opacity-block"));
     const std::vector<glm::dvec2> outline = grown_outline(written_.mesh, block, margin);
     for (const glm::dvec2 p : outline) box.add(p);
-    set_attribute(path, "d", path_data(outline));
+    set_attribute(path, "d", path_data(outline, digits_within(mesh_box, outline_digits)));
     set_attribute(path, "style", style(gradient, channel));
     set_attribute(path, "face", std::to_string(face), gradmesh_namespace, "gradmesh");
     face += int(block.cells.size());

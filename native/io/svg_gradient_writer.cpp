@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 
 #include "geom/written.h"
-#include "io/svg_number.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
 
@@ -86,9 +85,11 @@ class GradientWriter {
   }
 
   std::string number(double x) const {
-    return format_.exact ? format_exactly(x) : format_number(x);
+    return format_.exact ? format_exactly(x) : format_number(x, format_.rounding.digits);
   }
-  std::string coordinate(double x) const { return std::abs(x) < format_.zero ? "0" : number(x); }
+  std::string coordinate(double x) const {
+    return std::abs(x) < format_.rounding.zero ? "0" : number(x);
+  }
   std::string pair(glm::dvec2 p) const { return coordinate(p.x) + "," + coordinate(p.y); }
   std::string point(glm::dvec2 p) const { return pair(format_.place.point(p)); }
 

@@ -7,6 +7,7 @@
 #include "base/affine.h"
 #include "io/blocks.h"
 #include "io/svg_document.h"
+#include "io/svg_number.h"
 
 namespace gradmesh {
 
@@ -25,8 +26,7 @@ struct GradientFormat {
   bool byte_opacity = true;
   /// From the mesh's coordinates to those of the gradient.
   Affine place = {};
-  /// A coordinate that is smaller is written as 0: it is what roundings have left of that.
-  double zero = 0;
+  Rounding rounding = {};
 };
 
 /// Gives a meshgradient the block's start and rows.

@@ -11,6 +11,7 @@
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
 #include "io/zip.h"
+#include "mesh/boundary.h"
 #include "mesh/build.h"
 
 namespace gradmesh {
@@ -76,7 +77,10 @@ std::string remember(const Mesh& mesh) {
 
 std::string remember_as_written(const Mesh& mesh, const std::vector<Block>& blocks,
                                 double coons_tolerance) {
-  return packed(group_document(mesh, blocks, {coons_tolerance, MeshChannel::both}));
+  return packed(group_document(mesh, blocks,
+                               {.coons_tolerance = coons_tolerance,
+                                .channel = MeshChannel::both,
+                                .rounding = rounding_within(bounding_box(mesh, {}))}));
 }
 
 std::optional<MeshParts> recall(std::string_view memory) {

@@ -1,7 +1,6 @@
 #include "io/svg_mesh_writer.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 
 #include "geom/written.h"
 #include "io/blocks.h"
@@ -10,6 +9,7 @@
 #include "io/svg_paint.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
+#include "mesh/boundary.h"
 #include "mesh/grid.h"
 
 namespace gradmesh {
@@ -39,15 +39,6 @@ xmlNode* add_gradient(SvgDocument& document, const MeshObject& object) {
   return gradient;
 }
 
-double largest_coordinate(const Mesh& mesh, const Affine& place) {
-  double largest = 0;
-  for (const Point p : mesh.points()) {
-    const glm::dvec2 at = glm::abs(place.point(mesh.position(p)));
-    largest = std::max({largest, at.x, at.y});
-  }
-  return largest;
-}
-
 }  // namespace
 
 void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const Mesh& mesh,
@@ -59,7 +50,7 @@ void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const 
                     .channel = MeshChannel::both,
                     .byte_opacity = false,
                     .place = place,
-                    .zero = 1e-12 * largest_coordinate(mesh, place)});
+                    .rounding = rounding_within(bounding_box(mesh, place))});
 
   const char* property = object.role == PaintRole::fill ? "fill" : "stroke";
   const std::string fallback =

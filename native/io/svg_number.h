@@ -1,13 +1,48 @@
 #pragma once
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <string>
+
+#include "geom/box.h"
 
 namespace gradmesh {
 
 /// Decimal digits kept of a coordinate: Inkscape keeps eight when it writes.
 inline constexpr int coordinate_digits = 9;
+/// Of what only has to be large enough.
+inline constexpr int outline_digits = 6;
+
+inline double largest_coordinate(const Box& box) {
+  return std::max({std::abs(box.low().x), std::abs(box.low().y), std::abs(box.high().x),
+                   std::abs(box.high().y)});
+}
+
+/// The digits for coordinates of what lies in this box: more than the usual where that is far from
+/// the origin for its size, which rounding would else deform. At least `usual` - 3 tell places
+/// along the box's longer side.
+inline int digits_within(const Box& box, int usual = coordinate_digits) {
+  constexpr int most = 17;  // Tell any two doubles apart.
+  const double longer = std::max(box.size().x, box.size().y);
+  int digits = usual;
+  for (double far = 1000 * longer; far < largest_coordinate(box) && digits < most; far *= 10)
+    ++digits;
+  return digits;
+}
+
+/// How the coordinates of a mesh are rounded.
+struct Rounding {
+  int digits = coordinate_digits;
+  /// What is smaller is written as 0: it is what roundings have left of that.
+  double zero = 0;
+};
+
+/// `box` is that around the mesh.
+inline Rounding rounding_within(const Box& box) {
+  return {digits_within(box), 1e-12 * largest_coordinate(box)};
+}
 
 /// The number with at most `digits` significant digits, independent of the locale.
 inline std::string format_number(double value, int digits = coordinate_digits) {

@@ -162,11 +162,12 @@ class MeshWriter {
   }
 
   static void set_mask_region(xmlNode* mask, const Box& box) {
+    const int digits = digits_within(box, outline_digits);
     set_attribute(mask, "maskUnits", "userSpaceOnUse");
-    set_attribute(mask, "x", format_number(box.low().x, 6));
-    set_attribute(mask, "y", format_number(box.low().y, 6));
-    set_attribute(mask, "width", format_number(box.size().x, 6));
-    set_attribute(mask, "height", format_number(box.size().y, 6));
+    set_attribute(mask, "x", format_number(box.low().x, digits));
+    set_attribute(mask, "y", format_number(box.low().y, digits));
+    set_attribute(mask, "width", format_number(box.size().x, digits));
+    set_attribute(mask, "height", format_number(box.size().y, digits));
   }
 
   void describe_group(xmlNode* group) {
