@@ -6,7 +6,7 @@ from math import pi
 
 from built import SAMPLES
 
-sys.path.insert(0, str(SAMPLES))
+sys.path.append(str(SAMPLES))  # after the tests' own modules of the same names
 
 from meshgrid import Mesh, Notation, meshgradient  # noqa: E402
 
