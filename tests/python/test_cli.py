@@ -171,17 +171,6 @@ def test_the_time_budget_ends_a_run(tmp_path):
     ET.parse(tmp_path / "out.svg")
 
 
-@pytest.mark.parametrize("method, seed", [("grid", 0), ("grid", 1), ("motorcycle", 0), ("gqe", 0)])
-def test_the_same_bytes_for_any_number_of_threads(tmp_path, method, seed):
-    outs = []
-    for threads in (1, 2):
-        out = tmp_path / f"{threads}.svg"
-        options = ["--method", method, "--seed", seed, "--resolution", 200, "--threads", threads]
-        assert gradmesh("simplify", SAMPLES / "face.svg", "-o", out, *options).returncode == 0
-        outs.append(out.read_bytes())
-    assert outs[0] == outs[1]
-
-
 def test_quiet(fruit):
     done = gradmesh("simplify", fruit, "-o", fruit.with_name("out.svg"), "--quiet", *QUICK)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
