@@ -23,9 +23,9 @@ using Color16 = std::array<int, 4>;
 
 /// Rows that Inkscape paints at a time when it writes a picture.
 constexpr int strip_height = 64;
-/// What takes more steps than 2 to that power is cut in halves, and the colour, whose steps are
-/// rounded, starts afresh in each: where it lies wholly inside the rectangle that is painted, or
-/// reaches beyond.
+/// A patch or curve of more steps than 2 to that power is cut in halves, and the colour, whose
+/// steps are rounded, starts afresh in each. Cairo allows more where all of it lies inside the
+/// rectangle that it paints than where it reaches across the border.
 constexpr int most_halvings_inside = 8, most_halvings_across = 6;
 
 /// How often a curve must be halved so that none of the parts is longer than 1 / sqrt(2), and at
