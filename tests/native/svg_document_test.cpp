@@ -160,10 +160,14 @@ TEST(SvgDocument, UnreadableDocumentsGiveTheReason) {
 }
 
 TEST(SvgDocument, DepthIsLimited) {
-  std::string deep = head;
-  for (int i = 0; i < 100000; ++i) deep += "<g>";
-  EXPECT_TRUE(parse_complaint(deep).starts_with(
-      "drawing.svg is not a readable SVG document: Excessive depth in document"));
+  std::string deep = head, end = "</svg>";
+  for (int i = 0; i < 100000; ++i) {
+    deep += "<g>";
+    end.insert(0, "</g>");
+  }
+  EXPECT_TRUE(parse_complaint(deep + end)
+                  .starts_with("drawing.svg is not a readable SVG document: 100001 elements lie "
+                               "inside one another, more than the limit of 256"));
 }
 
 TEST(SvgDocument, KeepsWhatItDoesNotKnow) {
