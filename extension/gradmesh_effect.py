@@ -15,11 +15,15 @@ from contextlib import contextmanager
 from gradmesh_text import _, log, sentence, translated, why_it_does_not_load
 
 try:
-    import inkex
-    from inkex.elements import load_svg
-    from lxml import etree
-
     import gradmesh
+    from gradmesh_inkex import (
+        AbortExtension,
+        EffectExtension,
+        OutputExtension,
+        errormsg,
+        etree,
+        load_svg,
+    )
 except ImportError as missing:
     sys.exit(why_it_does_not_load(missing))
 
@@ -35,19 +39,19 @@ class Gradmesh:
 
     def add_arguments(self, pars):
         def refuse(message):
-            raise inkex.AbortExtension(settings_do_not_work(message))
+            raise AbortExtension(settings_do_not_work(message))
 
         pars.error = refuse  # argparse would print its usage too
 
-    def run(self, args=None, output=inkex.base.stdout):
+    def run(self, *args, **keywords):
         try:
-            super().run(args, output)
+            super().run(*args, **keywords)
         except Exception as error:  # pylint: disable=broad-except
             where = log(traceback.format_exc())
             fault = _("Nothing was done because of a fault in gradmesh ({fault}).")
             if where:
                 fault = _("Nothing was done because of a fault in gradmesh ({fault}), described in {file}.")
-            inkex.errormsg(fault.format(fault=type(error).__name__, file=where))
+            errormsg(fault.format(fault=type(error).__name__, file=where))
             sys.exit(1)
 
 
@@ -66,9 +70,7 @@ class _GradmeshDocument(Gradmesh):
         """Ids of the selected objects that a mesh paints, those in selected groups, and those whose
         blocks are selected."""
         if not self.options.ids:
-            raise inkex.AbortExtension(
-                _("Select an object that is painted by a gradient mesh first.")
-            )
+            raise AbortExtension(_("Select an object that is painted by a gradient mesh first."))
         touched = {
             element.get("id")
             for chosen in self.chosen_elements()
@@ -76,21 +78,23 @@ class _GradmeshDocument(Gradmesh):
         }
         found = [name for name in self.meshes.ids if name in touched]
         if not found:
-            raise inkex.AbortExtension(
+            raise AbortExtension(
                 _("None of the selected objects is painted by a gradient mesh; select one that is.")
             )
         return found
 
     def chosen_elements(self):
-        missing = [name for name in self.options.ids if self.svg.getElementById(name) is None]
+        elements = self.elements_by_id()
+        missing = [name for name in self.options.ids if name not in elements]
         if missing:
-            raise inkex.AbortExtension(
-                _('There is no object with the id "{id}".').format(id=missing[0])
-            )
-        return list(self.svg.selection)
+            raise AbortExtension(_('There is no object with the id "{id}".').format(id=missing[0]))
+        return [elements[name] for name in self.options.ids]
+
+    def elements_by_id(self):
+        return {element.get("id"): element for element in self.svg.iter("*")}
 
 
-class GradmeshEffect(_GradmeshDocument, inkex.EffectExtension):
+class GradmeshEffect(_GradmeshDocument, EffectExtension):
     """An effect on gradient meshes of the document."""
 
     def take_over(self):
@@ -98,7 +102,7 @@ class GradmeshEffect(_GradmeshDocument, inkex.EffectExtension):
         self.document = load_svg(self.meshes.to_bytes())
 
 
-class GradmeshOutput(_GradmeshDocument, inkex.OutputExtension):
+class GradmeshOutput(_GradmeshDocument, OutputExtension):
     """Writes what is not SVG."""
 
 
@@ -108,13 +112,13 @@ def refusals_as_sentences():
     try:
         yield
     except gradmesh.InputError as error:
-        raise inkex.AbortExtension(sentence(translated(error.message))) from error
+        raise AbortExtension(sentence(translated(error.message))) from error
     except MemoryError as error:
-        raise inkex.AbortExtension(
+        raise AbortExtension(
             _("There is not enough memory for this, so the document stays as it was.")
         ) from error
     except ValueError as error:
-        raise inkex.AbortExtension(settings_do_not_work(error)) from error
+        raise AbortExtension(settings_do_not_work(error)) from error
 
 
 def settings_do_not_work(why):

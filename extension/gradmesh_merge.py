@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Merge Selected Patches: one patch of the selected blocks."""
 
-from gradmesh_effect import GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
+from gradmesh_inkex import AbortExtension
 from gradmesh_text import _
 
 
@@ -11,7 +12,7 @@ class Merge(GradmeshEffect):
 
     def effect(self):
         if not self.options.ids:
-            raise inkex.AbortExtension(
+            raise AbortExtension(
                 _("Select two or more blocks of a simplified mesh: double-click it, then Shift+click.")
             )
         self.chosen_elements()

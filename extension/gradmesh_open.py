@@ -4,11 +4,12 @@
 
 import os
 
-from gradmesh_effect import Gradmesh, gradmesh, inkex, refusals_as_sentences
+from gradmesh_effect import Gradmesh, gradmesh, refusals_as_sentences
+from gradmesh_inkex import InputExtension
 from gradmesh_text import _
 
 
-class Open(Gradmesh, inkex.InputExtension):
+class Open(Gradmesh, InputExtension):
     """Makes an SVG document of a .hemesh file."""
 
     def load(self, stream):

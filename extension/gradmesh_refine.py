@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Refine Here: splits patches, to add detail in one place."""
 
-from gradmesh_effect import GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
+from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_text import _
 
 
@@ -14,14 +15,14 @@ class Refine(GradmeshEffect):
         pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
         pars.add_argument("--direction", default="both")
         pars.add_argument("--place", type=float, default=50)
-        pars.add_argument("--whole", type=inkex.Boolean, default=False)
+        pars.add_argument("--whole", type=Boolean, default=False)
         pars.add_argument("--row", type=int, default=0)
         pars.add_argument("--column", type=int, default=0)
 
     def effect(self):
         options = self.options
         if len(options.ids) != 1:
-            raise inkex.AbortExtension(
+            raise AbortExtension(
                 _("Select one block of a simplified mesh, or one object painted by a gradient mesh.")
             )
         self.chosen_elements()

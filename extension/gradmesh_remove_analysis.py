@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Remove Analysis: takes away the layers of Show Analysis."""
 
-from gradmesh_effect import MARK, Gradmesh, inkex
+from gradmesh_effect import MARK, Gradmesh
+from gradmesh_inkex import AbortExtension, EffectExtension
 from gradmesh_text import _
 
 
-class RemoveAnalysis(Gradmesh, inkex.EffectExtension):
+class RemoveAnalysis(Gradmesh, EffectExtension):
     """Removes the layers that Show Analysis has added."""
 
     def effect(self):
         layers = [element for element in self.svg.iter("{*}g") if element.get(MARK)]
         if not layers:
-            raise inkex.AbortExtension(_("There is no analysis in this document."))
+            raise AbortExtension(_("There is no analysis in this document."))
         for layer in layers:
             layer.getparent().remove(layer)
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """File > Save As of .hemesh files: the only gradient mesh of the document."""
 
-from gradmesh_effect import GradmeshOutput, gradmesh, inkex, refusals_as_sentences
+from gradmesh_effect import GradmeshOutput, gradmesh, refusals_as_sentences
+from gradmesh_inkex import AbortExtension
 from gradmesh_text import _
 
 
@@ -12,7 +13,7 @@ class Save(GradmeshOutput):
     def save(self, stream):
         ids = self.selected_meshes() if self.options.ids else self.meshes.ids
         if len(ids) != 1:
-            raise inkex.AbortExtension(
+            raise AbortExtension(
                 _("A .hemesh file holds one gradient mesh, but the document has {count}.").format(
                     count=len(ids)
                 )
@@ -20,7 +21,7 @@ class Save(GradmeshOutput):
         with refusals_as_sentences():
             made = gradmesh.convert(self.meshes, "hemesh", ids[0])
         if made.lost_opacity:
-            raise inkex.AbortExtension(
+            raise AbortExtension(
                 _("{id} is not opaque everywhere, which a .hemesh file cannot hold.").format(id=ids[0])
             )
         stream.write(made.document.to_bytes())

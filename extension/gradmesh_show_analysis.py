@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Show Analysis: a layer with what the methods know of a mesh."""
 
-from lxml import etree
+from itertools import count
 
 from gradmesh_cache import analysis_cache
-from gradmesh_effect import MARK, GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_effect import MARK, GradmeshEffect, gradmesh, refusals_as_sentences
+from gradmesh_inkex import etree, load_svg
 from gradmesh_text import _
 from gradmesh_window import LongWork
+
+SVG = "{http://www.w3.org/2000/svg}"
+INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 LAYER_NAMES = {
     "edges": _("Edges of {id}"),
@@ -51,15 +55,26 @@ class ShowAnalysis(GradmeshEffect):
 
     def layer(self, name, drawing):
         """The layers of the drawing in one of their own; it is in the document's coordinates."""
-        layer = inkex.Layer.new(LAYER_NAMES[self.options.show].format(id=name))
-        layer.set(MARK, self.options.show)
-        layer.set_id(self.svg.get_unique_id("analysis"))
-        root = inkex.load_svg(drawing.encode("utf-8")).getroot()
-        layer.style = {"font-family": root.get("font-family"), "fill": "black"}
-        for group in root.findall(inkex.addNS("g", "svg")):
+        root = load_svg(drawing.encode("utf-8")).getroot()
+        layer = etree.Element(
+            SVG + "g",
+            {
+                INKSCAPE + "groupmode": "layer",
+                INKSCAPE + "label": LAYER_NAMES[self.options.show].format(id=name),
+                MARK: self.options.show,
+                "id": self.free_id("analysis"),
+                "style": f"font-family:{root.get('font-family')};fill:black",
+            },
+        )
+        for group in root.findall(SVG + "g"):
             layer.append(group)
         etree.cleanup_namespaces(layer)
         return layer
+
+    def free_id(self, stem):
+        """The stem with the first number after it that makes an id which is not taken."""
+        taken = self.elements_by_id()
+        return next(name for name in map(f"{stem}{{}}".format, count(1)) if name not in taken)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,8 @@
 import re
 
 from gradmesh_cache import analysis_cache
-from gradmesh_effect import GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
+from gradmesh_inkex import AbortExtension, Boolean, errormsg
 from gradmesh_text import _
 from gradmesh_window import LongWork
 
@@ -31,8 +32,8 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--patches", type=int, default=50)
         pars.add_argument("--share", type=float, default=50)
         pars.add_argument("--result", default="blocks")
-        pars.add_argument("--keep_original", type=inkex.Boolean, default=False)
-        pars.add_argument("--remember_original", type=inkex.Boolean, default=True)
+        pars.add_argument("--keep_original", type=Boolean, default=False)
+        pars.add_argument("--remember_original", type=Boolean, default=True)
         pars.add_argument("--method", default="best")
         pars.add_argument("--omega", type=float, default=0.75)
         pars.add_argument("--kappa", type=float, default=0.05)
@@ -41,9 +42,9 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--metric", default="flip")
         pars.add_argument("--max_local_error", type=float, default=0)
         pars.add_argument("--resolution", type=int, default=700)
-        pars.add_argument("--visible_only", type=inkex.Boolean, default=True)
+        pars.add_argument("--visible_only", type=Boolean, default=True)
         pars.add_argument("--time_budget", type=int, default=60)
-        pars.add_argument("--preview", type=inkex.Boolean, default=False)
+        pars.add_argument("--preview", type=Boolean, default=False)
 
     def effect(self):
         ids = self.selected_meshes() if self.options.ids else self.all_meshes()
@@ -52,15 +53,15 @@ class Simplify(GradmeshEffect):
             work = LongWork(self.title(ids), lambda tell: self.simplify(ids, options, tell))
             results = work.run()
         if all(result.patches_after == result.patches_before for result in results):
-            raise inkex.AbortExtension(self.why_nothing_changed(results))
+            raise AbortExtension(self.why_nothing_changed(results))
         if self.options.preview:
-            inkex.errormsg("\n".join(map(self.what_would_change, results)))
+            errormsg("\n".join(map(self.what_would_change, results)))
         else:
             self.take_over()
 
     def all_meshes(self):
         if not self.meshes.ids:
-            raise inkex.AbortExtension(_("There is no gradient mesh in the document."))
+            raise AbortExtension(_("There is no gradient mesh in the document."))
         return [mesh.id for mesh in self.meshes.meshes]
 
     def title(self, ids):

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Update after Editing: blocks that were edited fit together again."""
 
-from gradmesh_effect import GradmeshEffect, gradmesh, inkex, refusals_as_sentences
+from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
+from gradmesh_inkex import AbortExtension
 from gradmesh_text import _
 
 
@@ -14,7 +15,7 @@ class Update(GradmeshEffect):
         with refusals_as_sentences():
             results = gradmesh.update(self.meshes, ids)
         if not any(result.changed for result in results):
-            raise inkex.AbortExtension(
+            raise AbortExtension(
                 _("{meshes}: all blocks fit together, so there was nothing to do.").format(
                     meshes=", ".join(result.id for result in results)
                 )
