@@ -8,7 +8,7 @@ import pytest
 
 from built import PYTHON, install_extension
 
-INKEX = Path("/usr/share/inkscape/extensions")
+INKEX = Path(os.environ.get("GRADMESH_INKEX", "/usr/share/inkscape/extensions"))
 
 
 @pytest.fixture(scope="module")

@@ -11,6 +11,8 @@
 
 Inkscape's exit status says nothing: without a display it writes the file unchanged and exits 0.
 Look at what it wrote.
+
+The environment variable GRADMESH_INKSCAPE names the program, to test with another version.
 """
 
 import os
@@ -23,12 +25,13 @@ from pathlib import Path
 from typing import Mapping, NamedTuple, Optional, Sequence
 from xml.sax.saxutils import quoteattr
 
+INKSCAPE = os.environ.get("GRADMESH_INKSCAPE", "inkscape")
 SCREEN = (1400, 1000)
 
 
 def missing(*programs: str) -> str:
     """Why Inkscape (and the further `programs`) cannot be driven here; empty if it can."""
-    absent = [p for p in ("inkscape", "Xvfb", *programs) if shutil.which(p) is None]
+    absent = [p for p in (INKSCAPE, "Xvfb", *programs) if shutil.which(p) is None]
     return f"not installed: {', '.join(absent)}" if absent else ""
 
 
@@ -214,7 +217,7 @@ class Inkscape:
         self, svg_in, actions: Sequence[str], timeout: Optional[float] = None
     ) -> Finished:
         """Opens `svg_in` and runs `actions` one after the other; Timeout past `timeout` seconds."""
-        command = ["inkscape", "--batch-process", "--actions=" + ";".join(actions), str(svg_in)]
+        command = [INKSCAPE, "--batch-process", "--actions=" + ";".join(actions), str(svg_in)]
         return run(command, self.env, timeout or self.timeout)
 
     def run_extension(
@@ -265,7 +268,7 @@ class Inkscape:
         timeout: Optional[float] = None,
     ) -> Path:
         """Renders the page, or `area` (x0, y0, x1, y1 in user units), or just the object `only`."""
-        command = ["inkscape", "--export-type=png", f"--export-filename={png}"]
+        command = [INKSCAPE, "--export-type=png", f"--export-filename={png}"]
         if dpi is not None:
             command.append(f"--export-dpi={dpi:g}")
         if width is not None:
@@ -294,7 +297,7 @@ class InkscapeWindow:
 
     def __enter__(self) -> "InkscapeWindow":
         self._process = subprocess.Popen(
-            ["inkscape", str(self._svg)],
+            [INKSCAPE, str(self._svg)],
             env=self._env,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
