@@ -201,7 +201,10 @@ std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks) {
   const auto format_side = [](const CurveSide& side) {
     std::string text = std::to_string(side.halfedges[0]);
     for (std::size_t i = 0; i < side.breaks.size(); ++i)
-      text += " " + format_exactly(side.breaks[i]) + " " + std::to_string(side.halfedges[i + 1]);
+      text.append(" ")
+          .append(format_exactly(side.breaks[i]))
+          .append(" ")
+          .append(std::to_string(side.halfedges[i + 1]));
     return text;
   };
   std::string text;
