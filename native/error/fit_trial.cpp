@@ -1,9 +1,11 @@
 #include "error/fit_trial.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "ops/merge_region.h"
+#include "raster/folds.h"
 
 namespace gradmesh {
 namespace {
@@ -34,11 +36,29 @@ constexpr double most_that_a_fit_saves = 4;
 /// Sums of the map that rise by less than this are left alone.
 constexpr double noticeable = 0.01;
 
-/// The unknowns that change a face which has got worse.
-std::vector<bool> harmful(const Fit& fit, const std::vector<double>& change_by_face) {
+/// Whether the face may lie over itself. Where it does, what shows depends on the order in which
+/// patches are painted, which changes when a person goes on editing.
+bool may_fold(const Mesh& mesh, Face face) {
+  const BezierNet net = bezier_net(mesh.patch(face));
+  Bicubic<glm::dvec2> positions;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) positions[i][j] = net[i][j].position;
+  return folds_of(positions).possible();
+}
+
+/// Those of the faces that the fit changes which surely do not fold.
+std::vector<Face> unfolded_faces(const Mesh& mesh, const Fit& fit) {
+  std::vector<Face> faces;
+  for (const InfluencedFace& f : fit.influenced())
+    if (!may_fold(mesh, f.face)) faces.push_back(f.face);
+  return faces;
+}
+
+/// The unknowns that change one of these faces.
+std::vector<bool> unknowns_of(const Fit& fit, const std::function<bool(Face)>& is_one) {
   std::vector<bool> result(fit.unknowns().size(), false);
   for (const InfluencedFace& f : fit.influenced())
-    if (change_by_face[std::size_t(f.face.value)] > noticeable)
+    if (is_one(f.face))
       for (const Influence& by : f.by) result[std::size_t(by.unknown)] = true;
   return result;
 }
@@ -57,10 +77,11 @@ double FitTrial::price(const Region& region, double limit) {
       return price;
     }
     Fit fit(journal_, *target_, merged);
+    const std::vector<Face> unfolded = unfolded_faces(mesh(), fit);
     const std::vector<double> damping(fit.unknowns().size(), first_damping);
     constexpr int steps = 2;
     for (int i = 0; i < steps; ++i)
-      fit.apply(fit.step(damping), std::vector<bool>(damping.size(), false));
+      apply_unfolded(fit, fit.step(damping), unfolded, std::vector<bool>(damping.size(), false));
     const double unfitted = price;
     price = error_.after_edits(journal_, depth, before + limit) - before;
     const bool breaks = price <= limit && !error_.keeps_local_bound();
@@ -99,10 +120,11 @@ void FitTrial::improve(const std::vector<Face>& faces, int steps) {
 
 void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
   Fit fit(journal_, *target_, faces);
+  const std::vector<Face> unfolded = unfolded_faces(mesh(), fit);
   std::vector<double> damping(fit.unknowns().size(), first_damping);
   for (int left = steps; left-- > 0;) {
     const double before = error();
-    const bool better = try_step(fit, damping);
+    const bool better = try_step(fit, unfolded, damping);
     // Each step does less than the one before.
     const double drop = before - error();
     if (better && error() - left * drop > limit) return;
@@ -111,16 +133,19 @@ void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
   }
 }
 
-bool FitTrial::try_step(Fit& fit, std::vector<double>& damping) {
+bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector<double>& damping) {
   const std::vector<Value> step = fit.step(damping);
   std::vector<bool> stays(fit.unknowns().size(), false);
   // At first all of the step, then without what did harm.
   for (const bool again : {false, true}) {
     const std::size_t depth = journal_.depth();
-    fit.apply(step, stays);
+    const std::vector<bool> folding = apply_unfolded(fit, step, unfolded, stays);
     const bool better = error_.after_edits(journal_, depth) < error();
-    const std::vector<bool> worse = harmful(fit, error_.change_by_face(mesh().face_slots()));
+    const std::vector<double> change = error_.change_by_face(mesh().face_slots());
+    std::vector<bool> worse =
+        unknowns_of(fit, [&](Face f) { return change[std::size_t(f.value)] > noticeable; });
     for (std::size_t u = 0; u < worse.size(); ++u) {
+      worse[u] = worse[u] || folding[u];
       if (worse[u]) damping[u] = std::min(most_damping, damping[u] * (again ? rise_again : rise));
       if (!worse[u] && !again) damping[u] = std::max(least_damping, damping[u] / fall);
       stays[u] = stays[u] || worse[u];
@@ -132,6 +157,24 @@ bool FitTrial::try_step(Fit& fit, std::vector<double>& damping) {
     undo_to(depth);
   }
   return false;
+}
+
+std::vector<bool> FitTrial::apply_unfolded(Fit& fit, const std::vector<Value>& step,
+                                           const std::vector<Face>& unfolded,
+                                           std::vector<bool> stays) {
+  std::vector<bool> folding(stays.size(), false);
+  for (;;) {
+    const std::size_t depth = journal_.depth();
+    fit.apply(step, stays);
+    std::vector<bool> folded(mesh().face_slots(), false);
+    for (const Face f : unfolded) folded[std::size_t(f.value)] = may_fold(mesh(), f);
+    if (std::ranges::find(folded, true) == folded.end()) return folding;
+    undo_to(depth);
+    // A face stays as it was, which is unfolded, once all that changes it does.
+    const auto more = unknowns_of(fit, [&](Face f) { return folded[std::size_t(f.value)]; });
+    for (std::size_t u = 0; u < more.size(); ++u)
+      if (more[u]) folding[u] = stays[u] = true;
+  }
 }
 
 std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {

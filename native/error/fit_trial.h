@@ -12,7 +12,7 @@ namespace gradmesh {
 
 /// Merges regions of a mesh and fits what comes of it to the picture of the original. Eq. 5 keeps
 /// the outer tangents and looks at nothing between: it is where a fit starts, and what stays where
-/// a fit does not lower the measured error.
+/// a fit does not lower the measured error. No fit folds a patch over itself that did not fold.
 class FitTrial {
  public:
   /// `error` and `target` of the same original; both start from `mesh`.
@@ -55,7 +55,11 @@ class FitTrial {
   void undo_to(std::size_t depth);
   /// Gives up early where the error falls too slowly to come down to `limit` in so many steps.
   void fit(const std::vector<Face>& faces, int steps, double limit);
-  bool try_step(Fit& fit, std::vector<double>& damping);
+  /// Makes the step without the unknowns that stay, and without those that would fold one of the
+  /// faces that do not fold; which these are.
+  std::vector<bool> apply_unfolded(Fit& fit, const std::vector<Value>& step,
+                                   const std::vector<Face>& unfolded, std::vector<bool> stays);
+  bool try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector<double>& damping);
 
   Journal journal_;
   EditError error_;
