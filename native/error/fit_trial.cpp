@@ -77,11 +77,10 @@ double FitTrial::price(const Region& region, double limit) {
       return price;
     }
     Fit fit(journal_, *target_, merged);
-    const std::vector<Face> unfolded = unfolded_faces(mesh(), fit);
     const std::vector<double> damping(fit.unknowns().size(), first_damping);
     constexpr int steps = 2;
     for (int i = 0; i < steps; ++i)
-      apply_unfolded(fit, fit.step(damping), unfolded, std::vector<bool>(damping.size(), false));
+      fit.apply(fit.step(damping), std::vector<bool>(damping.size(), false));
     const double unfitted = price;
     price = error_.after_edits(journal_, depth, before + limit) - before;
     const bool breaks = price <= limit && !error_.keeps_local_bound();
@@ -139,13 +138,16 @@ bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector
   // At first all of the step, then without what did harm.
   for (const bool again : {false, true}) {
     const std::size_t depth = journal_.depth();
-    const std::vector<bool> folding = apply_unfolded(fit, step, unfolded, stays);
-    const bool better = error_.after_edits(journal_, depth) < error();
+    fit.apply(step, stays);
+    std::vector<bool> folded(mesh().face_slots(), false);
+    for (const Face f : unfolded) folded[std::size_t(f.value)] = may_fold(mesh(), f);
+    const bool better = error_.after_edits(journal_, depth) < error() &&
+                        std::ranges::find(folded, true) == folded.end();
     const std::vector<double> change = error_.change_by_face(mesh().face_slots());
-    std::vector<bool> worse =
-        unknowns_of(fit, [&](Face f) { return change[std::size_t(f.value)] > noticeable; });
+    const std::vector<bool> worse = unknowns_of(fit, [&](Face f) {
+      return folded[std::size_t(f.value)] || change[std::size_t(f.value)] > noticeable;
+    });
     for (std::size_t u = 0; u < worse.size(); ++u) {
-      worse[u] = worse[u] || folding[u];
       if (worse[u]) damping[u] = std::min(most_damping, damping[u] * (again ? rise_again : rise));
       if (!worse[u] && !again) damping[u] = std::max(least_damping, damping[u] / fall);
       stays[u] = stays[u] || worse[u];
@@ -157,24 +159,6 @@ bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector
     undo_to(depth);
   }
   return false;
-}
-
-std::vector<bool> FitTrial::apply_unfolded(Fit& fit, const std::vector<Value>& step,
-                                           const std::vector<Face>& unfolded,
-                                           std::vector<bool> stays) {
-  std::vector<bool> folding(stays.size(), false);
-  for (;;) {
-    const std::size_t depth = journal_.depth();
-    fit.apply(step, stays);
-    std::vector<bool> folded(mesh().face_slots(), false);
-    for (const Face f : unfolded) folded[std::size_t(f.value)] = may_fold(mesh(), f);
-    if (std::ranges::find(folded, true) == folded.end()) return folding;
-    undo_to(depth);
-    // A face stays as it was, which is unfolded, once all that changes it does.
-    const auto more = unknowns_of(fit, [&](Face f) { return folded[std::size_t(f.value)]; });
-    for (std::size_t u = 0; u < more.size(); ++u)
-      if (more[u]) folding[u] = stays[u] = true;
-  }
 }
 
 std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {

@@ -55,10 +55,7 @@ class FitTrial {
   void undo_to(std::size_t depth);
   /// Gives up early where the error falls too slowly to come down to `limit` in so many steps.
   void fit(const std::vector<Face>& faces, int steps, double limit);
-  /// Makes the step without the unknowns that stay, and without those that would fold one of the
-  /// faces that do not fold; which these are.
-  std::vector<bool> apply_unfolded(Fit& fit, const std::vector<Value>& step,
-                                   const std::vector<Face>& unfolded, std::vector<bool> stays);
+  /// `unfolded`: the faces that do not fold, and must not.
   bool try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector<double>& damping);
 
   Journal journal_;
