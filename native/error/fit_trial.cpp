@@ -36,21 +36,11 @@ constexpr double most_that_a_fit_saves = 4;
 /// Sums of the map that rise by less than this are left alone.
 constexpr double noticeable = 0.01;
 
-/// Whether the face may lie over itself. Where it does, what shows depends on the order in which
-/// patches are painted, which changes when a person goes on editing.
-bool may_fold(const Mesh& mesh, Face face) {
-  const BezierNet net = bezier_net(mesh.patch(face));
-  Bicubic<glm::dvec2> positions;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) positions[i][j] = net[i][j].position;
-  return folds_of(positions).possible();
-}
-
 /// Those of the faces that the fit changes which surely do not fold.
 std::vector<Face> unfolded_faces(const Mesh& mesh, const Fit& fit) {
   std::vector<Face> faces;
   for (const InfluencedFace& f : fit.influenced())
-    if (!may_fold(mesh, f.face)) faces.push_back(f.face);
+    if (!may_fold(mesh.patch(f.face))) faces.push_back(f.face);
   return faces;
 }
 
@@ -140,7 +130,7 @@ bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector
     const std::size_t depth = journal_.depth();
     fit.apply(step, stays);
     std::vector<bool> folded(mesh().face_slots(), false);
-    for (const Face f : unfolded) folded[std::size_t(f.value)] = may_fold(mesh(), f);
+    for (const Face f : unfolded) folded[std::size_t(f.value)] = may_fold(mesh().patch(f));
     const bool better = error_.after_edits(journal_, depth) < error() &&
                         std::ranges::find(folded, true) == folded.end();
     const std::vector<double> change = error_.change_by_face(mesh().face_slots());

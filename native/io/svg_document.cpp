@@ -100,7 +100,8 @@ std::size_t nesting(const xmlNode* root) {
   for (const xmlNode* node = root;;) {
     if (node->type == XML_ELEMENT_NODE && node->children) {
       node = node->children;
-      deepest = std::max(deepest, ++depth);
+      ++depth;
+      if (node->type == XML_ELEMENT_NODE) deepest = std::max(deepest, depth);
       continue;
     }
     while (node != root && !node->next) {
@@ -109,6 +110,7 @@ std::size_t nesting(const xmlNode* root) {
     }
     if (node == root) return deepest;
     node = node->next;
+    if (node->type == XML_ELEMENT_NODE) deepest = std::max(deepest, depth);
   }
 }
 

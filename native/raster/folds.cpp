@@ -86,4 +86,12 @@ Folds folds_of(const Bicubic<glm::dvec2>& bezier) {
   return marker.folds;
 }
 
+bool may_fold(const Patch& patch) {
+  const BezierNet net = bezier_net(patch);
+  Bicubic<glm::dvec2> positions;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) positions[i][j] = net[i][j].position;
+  return folds_of(positions).possible();
+}
+
 }  // namespace gradmesh

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
+#include "geom/patch.h"
 #include "raster/bicubic.h"
 
 namespace gradmesh {
@@ -29,5 +30,9 @@ struct Folds {
 
 /// `bezier` holds the Bezier points of the position.
 Folds folds_of(const Bicubic<glm::dvec2>& bezier);
+
+/// Whether the patch may lie over itself. Where it does, what shows depends on the order in which
+/// patches are painted, which changes when a person goes on editing.
+bool may_fold(const Patch& patch);
 
 }  // namespace gradmesh

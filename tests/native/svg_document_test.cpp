@@ -168,6 +168,16 @@ TEST(SvgDocument, DepthIsLimited) {
   EXPECT_TRUE(parse_complaint(deep + end)
                   .starts_with("drawing.svg is not a readable SVG document: 100001 elements lie "
                                "inside one another, more than the limit of 256"));
+
+  // Text is no element, and neither the first child nor the last need be the deepest.
+  std::string just = head, just_end = "</svg>";
+  for (int i = 1; i < 256; ++i) {
+    just += " <g>text<a/>";
+    just_end.insert(0, "</g> ");
+  }
+  EXPECT_TRUE(parse_complaint(just + "text" + just_end).starts_with("drawing.svg"));
+  const std::size_t last = just.rfind("<a/>");
+  EXPECT_TRUE(parse(just.substr(0, last) + just_end).root());
 }
 
 TEST(SvgDocument, KeepsWhatItDoesNotKnow) {
