@@ -4,12 +4,13 @@
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
 #include "document/document.h"
+#include "document/renderer.h"
 
 namespace gradmesh {
 namespace {
 
 struct AnalyzeArguments {
-  std::string in, metric = "flip";
+  std::string in, metric = "flip", renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;
@@ -18,6 +19,7 @@ struct AnalyzeArguments {
 
 void run_analyze(AnalyzeArguments& a) {
   a.options.metric = metric_named(a.metric);
+  take_renderer(a.renderer, a.options);
   const std::unique_ptr<Document> document = Document::read_file(a.in);
   std::size_t prices = 0;
   {
@@ -46,6 +48,7 @@ void add_analyze(CLI::App& program) {
   command.add_option("--load-analysis", a->analyses.load,
                      "Take prices from this file, which an earlier run has saved");
   add_threads_option(command, a->options.threads);
+  add_renderer_option(command, a->renderer);
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a] { run_analyze(*a); });
 }

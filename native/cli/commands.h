@@ -7,6 +7,7 @@ namespace gradmesh {
 /// Each adds one subcommand, which runs when it is parsed, to the program. A subcommand throws
 /// InputError at bad input and std::invalid_argument at options that do not go together.
 void add_info(CLI::App& program);
+void add_devices(CLI::App& program);
 void add_simplify(CLI::App& program);
 void add_render(CLI::App& program);
 void add_compare(CLI::App& program);

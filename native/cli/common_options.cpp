@@ -1,6 +1,9 @@
 #include "cli/common_options.h"
 
+#include <iostream>
+
 #include "base/limits.h"
+#include "document/renderer.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
@@ -44,6 +47,28 @@ void add_threads_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "0: all cores")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+}
+
+void add_renderer_option(CLI::App& command, std::string& renderer) {
+  command
+      .add_option("--renderer", renderer,
+                  "Where errors are found: software, egl (what EGL offers), or auto, which takes a "
+                  "graphics processor where that is faster")
+      ->check(CLI::IsMember({"auto", "software", "egl"}))
+      ->capture_default_str();
+}
+
+void take_renderer(const std::string& renderer, SimplifyOptions& options) {
+  const Renderer wanted = renderer_named(renderer);
+  options.device = open_device(wanted);
+  options.device_if_faster = wanted == Renderer::automatic;
+  options.device_lost = [](const DeviceError& error) { say_without_device(error.what()); };
+  if (wanted == Renderer::egl && !options.device)
+    say_without_device("EGL offers no device that can be used (gradmesh devices tells why)");
+}
+
+void say_without_device(const std::string& reason) {
+  std::cerr << "gradmesh: " << reason << "; it goes on in software.\n";
 }
 
 void add_analysis_options(CLI::App& command, AnalysisPaths& analyses) {

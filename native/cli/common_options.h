@@ -5,6 +5,7 @@
 #include <string>
 
 #include "document/analysis_file.h"
+#include "simplify/simplify.h"
 
 namespace gradmesh {
 
@@ -16,6 +17,12 @@ void add_epsilon_option(CLI::App& command, double& epsilon);
 void add_kappa_option(CLI::App& command, double& kappa);
 void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model);
 void add_threads_option(CLI::App& command, int& threads);
+/// --renderer.
+void add_renderer_option(CLI::App& command, std::string& renderer);
+/// Takes what it names into the options, and says on stderr where it cannot be had or fails.
+void take_renderer(const std::string& renderer, SimplifyOptions& options);
+/// One line on stderr.
+void say_without_device(const std::string& reason);
 /// --load-analysis and --save-analysis.
 void add_analysis_options(CLI::App& command, AnalysisPaths& analyses);
 

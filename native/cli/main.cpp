@@ -14,6 +14,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   try {
     add_info(program);
+    add_devices(program);
     add_simplify(program);
     add_render(program);
     add_compare(program);

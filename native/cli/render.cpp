@@ -1,7 +1,9 @@
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/one_mesh.h"
+#include "document/renderer.h"
 #include "io/image_file.h"
+#include "raster/egl/egl_rasterizer.h"
 
 namespace gradmesh {
 namespace {
@@ -9,14 +11,28 @@ namespace {
 struct RenderArguments {
   std::string in, out, id;
   int resolution = 700;
+  std::string renderer = name(Renderer::automatic);
   bool like_inkscape = false;
 };
+
+/// One picture is no work for a device, so that it has to be asked for.
+Image render(const Document& document, const MeshEntry& entry, const RenderArguments& a) {
+  SimplifyOptions options;
+  if (a.renderer == name(Renderer::egl)) take_renderer(a.renderer, options);
+  try {
+    if (options.device)
+      return document.render(entry, a.resolution, *make_egl_rasterizer(options.device));
+  } catch (const DeviceError& error) {
+    say_without_device(error.what());
+  }
+  return document.render(entry, a.resolution, *make_software_rasterizer());
+}
 
 void run_render(const RenderArguments& a) {
   const std::unique_ptr<Document> document = Document::read_file(a.in);
   const MeshEntry entry = one_mesh(*document, a.id);
   write_png(a.like_inkscape ? document->render_like_inkscape(entry, a.resolution)
-                            : document->render(entry, a.resolution, *make_software_rasterizer()),
+                            : render(*document, entry, a),
             a.out);
 }
 
@@ -29,6 +45,7 @@ void add_render(CLI::App& program) {
   command.add_option("-o,--output", a->out, "PNG image")->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
   add_resolution_option(command, a->resolution);
+  add_renderer_option(command, a->renderer);
   command.add_flag("--like-inkscape", a->like_inkscape,
                    "Take Inkscape's point of each pixel instead of the centre");
   command.callback([a] { run_render(*a); });

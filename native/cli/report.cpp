@@ -8,6 +8,7 @@
 #include "cli/common_options.h"
 #include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
+#include "document/renderer.h"
 #include "io/atomic_file.h"
 
 namespace gradmesh {
@@ -16,7 +17,8 @@ namespace {
 using nlohmann::ordered_json;
 
 struct ReportArguments {
-  std::string before, after, out, id, run, metric = "flip";
+  std::string before, after, out, id, run, metric = "flip",
+              renderer = name(Renderer::automatic);
   SimplifyOptions options;
   AnalysisPaths analyses;
   bool quiet = false;
@@ -59,6 +61,7 @@ void run_report(ReportArguments& a, const CLI::App& command) {
   Report report;
   if (!a.run.empty()) report.run = run_of(a.run, entry.id);
   take_options(report.run, command, a);
+  take_renderer(a.renderer, a.options);
 
   AnalysisFiles files(a.analyses);
   Document::Start start = before->start(entry, a.options, files);
@@ -112,6 +115,7 @@ void add_report(CLI::App& program) {
   add_resolution_option(command, a->options.resolution);
   add_analysis_options(command, a->analyses);
   add_threads_option(command, a->options.threads);
+  add_renderer_option(command, a->renderer);
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a, &command] { run_report(*a, command); });
 }

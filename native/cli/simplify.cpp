@@ -6,13 +6,15 @@
 #include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
 #include "document/convert.h"
+#include "document/renderer.h"
 #include "io/atomic_file.h"
 
 namespace gradmesh {
 namespace {
 
 struct SimplifyArguments {
-  std::string in, out, report, method = name(SimplifyOptions().method), metric = "flip";
+  std::string in, out, report, method = name(SimplifyOptions().method), metric = "flip",
+              renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;
@@ -70,6 +72,7 @@ void print_results(const std::vector<MeshReport>& reports, const SimplifyOptions
 void run_simplify(SimplifyArguments& a) {
   a.options.method = method_named(a.method);
   a.options.metric = metric_named(a.metric);
+  take_renderer(a.renderer, a.options);
   const std::unique_ptr<Document> document = read_document(a);
   if (!a.options.color_model) a.options.color_model = document->color_model();
   std::vector<MeshReport> reports;
@@ -134,6 +137,7 @@ void add_simplify(CLI::App& program) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   add_threads_option(command, a->options.threads);
+  add_renderer_option(command, a->renderer);
   add_analysis_options(command, a->analyses);
   command.add_option("--report", a->report, "Write a report as JSON");
   command.add_flag("--keep-original", a->writing.keep_original,

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "document/hemesh_document.h"
+#include "document/renderer.h"
 #include "document/svg_meshes.h"
 #include "io/atomic_file.h"
 #include "io/svg_scanner.h"
@@ -103,6 +104,11 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   start.options.ways_to_write = [this, entry, method](const Mesh& mesh, const Frame& frame) {
     return ways_to_write(entry, method, mesh, frame);
   };
+  if (options.device && options.device_if_faster && !start.mesh.is_smooth() &&
+      !choose_renderer(options.device, start.mesh, frame(entry, start.mesh, options.resolution),
+                       options.metric, options.threads)
+           .takes_device)
+    start.options.device = nullptr;
   const AnalysisKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   start.options.analysis = &files.start(key, start.mesh);
   return start;

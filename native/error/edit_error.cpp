@@ -26,6 +26,7 @@ EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame
                      bool masks_opacity, std::optional<double> max_local_error) {
   const auto fixed = std::make_shared<Fixed>();
   fixed->frame = frame;
+  fixed->kind = metric;
   fixed->metric = make_metric(metric, paint_whole(original, frame).image);
   fixed->frame.masked_opacity = masks_opacity && !start.is_smooth() &&
                                 start.color_model() == ColorModel::bilinear &&
@@ -54,10 +55,10 @@ void EditError::restore(std::shared_ptr<const State> state) {
   state_ = std::move(state);
 }
 
-Window EditError::changed_pixels(const Mesh& mesh) const {
+Window EditError::changed_pixels(const Mesh& mesh, const std::vector<Face>& touched) const {
   if (mesh.is_smooth()) return fixed_->frame.window();
   Window changed;
-  for (const Face f : trial_.touched) {
+  for (const Face f : touched) {
     if (std::size_t(f.value) < state_->bounds.size())
       changed = changed.united(state_->bounds[f.value]);
     if (mesh[f].alive) changed = changed.united(pixel_bounds(mesh.patch(f), fixed_->frame));
@@ -70,7 +71,7 @@ double EditError::after_edits(const Journal& journal, std::size_t depth, double 
   const Metric& metric = *fixed_->metric;
   const Window frame = fixed_->frame.window();
   trial_.touched = journal.touched_since(depth);
-  trial_.pixels = changed_pixels(journal.mesh());
+  trial_.pixels = changed_pixels(journal.mesh(), trial_.touched);
   trial_.sum = state_->sum;
   trial_.measured = {};
   if (trial_.pixels.empty()) return error();
@@ -124,6 +125,20 @@ void EditError::accept(const Journal& journal) {
   for (const Face f : trial_.touched)
     state.bounds[f.value] =
         journal.mesh()[f].alive ? pixel_bounds(journal.mesh().patch(f), fixed_->frame) : Window{};
+}
+
+std::unique_ptr<EditErrors> EditError::on_device(std::shared_ptr<Device> device) {
+  auto errors = std::make_unique<EditErrors>(std::move(device), fixed_->kind,
+                                             fixed_->metric->reference(), fixed_->frame);
+  errors->start(state_->painting);
+  return errors;
+}
+
+void EditError::describe(const Journal& journal, std::size_t depth, EditTile& tile) {
+  ++fixed_->evaluations;
+  const std::vector<Face> touched = journal.touched_since(depth);
+  tiler_.make(journal.mesh(), fixed_->frame, touched, changed_pixels(journal.mesh(), touched),
+              state_->painting, tile);
 }
 
 FrameError EditError::whole_frame(const Mesh& mesh) const {

@@ -10,6 +10,8 @@
 #include "error/local_bound.h"
 #include "metric/metric.h"
 #include "ops/journal.h"
+#include "raster/edit_tile.h"
+#include "raster/egl/edit_errors.h"
 #include "raster/painter.h"
 
 namespace gradmesh {
@@ -42,6 +44,8 @@ class EditError {
   /// thread. Neither sees what the other does.
   EditError fork();
 
+  /// Of the frame.
+  std::size_t pixels() const { return state_->map.pixels(); }
   /// Error of the mesh as last accepted.
   double error() const { return state_->sum / double(state_->map.pixels()); }
 
@@ -80,6 +84,12 @@ class EditError {
   /// Paints and measures everything afresh.
   FrameError whole_frame(const Mesh& mesh) const;
 
+  /// Whoever measures many edits at once on the device, from what has been accepted so far. Throws
+  /// DeviceError.
+  std::unique_ptr<EditErrors> on_device(std::shared_ptr<Device> device);
+  /// The journal's mesh as such an edit, which counts as one that was measured.
+  void describe(const Journal& journal, std::size_t depth, EditTile& tile);
+
   /// Edits that were painted and measured, by this one and all its forks.
   int evaluations() const { return fixed_->evaluations; }
 
@@ -87,6 +97,7 @@ class EditError {
   /// What does not change, and is shared with the forks.
   struct Fixed {
     Frame frame;
+    MetricKind kind;
     std::unique_ptr<Metric> metric;
     std::optional<LocalBound> local_bound;
     mutable std::atomic<int> evaluations = 0;
@@ -94,7 +105,8 @@ class EditError {
   EditError(std::shared_ptr<const Fixed> fixed, std::shared_ptr<const State> state)
       : fixed_(std::move(fixed)), state_(std::move(state)) {}
 
-  Window changed_pixels(const Mesh& mesh) const;
+  /// Pixels that the faces touched may change.
+  Window changed_pixels(const Mesh& mesh, const std::vector<Face>& touched) const;
 
   std::shared_ptr<const Fixed> fixed_;
   std::shared_ptr<const State> state_;
@@ -102,6 +114,7 @@ class EditError {
   std::shared_ptr<State> own_state_;
 
   Painter painter_;
+  EditTiler tiler_;
   /// What is on trial: a copy of the part of the state that it changes and of what lies around.
   struct Trial {
     std::vector<Face> touched;

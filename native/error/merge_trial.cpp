@@ -69,6 +69,12 @@ double RegionTrial::price(const Region& region, double limit) {
   return trial_.error_.after_edits(trial_.journal_, depth_, before + limit) - before;
 }
 
+bool RegionTrial::describe(const Region& region, EditTile& tile) {
+  if (!merger_.merge(region)) return false;
+  trial_.error_.describe(trial_.journal_, depth_, tile);
+  return true;
+}
+
 void MergeTrial::undo_all() {
   if (journal_.depth() == 0) return;
   undo_to(0);

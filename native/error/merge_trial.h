@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -53,6 +54,21 @@ class MergeTrial {
   /// Merges, of edges or regions, that were painted and measured, here and by all the forks.
   int evaluations() const { return error_.evaluations(); }
 
+  /// Called with what happened when a device fails and the run goes on without.
+  using DeviceLost = std::function<void(const DeviceError&)>;
+  /// Many regions at once are priced on that device from now on (BatchPrices), until it is lost.
+  void use_device(std::shared_ptr<Device> device, DeviceLost told) {
+    device_ = std::move(device);
+    device_lost_ = std::move(told);
+  }
+  bool has_device() const { return device_ != nullptr; }
+  void lose_device(const DeviceError& error) {
+    device_ = nullptr;
+    if (device_lost_) device_lost_(error);
+  }
+  /// Throws DeviceError.
+  std::unique_ptr<EditErrors> errors_on_device() { return error_.on_device(device_); }
+
   /// A mesh and a trial of its own, as they are here now, for another thread.
   struct Fork;
   std::unique_ptr<Fork> fork();
@@ -74,6 +90,8 @@ class MergeTrial {
   EditError error_;
   std::shared_ptr<const EditError::State> start_;
   double epsilon_;
+  std::shared_ptr<Device> device_;
+  DeviceLost device_lost_;
 };
 
 /// Works out what merging single regions would cost, and leaves the trial as it was when it goes.
@@ -90,6 +108,9 @@ class RegionTrial {
   /// By how much merging the region alone would raise the error; some number above `limit` where
   /// it is certain to be above that; infinity where it cannot be merged.
   double price(const Region& region, double limit = std::numeric_limits<double>::infinity());
+  /// What merging the region alone paints, to be measured on a device; false where it cannot be
+  /// merged.
+  bool describe(const Region& region, EditTile& tile);
   /// Whether merging the region alone, which must cost at most `limit`, keeps to the local bound.
   bool keeps_local_bound(const Region& region, double limit) {
     return price(region, limit) <= limit && trial_.error_.keeps_local_bound();

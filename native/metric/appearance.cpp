@@ -198,7 +198,8 @@ namespace {
 HWY_EXPORT(read_row);
 HWY_EXPORT(appearance_row);
 
-/// Linear light of the 256 values of an sRGB sample (IEC 61966-2-1).
+}  // namespace
+
 const std::array<float, 256>& linear_light() {
   static const auto table = [] {
     std::array<float, 256> values{};
@@ -210,8 +211,6 @@ const std::array<float, 256>& linear_light() {
   }();
   return table;
 }
-
-}  // namespace
 
 void AppearanceFilter::read(const Image& image, Window frame, Window box) {
   const Window around = box.grown(appearance_reach), inside = around.clipped(frame);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "metric/appearance_taps.h"
 #include "metric/padded_rows.h"
 
@@ -34,6 +36,9 @@ class AppearanceRows {
 
   PaddedRows<float> planes_;
 };
+
+/// Linear light of the 256 values of an sRGB sample (IEC 61966-2-1).
+const std::array<float, 256>& linear_light();
 
 /// Computes the appearance of an image's pixels, row by row. To be used again, for its memory.
 class AppearanceFilter {

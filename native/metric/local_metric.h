@@ -14,6 +14,7 @@ class LocalMetric : public Metric {
   void fill_map(const Image& test, Window window, Plane& map) const final;
   double update_map(const Image& before, const Image& test, Window changed, Plane& map,
                     double limit) const final;
+  const Image& reference() const final { return reference_; }
   int reach() const final { return reach_; }
 
  protected:
@@ -22,7 +23,6 @@ class LocalMetric : public Metric {
   /// Writes the distances of the pixels of `tile`, which is not empty and lies inside the frame.
   /// `test` covers the tile and what the frame holds within the reach around it.
   virtual void score(const Image& test, Window tile, Plane& map) const = 0;
-  const Image& reference() const { return reference_; }
 
  private:
   Window around(Window window, int by) const {

@@ -7,6 +7,7 @@
 
 #include "metric/flip.h"
 #include "metric/ssim.h"
+#include "metric/ssim_taps.h"
 
 namespace gradmesh {
 namespace {
@@ -32,6 +33,10 @@ std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference) {
       return std::make_unique<Ssim>(std::move(reference));
   }
   throw std::invalid_argument("Unknown metric.");
+}
+
+int metric_reach(MetricKind kind) {
+  return kind == MetricKind::flip ? appearance_reach : ssim_radius;
 }
 
 double sum(const Plane& map, Window window) {

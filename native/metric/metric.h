@@ -36,6 +36,8 @@ class Metric {
   virtual double update_map(const Image& before, const Image& test, Window changed, Plane& map,
                             double limit = std::numeric_limits<double>::infinity()) const = 0;
 
+  virtual const Image& reference() const = 0;
+
   /// How many pixels away, along each axis, a changed pixel still changes the map.
   virtual int reach() const = 0;
 
@@ -45,6 +47,9 @@ class Metric {
     return result;
   }
 };
+
+/// Metric::reach() of that metric.
+int metric_reach(MetricKind kind);
 
 /// Any size of reference will do, also one smaller than the filters.
 std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference);

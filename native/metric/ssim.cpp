@@ -1,12 +1,11 @@
 #include "metric/ssim.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "metric/padded_rows.h"
-#include "metric/taps.h"
+#include "metric/ssim_taps.h"
 
 // What every target shares, read once.
 #ifndef GRADMESH_METRIC_SSIM_SHARED
@@ -15,7 +14,7 @@ namespace gradmesh {
 namespace {
 
 constexpr int channels = 3;
-constexpr int radius = 5;
+constexpr int radius = ssim_radius;
 /// Bytes are taken less this, as small numbers and their squares round less.
 constexpr int byte_centre = 128;
 /// Columns are filtered for so many rows at a time, which share most of what they read.
@@ -59,16 +58,6 @@ HWY_BEFORE_NAMESPACE();
 namespace gradmesh::HWY_NAMESPACE {
 namespace {
 
-const Taps<float, radius>& gaussian() {
-  static const auto taps = [] {
-    constexpr double sigma = 1.5;
-    const auto exact =
-        sample_taps<radius>([](int k) { return std::exp(-k * k / (2 * sigma * sigma)); });
-    return scaled<float>(exact, 1 / sum(exact));
-  }();
-  return taps;
-}
-
 using Rows = PaddedRows<float>;
 using D = Lanes<float>;
 using V = hn::Vec<D>;
@@ -94,7 +83,7 @@ void read_reference(const std::uint8_t* y, int count, float* values) {
 /// The moments of a vector of columns, about `near`.
 HWY_INLINE void find_column_moments(const float* in, std::ptrdiff_t stride, V near, V& mean,
                                     V& variance) {
-  const Taps<float, radius>& taps = gaussian();
+  const Taps<float, radius>& taps = ssim_taps();
   V shift = hn::Zero(d), squares = shift;
   for (int k = radius; k > 0; --k) {
     const V above = hn::Sub(hn::Load(d, in - k * stride), near);
@@ -135,7 +124,7 @@ void moments_of_columns(const Rows& in, int y, Rows& columns) {
 
 void moments_of_row(const float* column_means, const float* column_variances, int count,
                     float* mean, float* variance) {
-  const Taps<float, radius>& taps = gaussian();
+  const Taps<float, radius>& taps = ssim_taps();
   for (int i = 0; i < count; i += int(hn::Lanes(d))) {
     const float *means = column_means + i, *variances = column_variances + i;
     const V centre = hn::LoadU(d, means);
@@ -194,7 +183,7 @@ void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count, fl
 /// Filters every plane down the columns, with the centres in the rows from y on.
 void filter_columns(const Rows& in, int y, Rows& columns) {
   static_assert(rows_at_once == 4);
-  const Taps<float, radius>& taps = gaussian();
+  const Taps<float, radius>& taps = ssim_taps();
   const int count = in.window().width();
   const std::ptrdiff_t stride = in.stride(), out_stride = columns.stride();
   for (int plane = 0; plane < difference_planes; ++plane) {
@@ -219,7 +208,7 @@ void add_distances(const Rows& columns, int row, int count, const float* mean_y,
                    const float* variance_y, std::ptrdiff_t next_row, float* distance) {
   constexpr float c1 = 6.5025F;   // (0.01 * 255)^2
   constexpr float c2 = 58.5225F;  // (0.03 * 255)^2
-  const Taps<float, radius>& taps = gaussian();
+  const Taps<float, radius>& taps = ssim_taps();
   const float* differences = columns.row(difference, row) + radius;
   const float* squares = columns.row(squared, row) + radius;
   const float* products = columns.row(times_reference, row) + radius;

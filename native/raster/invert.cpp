@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "raster/cover.h"
+#include "raster/segments.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/invert.cpp"
@@ -16,37 +17,6 @@ namespace gradmesh::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Pixels from a knot to the next at most.
-constexpr int most_length = 8;
-/// How far, in pixels, knots may be from the surface, and their slopes from its slopes, in pixels
-/// for each pixel; in the middle of a segment that is a quarter of its length times as much.
-constexpr float knot_error = 0.01F, slope_error = 1.0F / 256;
-/// What of the tenth of a pixel these leave to cubics between knots.
-constexpr float interpolation_error = 0.08F;
-static_assert(knot_error + slope_error * most_length / 4 + interpolation_error < 0.1F);
-
-/// Weights of value, next value, slope and next slope at each pixel of a segment, and a vector's
-/// length of zeros.
-using InterpolationBasis = std::array<std::array<float, 2 * most_length>, 4>;
-/// For each length.
-using InterpolationBases = std::array<InterpolationBasis, most_length + 1>;
-
-constexpr InterpolationBases make_bases(bool cubic) {
-  InterpolationBases bases = {};
-  bases[0][0][0] = 1;
-  for (int length = 1; length <= most_length; ++length)
-    for (int i = 0; i <= length && i < most_length; ++i) {
-      const double t = double(i) / length, s = 1 - t;
-      bases[length][0][i] = float(cubic ? s * s * (1 + 2 * t) : s);
-      bases[length][1][i] = float(cubic ? t * t * (1 + 2 * s) : t);
-      bases[length][2][i] = float(cubic ? t * s * s * length : 0);
-      bases[length][3][i] = float(cubic ? -t * t * s * length : 0);
-    }
-  return bases;
-}
-
-constexpr InterpolationBases hermite_bases = make_bases(true), linear_bases = make_bases(false);
 
 template <class D>
 HWY_INLINE hn::Vec<D> times(D d, float a, hn::Vec<D> b) {
@@ -62,10 +32,9 @@ struct Knot {
 /// than `slope_error`. Returns where it was not reached.
 template <class D, class V, class M>
 HWY_INLINE M solve(D d, const Refinement& refinement, V x, V y, M active, Knot<V>& knot) {
-  constexpr int most_steps = 6;
   const V slopes = hn::Set(d, slope_error), enough = hn::Set(d, 2 * knot_error);
   const auto& most = refinement.most;
-  for (int n = 0; n < most_steps; ++n) {
+  for (int n = 0; n < most_knot_steps; ++n) {
     const Position<V> at = position(d, refinement, knot.u, knot.v);
     const Step<V> step = approach(d, at, x, y, active, knot.u, knot.v);
     const V du = hn::Div(at.y.along_v, at.determinant);
@@ -87,11 +56,10 @@ HWY_INLINE M solve(D d, const Refinement& refinement, V x, V y, M active, Knot<V
 /// The nearest of some points of the surface.
 template <class D, class V>
 void find_start(D d, const Refinement& refinement, V x, V y, V& u, V& v) {
-  constexpr int cells = 8;
   V least = hn::Set(d, 1e30F);
-  for (int i = 0; i <= cells; ++i)
-    for (int j = 0; j <= cells; ++j) {
-      const V u_here = hn::Set(d, float(i) / cells), v_here = hn::Set(d, float(j) / cells);
+  for (int i = 0; i <= start_cells; ++i)
+    for (int j = 0; j <= start_cells; ++j) {
+      const V u_here = hn::Set(d, float(i) / start_cells), v_here = hn::Set(d, float(j) / start_cells);
       const Position<V> at = position(d, refinement, u_here, v_here);
       const V dx = hn::Sub(x, at.x.value), dy = hn::Sub(y, at.y.value);
       const V distance = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));

@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include "raster/segments.h"
 #include "raster/tessellate.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -102,10 +103,9 @@ HWY_INLINE Step<V> approach(D d, const Position<V>& at, V x, V y, M active, V& u
 /// most (uu du^2 + 2 uv du dv + vv dv^2) / 2. One step nearly always does.
 template <class D, class V, class M>
 HWY_INLINE void polish(D d, const Refinement& refinement, V x, V y, M active, V& u, V& v) {
-  constexpr int most_steps = 4;
   const V uu = hn::Set(d, refinement.uu), uv = hn::Set(d, 2 * refinement.uv),
           vv = hn::Set(d, refinement.vv), enough = hn::Set(d, float(2 * flatness));
-  for (int n = 0; n < most_steps; ++n) {
+  for (int n = 0; n < most_polish_steps; ++n) {
     const Step<V> step = approach(d, position(d, refinement, u, v), x, y, active, u, v);
     const V left =
         hn::Add(hn::Add(hn::Mul(uu, hn::Mul(step.u, step.u)), hn::Mul(vv, hn::Mul(step.v, step.v))),

@@ -17,13 +17,6 @@ constexpr std::uint8_t white = 255;
 constexpr int band_height = 64;
 constexpr std::size_t share_of_faces = 32;
 
-Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
-  Patch patch = mesh.patch(face);
-  if (mesh.color_model() == ColorModel::bilinear)
-    patch = as_written(patch, frame.coons_tolerance, frame.masked_opacity);
-  return patch;
-}
-
 void clear_all(Painting& painting) {
   painting.top.reset(painting.window());
   std::ranges::fill(painting.image.samples, white);
@@ -42,6 +35,13 @@ struct ReadyFace {
 };
 
 }  // namespace
+
+Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
+  Patch patch = mesh.patch(face);
+  if (mesh.color_model() == ColorModel::bilinear)
+    patch = as_written(patch, frame.coons_tolerance, frame.masked_opacity);
+  return patch;
+}
 
 void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
   if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, painting);
@@ -72,19 +72,12 @@ Window Painter::clear(const std::vector<Face>& touched, Window within, Painting&
   is_touched_.assign(std::size_t(touched.back().value) + 1, false);
   for (const Face f : touched) is_touched_[f.value] = true;
   Window uncovered;
-  for (int y = within.y0; y < within.y1; ++y) {
-    std::uint32_t* const tops = painting.top.at(within.x0, y);
-    // From pixels of one face to the next.
-    for (int end, begin = 0; begin < within.width(); begin = end) {
-      const TopFace top(tops[begin]);
-      for (end = begin + 1; end < within.width() && tops[end] == top.sample();) ++end;
-      if (!top.face().valid() || !is_touched(top.face())) continue;
-      const Window run{within.x0 + begin, y, within.x0 + end, y + 1};
-      if (top.covers_others()) uncovered = uncovered.united(run);
-      fill(painting.top, run, TopFace().sample());
-      fill(painting.image, run, white);
-    }
-  }
+  for_each_run(painting.top, within, [&](Window run, TopFace top) {
+    if (!is_touched(top.face())) return;
+    if (top.covers_others()) uncovered = uncovered.united(run);
+    fill(painting.top, run, TopFace().sample());
+    fill(painting.image, run, white);
+  });
   return uncovered;
 }
 

@@ -7,6 +7,9 @@
 
 namespace gradmesh {
 
+/// The patch of a face as it is painted: where colours are bilinear, as it will be written.
+Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face);
+
 /// Paints meshes, and paints again what an edit changed; as Rasterizer, pixel for pixel. Not
 /// thread-safe: it keeps its memory from call to call.
 class Painter {

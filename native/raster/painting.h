@@ -47,6 +47,21 @@ struct Painting {
   Window window() const { return image.window(); }
 };
 
+/// Calls `f(run, top)` for the pixels of a window, row by row, in runs with the same TopFace; runs
+/// without a face are left out.
+template <class F>
+void for_each_run(const Raster<std::uint32_t, 1>& top, Window window, const F& f) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    const std::uint32_t* const row = top.at(window.x0, y);
+    for (int end, begin = 0; begin < window.width(); begin = end) {
+      for (end = begin + 1; end < window.width() && row[end] == row[begin];) ++end;
+      const TopFace here(row[begin]);
+      if (here.face().valid())
+        f(Window{window.x0 + begin, y, window.x0 + end, y + 1}, here);
+    }
+  }
+}
+
 /// Paints the whole frame, on all cores.
 Painting paint_whole(const Mesh& mesh, const Frame& frame);
 

@@ -1,11 +1,57 @@
 #include "select/edges.h"
 
+#include <functional>
 #include <limits>
 #include <optional>
 
+#include "error/batch_prices.h"
 #include "error/parallel_trials.h"
 
 namespace gradmesh {
+
+namespace {
+
+/// What the regions cost, many at once on the trial's device. Where that fails some are left.
+std::vector<std::optional<double>> prices_on_device(
+    MergeTrial& trial, ParallelTrials<MergeTrial>& trials, const std::vector<Region>& regions,
+    const std::function<bool(std::size_t done)>& stop) {
+  std::vector<PricedChain> chains;
+  for (const Region& region : regions) chains.emplace_back(std::vector{region});
+  try {
+    const Mesh start = trial.mesh();
+    BatchPrices(trial, trials, start)
+        .price(chains, std::numeric_limits<double>::infinity(), stop);
+  } catch (const DeviceError& error) {
+    trial.lose_device(error);
+  }
+  std::vector<std::optional<double>> errors;
+  for (const PricedChain& chain : chains) errors.push_back(chain.errors.front());
+  return errors;
+}
+
+void find_prices(MergeTrial& trial, const std::vector<Region>& regions, Analysis& analysis,
+                 StopWatch& watch) {
+  // As it is now: while edges are tried, another thread may have merged one in the mesh.
+  Progress progress{0, regions.size(), trial.mesh().face_count(), trial.error()};
+  const auto stop = [&](std::size_t done) {
+    progress.done = done;
+    return watch.should_stop(progress);
+  };
+  ParallelTrials trials(trial);
+  std::vector<std::optional<double>> found(regions.size());
+  if (trial.has_device()) found = prices_on_device(trial, trials, regions, stop);
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (!found[i]) left.push_back(i);
+  trials.for_each(left.size(), stop, [&](MergeTrial& own, std::size_t i) {
+    RegionTrial region_trial(own, own.mesh());
+    found[left[i]] = region_trial.price(regions[left[i]]);
+  });
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (found[i]) analysis.prices[regions[i]] = {*found[i], true};
+}
+
+}  // namespace
 
 std::vector<Halfedge> inner_edges(const Mesh& mesh) {
   std::vector<Halfedge> edges;
@@ -27,19 +73,7 @@ std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWa
     if (!analysis.known(name, infinity)) unknown.push_back(name);
   }
 
-  std::vector<std::optional<Price>> found(unknown.size());
-  // As it is now: while edges are tried, another thread may have merged one in `mesh`.
-  Progress progress{0, unknown.size(), mesh.face_count(), trial.error()};
-  const auto stop = [&](std::size_t done) {
-    progress.done = done;
-    return watch.should_stop(progress);
-  };
-  ParallelTrials(trial).for_each(unknown.size(), stop, [&](MergeTrial& own, std::size_t i) {
-    RegionTrial region_trial(own, own.mesh());
-    found[i] = find_price(region_trial, unknown[i]);
-  });
-  for (std::size_t i = 0; i < unknown.size(); ++i)
-    if (found[i]) analysis.prices[unknown[i]] = *found[i];
+  find_prices(trial, unknown, analysis, watch);
 
   std::vector<EdgePrice> prices;
   for (std::size_t i = 0; i < edges.size(); ++i) {

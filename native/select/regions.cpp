@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "error/batch_prices.h"
 #include "error/parallel_trials.h"
 #include "select/edges.h"
 
@@ -30,7 +31,8 @@ constexpr std::size_t tried_freely = 12;
 class Growth {
  public:
   Growth(MergeTrial& trial, Analysis& analysis, double limit, StopWatch& watch)
-      : mesh_(trial.mesh()),
+      : trial_(trial),
+        mesh_(trial.mesh()),
         analysis_(analysis),
         limit_(limit),
         watch_(watch),
@@ -128,6 +130,7 @@ class Growth {
 
   /// Finds the prices; whether there was time for all of them.
   bool try_chains(std::vector<Chain> chains) {
+    if (trial_.has_device()) return try_on_device(std::move(chains));
     const auto stop = [&](std::size_t done) {
       return watch_.should_stop({done_ + done, done_ + chains.size(), mesh_.face_count(), error_});
     };
@@ -137,6 +140,34 @@ class Growth {
     for (const Chain& chain : chains)
       for (const auto& [name, price] : chain.found) analysis_.prices[name] = price;
     return all;
+  }
+
+  /// The same, many at once. Where the device fails the rest is priced without it.
+  bool try_on_device(std::vector<Chain> chains) {
+    std::vector<PricedChain> priced;
+    for (Chain& chain : chains) priced.emplace_back(chain.wanted);
+    const auto stop = [&](std::size_t done) {
+      return watch_.should_stop({done_ + done, done_ + chains.size(), mesh_.face_count(), error_});
+    };
+    bool all = true;
+    try {
+      if (!batches_) batches_ = std::make_unique<BatchPrices>(trial_, trials_, mesh_);
+      all = batches_->price(priced, limit_, stop);
+    } catch (const DeviceError& error) {
+      trial_.lose_device(error);
+    }
+    std::vector<Chain> left;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      for (std::size_t k = 0; k < priced[i].regions.size(); ++k) {
+        const Region& view = priced[i].regions[k];
+        if (priced[i].errors[k])
+          analysis_.prices[region_name(mesh_, view, region_tops(mesh_, view))] = {
+              *priced[i].errors[k], true};
+      }
+      if (!priced[i].is_priced()) left.push_back(std::move(chains[i]));
+    }
+    done_ += chains.size() - left.size();
+    return trial_.has_device() ? all : try_chains(std::move(left));
   }
 
   void try_chain(MergeTrial& own, Chain& chain) const {
@@ -164,6 +195,7 @@ class Growth {
            merging_view(mesh_, name, region_tops(mesh_, name)) == view;
   }
 
+  MergeTrial& trial_;
   /// As it is before anything is tried.
   const Mesh mesh_;
   Analysis& analysis_;
@@ -171,6 +203,7 @@ class Growth {
   StopWatch& watch_;
   const double error_;
   ParallelTrials<MergeTrial> trials_;
+  std::unique_ptr<BatchPrices> batches_;
   std::set<Region> seen_, kept_;
   /// Seen, but not tried yet.
   std::vector<Region> reached_;

@@ -185,7 +185,10 @@ class Run {
         limit_(threads_for(frame_, options.threads)),
         trial_(mesh, measured_error(), options.epsilon),
         analysis_(analysis_for(analysis_key(original_, mesh, frame_, options.metric), options,
-                               own_analysis_)) {}
+                               own_analysis_)) {
+    if (options.device && !options.device->is_lost())
+      trial_.use_device(options.device, options.device_lost);
+  }
 
   SimplifyResult simplify() {
     SimplifyResult result;
@@ -204,6 +207,7 @@ class Run {
       throw;
     }
     result.evaluations = trial_.evaluations();
+    if (trial_.has_device()) result.renderer = options_.device->info().name;
     result.error_added_up = best ? best->error : trial_.error();
     result.seconds.select = watch_.seconds() - result.seconds.rasterize;
 

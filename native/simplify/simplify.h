@@ -64,6 +64,12 @@ struct SimplifyOptions {
   double time_budget = 0;
   /// 0: all cores. The result does not depend on it.
   int threads = 0;
+  /// Where regions are priced, many at once; null: on the cores alone. Where it fails they go on,
+  /// from where it was, after `device_lost` was called on the calling thread.
+  std::shared_ptr<Device> device;
+  /// Of a document's mesh (Document::start): the device only where it is expected to be faster.
+  bool device_if_faster = false;
+  MergeTrial::DeviceLost device_lost;
   /// From mesh units to what the person sees, up to scale.
   Affine view;
   FramePadding padding;
@@ -100,6 +106,8 @@ struct SimplifyResult {
   /// Which of the ways to write it has this error.
   int way = 0;
   int evaluations = 0;
+  /// Where regions were priced to the end: the device's name, or "software".
+  std::string renderer = "software";
   Stopped stopped = Stopped::done;
   /// Where the time went, in seconds.
   struct Seconds {

@@ -20,6 +20,11 @@ class TargetSearch {
     options_.ratio.reset();
     // Each price is found once for all values of epsilon.
     if (!options_.analysis) options_.analysis = &analysis_;
+    // A device that has failed once is not tried again.
+    options_.device_lost = [this, told = options.device_lost](const DeviceError& error) {
+      options_.device = nullptr;
+      if (told) told(error);
+    };
   }
 
   SimplifyResult run(Mesh& mesh) {

@@ -1,0 +1,76 @@
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "cli/common_options.h"
+#include "document/document.h"
+#include "document/renderer.h"
+
+namespace gradmesh {
+namespace {
+
+struct DevicesArguments {
+  std::string in, metric = "flip";
+  std::vector<std::string> ids;
+  SimplifyOptions options;
+};
+
+void print_device(const DeviceInfo& device) {
+  std::printf("%s%s\n", device.name.empty() ? "a device without a name" : device.name.c_str(),
+              device.is_hardware ? "" : ": a program in place of a graphics processor");
+  if (!device.version.empty()) std::printf("  version %s\n", device.version.c_str());
+  if (!device.problem.empty())
+    std::printf("  cannot be used: %s\n", device.problem.c_str());
+  else
+    std::printf("  can be used%s\n", device.is_hardware ? "" : ", with --renderer egl only");
+}
+
+/// What `auto` takes, and why.
+void print_choice(const DevicesArguments& a, const std::vector<DeviceInfo>& devices) {
+  const std::shared_ptr<Device> device = open_device(Renderer::automatic);
+  if (!device) {
+    std::printf("\nauto takes software: there is no %s.\n",
+                devices.empty() ? "device" : "graphics processor that can be used");
+    return;
+  }
+  if (a.in.empty()) {
+    std::printf("\nauto takes %s where that is faster; gradmesh devices IN tells for which meshes.\n",
+                device->info().name.c_str());
+    return;
+  }
+  std::printf("\n");
+  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  for (const MeshEntry& entry : document->selected(a.ids)) {
+    const Mesh mesh = document->mesh(entry);
+    const RendererChoice choice =
+        choose_renderer(device, mesh, document->frame(entry, mesh, a.options.resolution),
+                        metric_named(a.metric), a.options.threads);
+    std::printf("%s: auto takes %s: %s.\n", entry.id.c_str(),
+                choice.takes_device ? device->info().name.c_str() : "software",
+                choice.reason.english().c_str());
+  }
+}
+
+void run_devices(const DevicesArguments& a) {
+  const std::vector<DeviceInfo> devices = Device::list();
+  if (devices.empty()) std::printf("EGL offers no device here.\n");
+  for (const DeviceInfo& device : devices) print_device(device);
+  print_choice(a, devices);
+}
+
+}  // namespace
+
+void add_devices(CLI::App& program) {
+  const auto a = std::make_shared<DevicesArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "devices", "List the graphics processors that EGL offers, and which --renderer auto takes");
+  command.add_option("IN", a->in, "Tell it for the meshes of this SVG document or .hemesh file");
+  command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
+      ->take_all()
+      ->expected(1);
+  add_metric_option(command, a->metric);
+  add_resolution_option(command, a->options.resolution);
+  add_threads_option(command, a->options.threads);
+  command.callback([a] { run_devices(*a); });
+}
+
+}  // namespace gradmesh

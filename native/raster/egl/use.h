@@ -1,0 +1,40 @@
+#pragma once
+
+#include <mutex>
+
+#include "raster/egl/device.h"
+#include "raster/egl/gl_objects.h"
+
+namespace gradmesh {
+
+class Device::Use {
+ public:
+  explicit Use(Device& device);
+  ~Use();
+  Use(const Use&) = delete;
+  Use& operator=(const Use&) = delete;
+
+  /// Built when it is first asked for.
+  const Program& program(const std::string& source) const;
+  /// Throws DeviceError where anything went wrong since the last check.
+  void check() const;
+
+ private:
+  Device& device_;
+  std::unique_lock<std::mutex> lock_;
+};
+
+/// Lets go of what lives on a device. Where the device is lost that is not possible, and goes with
+/// its context.
+template <class Objects>
+void release_on(Device& device, std::unique_ptr<Objects>& objects) {
+  if (!objects) return;
+  try {
+    const Device::Use use(device);
+    objects.reset();
+  } catch (const DeviceError&) {
+    static_cast<void>(objects.release());
+  }
+}
+
+}  // namespace gradmesh
