@@ -14,6 +14,9 @@ from contextlib import contextmanager
 
 from gradmesh_text import _, log, sentence, translated, why_it_does_not_load
 
+# Drivers of graphics processors that gradmesh looks at would otherwise warn on stderr.
+os.environ.setdefault("EGL_LOG_LEVEL", "fatal")
+
 try:
     import gradmesh
     from gradmesh_inkex import (

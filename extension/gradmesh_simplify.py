@@ -7,7 +7,7 @@ import re
 from gradmesh_cache import analysis_cache
 from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
 from gradmesh_inkex import AbortExtension, Boolean, errormsg
-from gradmesh_text import _
+from gradmesh_text import _, log
 from gradmesh_window import LongWork
 
 # The largest error of each amount that the dialog offers by name. Of FLIP a person sees 0.01 hardly
@@ -124,7 +124,7 @@ class Simplify(GradmeshEffect):
     def simplify(self, ids, options, tell):
         with analysis_cache() as cache:
             return gradmesh.simplify(
-                self.meshes, ids, **options, analysis_cache=cache, progress=tell
+                self.meshes, ids, **options, analysis_cache=cache, progress=tell, device_lost=log
             )
 
     def why_nothing_changed(self, results):

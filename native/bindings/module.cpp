@@ -11,6 +11,7 @@
 #include "document/draw_document.h"
 #include "document/edits.h"
 #include "document/info.h"
+#include "document/renderer.h"
 #include "mesh/mesh.h"
 
 namespace py = pybind11;
@@ -46,7 +47,8 @@ py::dict report_dict(const MeshReport& report) {
                   py::arg("patches_before") = r.patches_before,
                   py::arg("patches_after") = r.patches_after, py::arg("error") = r.error,
                   py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
-                  py::arg("stopped") = name(r.stopped), py::arg("seconds") = r.seconds.total);
+                  py::arg("renderer") = r.renderer, py::arg("stopped") = name(r.stopped),
+                  py::arg("seconds") = r.seconds.total);
 }
 
 /// Called and copied without the GIL; the last copy is dropped with it. Ctrl+C in Python and an
@@ -59,6 +61,25 @@ ProgressCallback progress_callback(const py::object& callback) {
     const py::object answer = (*shared)(p.done, p.total, p.patches, p.error);
     return answer.is_none() || answer.cast<bool>();
   };
+}
+
+/// Says what happened to a device, from whichever thread without the GIL.
+std::function<void(const std::string&)> device_callback(const py::object& callback) {
+  return [shared = std::make_shared<py::object>(callback)](const std::string& reason) {
+    const py::gil_scoped_acquire gil;
+    (*shared)(reason);
+  };
+}
+
+/// As of --renderer; `lost` is called with the reason where the cores have to do without.
+void use_renderer(SimplifyOptions& options, const std::string& name, const py::object& lost) {
+  const Renderer wanted = renderer_named(name);
+  const auto tell = device_callback(lost);
+  const py::gil_scoped_release release;
+  options.device = open_device(wanted);
+  options.device_if_faster = wanted == Renderer::automatic;
+  options.device_lost = [tell](const DeviceError& error) { tell(error.what()); };
+  if (wanted == Renderer::egl && !options.device) tell(no_device);
 }
 
 py::list report_list(const std::vector<MeshReport>& reports) {
@@ -220,7 +241,8 @@ void bind_options(py::module_& m) {
       .def_readwrite("kappa", &SimplifyOptions::kappa)
       .def_readwrite("edges", &SimplifyOptions::edges)
       .def_readwrite("time_budget", &SimplifyOptions::time_budget)
-      .def_readwrite("threads", &SimplifyOptions::threads);
+      .def_readwrite("threads", &SimplifyOptions::threads)
+      .def("use_renderer", &use_renderer);
   m.def("check_resolution", &check_resolution);
   py::class_<AnalysisPaths>(m, "AnalysisPaths")
       .def(py::init([](const std::string& load, const std::string& save, const std::string& cache) {

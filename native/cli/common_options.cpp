@@ -63,8 +63,7 @@ void take_renderer(const std::string& renderer, SimplifyOptions& options) {
   options.device = open_device(wanted);
   options.device_if_faster = wanted == Renderer::automatic;
   options.device_lost = [](const DeviceError& error) { say_without_device(error.what()); };
-  if (wanted == Renderer::egl && !options.device)
-    say_without_device("EGL offers no device that can be used (gradmesh devices tells why)");
+  if (wanted == Renderer::egl && !options.device) say_without_device(no_device);
 }
 
 void say_without_device(const std::string& reason) {

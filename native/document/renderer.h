@@ -23,6 +23,10 @@ const char* name(Renderer renderer);
 /// Throws std::invalid_argument with the names there are.
 Renderer renderer_named(const std::string& name);
 
+/// Why there is none where `egl` was asked for.
+inline constexpr const char* no_device =
+    "EGL offers no device that can be used (gradmesh devices tells why)";
+
 /// The device that may be used, null for none. Opening one takes a tenth of a second.
 std::shared_ptr<Device> open_device(Renderer renderer);
 

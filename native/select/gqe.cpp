@@ -78,6 +78,9 @@ class Planner {
     by_score_.resize(candidates.size());
     std::iota(by_score_.begin(), by_score_.end(), 0);
     std::ranges::stable_sort(by_score_, [&](int a, int b) { return scores_[a] > scores_[b]; });
+    places_.resize(candidates.size());
+    for (std::size_t place = 0; place < by_score_.size(); ++place)
+      places_[std::size_t(by_score_[place])] = place;
   }
 
   Plan by_score() const {
@@ -88,16 +91,18 @@ class Planner {
     return plan;
   }
 
-  /// Eq. 8: each candidate by the better of its own score and its score with its best partner. As
-  /// the set grows partners are taken and scores fall. A candidate keeps its place in the list of
-  /// partners and is ranked anew only when its turn comes and its partner is gone.
+  /// Eq. 8: each candidate by the better of its own score and its score with its best partner; the
+  /// two of a pair, which score the same, by their own scores. As the set grows partners are taken
+  /// and scores fall. A candidate keeps its place in the list of partners and is ranked anew only
+  /// when its turn comes and its partner is gone.
   Plan by_pairs() const {
     Plan plan;
     Choice choice(slots_);
     double sum = 0;
     std::vector<std::size_t> partner(candidates_.size(), 0);
-    const auto later = [](const auto& a, const auto& b) {
-      return a.first != b.first ? a.first < b.first : a.second > b.second;
+    const auto later = [this](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first < b.first
+                                : places_[std::size_t(a.second)] > places_[std::size_t(b.second)];
     };
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
                         decltype(later)>
@@ -131,7 +136,8 @@ class Planner {
   double with_partner(int i, std::size_t& partner, const Choice& choice) const {
     while (partner < by_score_.size() && !is_partner(i, by_score_[partner], choice)) ++partner;
     if (partner == by_score_.size()) return scores_[i];
-    return scores_[i] + std::max(0.0, scores_[by_score_[partner]] - omega_ / patches_);
+    // The same sum, to the last bit, for both of a pair.
+    return std::max(scores_[i], scores_[i] + scores_[by_score_[partner]] - omega_ / patches_);
   }
   bool is_partner(int i, int other, const Choice& choice) const {
     return choice.is_free(candidates_[other]) &&
@@ -143,6 +149,8 @@ class Planner {
   const double patches_, omega_, gamma_;
   std::vector<double> scores_;
   Ranking by_score_;
+  /// Of each candidate in that.
+  std::vector<std::size_t> places_;
 };
 
 class Gqe {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable, Iterable, Optional, Union
 
@@ -16,6 +17,8 @@ Path = Union[str, os.PathLike]
 
 #: Called with (edges done, edges in all, patches left, error so far); False cancels the run.
 Progress = Callable[[int, int, int, float], Optional[bool]]
+#: Called with the reason where a device fails.
+DeviceLost = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,7 @@ class Result:
     stopped: str  #: "done", "budget", "cancelled" or "nothing to merge"
     seconds: float
     method: str  #: the one asked for, or "lines" where the mesh is smooth
+    renderer: str  #: where merges were priced: the device's name, or "software"
 
 
 @dataclass(frozen=True)
@@ -141,6 +145,8 @@ def simplify(
     edges: Iterable[int] = (),
     time_budget: float = 0.0,
     threads: int = 0,
+    renderer: str = "auto",
+    device_lost: Optional[DeviceLost] = None,
     remember_original: bool = True,
     keep_original: bool = False,
     preview: bool = False,
@@ -172,6 +178,10 @@ def simplify(
     and max_local_error.
     time_budget: seconds for each mesh, after which the best so far is kept; 0: no limit.
     threads: 0 for all cores; the result is the same.
+    renderer: where merges are priced: "software"; "egl", on the first device that EGL offers; or
+    "auto", on a graphics processor where that is expected to be faster. Where a device fails, or there
+    is none for "egl", `device_lost` is called with the reason, by default a RuntimeWarning, and it
+    goes on in software.
     remember_original: an SVG document keeps the mesh as it was before it was first simplified,
     compressed, and later runs measure against it. Without, files are smaller.
     keep_original: an SVG document also keeps each object as it was, hidden, directly below the
@@ -191,6 +201,7 @@ def simplify(
     if any(abs(edge) >= 2**31 for edge in edges):
         raise ValueError("the numbers of half-edges are below 2^31.")
     options = _options(metric, epsilon, resolution, color_model, threads)
+    options.use_renderer(renderer, device_lost or _warn_without_device)
     options.method = method
     options.max_local_error = max_local_error
     options.patches = patches
@@ -311,6 +322,8 @@ def analyze(
     resolution: int = 700,
     color_model: Optional[str] = None,
     threads: int = 0,
+    renderer: str = "auto",
+    device_lost: Optional[DeviceLost] = None,
     load_analysis: Optional[Path] = None,
     progress: Optional[Progress] = None,
 ) -> int:
@@ -319,9 +332,11 @@ def analyze(
     Changing epsilon, up to that of the analysis, omega or kappa then costs no new pricing. The file
     serves the same meshes with the same metric and resolution. Options and errors as of simplify().
     """
+    options = _options(metric, epsilon, resolution, color_model, threads)
+    options.use_renderer(renderer, device_lost or _warn_without_device)
     return document._core.analyze(
         ids=[ids] if isinstance(ids, str) else list(ids),
-        options=_options(metric, epsilon, resolution, color_model, threads),
+        options=options,
         analyses=_analyses(load_analysis, path),
         progress=progress,
     )
@@ -337,6 +352,10 @@ def _options(
     options.color_model = color_model
     options.threads = threads
     return options
+
+
+def _warn_without_device(reason: str) -> None:
+    warnings.warn(f"{reason}; it goes on in software", RuntimeWarning, stacklevel=2)
 
 
 def _analyses(

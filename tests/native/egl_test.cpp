@@ -1,18 +1,25 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 
+#include "branch_meshes.h"
 #include "document/document.h"
+#include "document/renderer.h"
 #include "error/edit_error.h"
+#include "mesh/grid.h"
 #include "random_meshes.h"
 #include "raster/egl/edit_errors.h"
 #include "raster/egl/egl_rasterizer.h"
+#include "raster/hidden.h"
+#include "same_mesh.h"
 
-/// The device against the software path. Runs on whatever EGL offers, on Mesa's llvmpipe where there
-/// is no hardware; skipped where there is no EGL.
+/// The device against the software path: pictures, errors of edits, and what is merged in the end.
+/// On whatever EGL offers: on Mesa's llvmpipe where there is no hardware.
 namespace gradmesh {
 namespace {
 
+/// Skips a test where there is no device.
 class OnDevice : public testing::Test {
  protected:
   void SetUp() override {
@@ -23,76 +30,223 @@ class OnDevice : public testing::Test {
   std::shared_ptr<Device> device_;
 };
 
-struct Differences {
-  std::size_t pixels = 0;
-  int largest = 0;
-};
-
-Differences differences(const Image& a, const Image& b) {
-  Differences found;
-  const std::size_t count = a.pixels();
+/// At most one level at one pixel in a thousand.
+void expect_same_picture(const Rasterizer& on_device, const Mesh& mesh, const Frame& frame) {
+  const Image expected = make_software_rasterizer()->paint(mesh, frame);
+  const Image painted = on_device.paint(mesh, frame);
+  const std::size_t count = expected.pixels();
+  std::size_t differing = 0;
+  int largest = 0, darkest = 255;
   for (std::size_t i = 0; i < count; ++i) {
     int most = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      most = std::max(most, std::abs(a.samples[c * count + i] - b.samples[c * count + i]));
-    found.pixels += most > 0;
-    found.largest = std::max(found.largest, most);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int here = expected.samples[c * count + i];
+      most = std::max(most, std::abs(painted.samples[c * count + i] - here));
+      darkest = std::min(darkest, here);
+    }
+    differing += most > 0;
+    largest = std::max(largest, most);
   }
-  return found;
+  EXPECT_LT(darkest, 250) << "nothing is painted";
+  EXPECT_LE(largest, 1);
+  EXPECT_LE(double(differing), 0.001 * double(count));
 }
 
-/// The images as the issue bounds them: one level at one pixel in a thousand.
-void expect_same_picture(const std::shared_ptr<Device>& device, const Mesh& mesh,
-                         const Frame& frame) {
-  const Image software = make_software_rasterizer()->paint(mesh, frame);
-  const Image painted = make_egl_rasterizer(device)->paint(mesh, frame);
-  const Differences found = differences(software, painted);
-  EXPECT_LE(found.largest, 1);
-  EXPECT_LE(double(found.pixels), 0.001 * double(software.pixels()));
-  ::testing::Test::RecordProperty("pixels", int(found.pixels));
-  std::printf("%zu of %zu differ, by at most %d\n", found.pixels, software.pixels(), found.largest);
+std::vector<std::filesystem::path> samples() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples"))
+    if (file.path().extension() == ".svg") files.push_back(file.path());
+  std::ranges::sort(files);
+  return files;
 }
 
-TEST_F(OnDevice, paints_the_samples_as_the_software_does) {
-  const std::filesystem::path folder = std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples";
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
-    if (file.path().extension() != ".svg") continue;
-    SCOPED_TRACE(file.path().filename().string());
-    const auto document = Document::read_file(file.path());
+TEST_F(OnDevice, paints_the_samples) {
+  const auto rasterizer = make_egl_rasterizer(device_);
+  for (const std::filesystem::path& file : samples()) {
+    SCOPED_TRACE(file.filename().string());
+    const auto document = Document::read_file(file);
     for (const MeshEntry& entry : document->meshes()) {
       const Mesh mesh = document->mesh(entry);
-      expect_same_picture(device_, mesh, document->frame(entry, mesh, 400));
+      expect_same_picture(*rasterizer, mesh, document->frame(entry, mesh, 400));
     }
   }
 }
 
-TEST_F(OnDevice, measures_random_edits_as_the_software_does) {
+/// From hardly bent to folded over and over, in both colour models, with T-junctions.
+TEST_F(OnDevice, paints_folds_and_t_junctions) {
+  const auto rasterizer = make_egl_rasterizer(device_);
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const MeshParts parts =
+        test::grid_parts({.rows = 4,
+                          .columns = 3,
+                          .position_noise = 0.05 + 0.05 * double(seed % 12),
+                          .color_noise = 0.4,
+                          .color_model = seed % 2 ? ColorModel::bicubic : ColorModel::bilinear},
+                         random);
+    const Mesh mesh = test::changed_mesh(parts, seed, 6);
+    expect_same_picture(*rasterizer, mesh, fit_frame(mesh, {}, 250));
+  }
+}
+
+TEST_F(OnDevice, paints_opacities_and_leaves_hidden_pixels_white) {
+  const auto rasterizer = make_egl_rasterizer(device_);
+  const auto document = Document::read_file(samples()[3]);
+  ASSERT_EQ(samples()[3].filename(), "opacity.svg");
+  for (const MeshEntry& entry : document->meshes()) {
+    const Mesh mesh = document->mesh(entry);
+    Frame frame = document->frame(entry, mesh, 300);
+    frame.masked_opacity = true;
+    expect_same_picture(*rasterizer, mesh, frame);
+    const double radius = 80;
+    const glm::dvec2 centre =
+        frame.to_pixels.inverse().point(0.5 * glm::dvec2(frame.width, frame.height));
+    const double unit = radius / std::sqrt(std::abs(frame.to_pixels.determinant()));
+    VisibleArea area;
+    area.outline = {{centre + unit * glm::dvec2(-1, -1), centre + unit * glm::dvec2(1, -1),
+                     centre + unit * glm::dvec2(0, 1)}};
+    frame.hidden = std::make_shared<HiddenPixels>(area, frame);
+    expect_same_picture(*rasterizer, mesh, frame);
+  }
+}
+
+/// Merges and splits, one after the other; of meshes that lie over themselves too, where what was
+/// below comes to light.
+TEST_F(OnDevice, measures_edits) {
   for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim})
-    for (unsigned seed = 0; seed < 4; ++seed) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
       SCOPED_TRACE(seed);
       std::mt19937 random(seed);
       Mesh mesh = test::grid_mesh(
-          {.rows = 5, .columns = 4, .position_noise = 0.1, .color_noise = 0.3}, seed);
-      const Frame frame = fit_frame(mesh, {}, 180);
-      const Image original = make_software_rasterizer()->paint(mesh, frame);
-      EditError error(mesh, mesh, frame, metric);
-      EditErrors on_device(device_, metric, original, frame);
-      EditTiler tiler;
+          {.rows = 5, .columns = 4, .position_noise = seed < 3 ? 0.1 : 0.5, .color_noise = 0.3},
+          seed);
+      EditError error(mesh, mesh, fit_frame(mesh, {}, 120), metric);
       Journal journal(mesh);
-      for (int step = 0; step < 8; ++step) {
-        const auto state = error.state();
-        on_device.start(state->painting);
+      for (int step = 0; step < 6; ++step) {
+        const auto on_device = error.on_device(device_);
         test::change_at_random(journal, random);
-        const double after = error.after_edits(journal, journal.depth() - 1);
         EditTile tile;
-        tiler.make(mesh, frame, journal.touched_since(journal.depth() - 1), frame.window(),
-                   state->painting, tile);
-        on_device.submit(std::span(&tile, 1));
-        const double rise = on_device.rises().front() / double(state->map.pixels());
-        EXPECT_NEAR(rise, after - error.error(), 1e-6);
+        error.describe(journal, journal.depth() - 1, tile);
+        on_device->submit(std::span(&tile, 1));
+        const double rise = on_device->rises().front() / double(error.pixels());
+        EXPECT_NEAR(rise, error.after_edits(journal, journal.depth() - 1) - error.error(), 1e-6);
         error.accept(journal);
       }
     }
+}
+
+/// Every way of choosing merges the same on both: the same documents to the byte.
+class SampleOnDevice : public OnDevice, public testing::WithParamInterface<std::string> {};
+
+TEST_P(SampleOnDevice, is_merged_the_same) {
+  const std::filesystem::path file =
+      std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" / (GetParam() + ".svg");
+  for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim}) {
+    // What was priced for one method is not priced again for the next.
+    std::map<int, Analysis> prices, prices_on_device;
+    AnalysisFiles none({});
+    for (const Method method : all_methods) {
+      if (method == Method::manual) continue;
+      SCOPED_TRACE(std::string(name(method)) + ", " + name(metric));
+      SimplifyOptions options;
+      options.method = method;
+      options.metric = metric;
+      options.resolution = 64;
+      options.device_lost = [](const DeviceError& fault) { ADD_FAILURE() << fault.what(); };
+      const auto document = Document::read_file(file);
+      for (const MeshEntry& entry : document->meshes()) {
+        Document::Start expected = document->start(entry, options, none);
+        Document::Start found = document->start(entry, options, none);
+        expected.options.analysis = &prices[entry.index];
+        found.options.analysis = &prices_on_device[entry.index];
+        // Smooth meshes are merged by lines whatever is asked for.
+        if (method != Method::lines && expected.mesh.is_smooth()) continue;
+        if (method == Method::lines && !find_grid(expected.mesh)) continue;
+        found.options.device = device_;
+        const SimplifyResult here = simplify(expected.mesh, expected.options);
+        const SimplifyResult there = simplify(found.mesh, found.options);
+        EXPECT_EQ(here.renderer, "software");
+        EXPECT_EQ(there.renderer, device_->info().name);
+        EXPECT_EQ(here.patches_after, there.patches_after);
+        EXPECT_EQ(here.error, there.error);
+        EXPECT_TRUE(test::same(expected.mesh, found.mesh));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, SampleOnDevice,
+                         testing::Values("ellipse", "face", "fruit", "opacity", "photo", "smooth",
+                                         "stroke", "tensor", "transformed", "two"),
+                         [](const auto& sample) { return sample.param; });
+
+/// Wherever the device is lost, the cores go on, and the person is told once.
+TEST_F(OnDevice, a_lost_device_changes_nothing) {
+  const Mesh start = build_mesh(test::cross(3));
+  const auto patches_left = [&](SimplifyOptions options) {
+    Mesh mesh = start;
+    options.resolution = 150;
+    options.epsilon = 0.02;
+    options.method = Method::gqe;
+    const SimplifyResult result = simplify(mesh, options);
+    return std::pair(result.patches_after, result.error);
+  };
+  const auto expected = patches_left({});
+  // As many uses as one that is not lost takes: its objects, the picture, batches, their numbers.
+  for (int uses = 1; uses < 100; ++uses) {
+    SCOPED_TRACE(uses);
+    SimplifyOptions options;
+    options.device = Device::open(false);
+    options.device->lose_after(uses);
+    int told = 0;
+    options.device_lost = [&](const DeviceError& error) {
+      ++told;
+      EXPECT_STREQ(error.what(), "the device was lost");
+    };
+    EXPECT_EQ(patches_left(options), expected);
+    if (told == 0) {
+      EXPECT_GT(uses, 4);
+      return;
+    }
+    EXPECT_EQ(told, 1);
+    // It is not asked again.
+    EXPECT_EQ(patches_left(options), expected);
+    EXPECT_EQ(told, 1);
+  }
+}
+
+TEST_F(OnDevice, a_frame_beyond_its_memory_is_refused) {
+  if (device_->info().is_hardware) GTEST_SKIP() << "how much it has is not known";
+  // Mesa's programs take buffers of 128 MiB at most; this one is larger.
+  Frame frame;
+  frame.width = 8192;
+  frame.height = 4097;
+  EXPECT_THROW(EditErrors(device_, MetricKind::flip, Image(frame.width, frame.height), frame),
+               DeviceError);
+}
+
+/// `auto` decides by what was measured.
+TEST(Renderer, takes_the_faster_one) {
+  const Speeds speeds{{0.01, 1e-7}, {0.2, 1e-9}};
+  EXPECT_FALSE(faster(speeds, 1e5).takes_device);
+  EXPECT_TRUE(faster(speeds, 1e7).takes_device);
+  EXPECT_EQ(faster(speeds, 1e7).reason.english(),
+            "pricing its edges takes about 0.21 s on the device and 1 s in software");
+}
+
+TEST(Renderer, has_names) {
+  for (const Renderer r : {Renderer::automatic, Renderer::software, Renderer::egl})
+    EXPECT_EQ(renderer_named(name(r)), r);
+  EXPECT_THROW(renderer_named("vulkan"), std::invalid_argument);
+  EXPECT_EQ(open_device(Renderer::software), nullptr);
+}
+
+TEST_F(OnDevice, its_speed_is_measured) {
+  const Speeds speeds = measure_speeds(device_, 1);
+  EXPECT_GT(speeds.software.per_pixel, 0);
+  EXPECT_GT(speeds.device.per_pixel, 0);
 }
 
 }  // namespace

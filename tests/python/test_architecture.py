@@ -31,7 +31,7 @@ OWNERS = {
     r"libxml/": {"io"},
     r"zlib\.h": {"io"},
     r"OpenImageIO/": {"io"},
-    r"(EGL|GL|GLES\d?)/": {"raster"},
+    r"(EGL|GL|GLES\d?|epoxy)/": {"raster"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
     r"nlohmann/": {"io", "document", "report", "cli"},
