@@ -17,6 +17,7 @@ void register_metrics();
 void register_merges();
 void register_methods();
 void register_growth();
+void register_pricing();
 
 using Run = std::function<void(benchmark::State&)>;
 using RunOnMesh = std::function<void(benchmark::State&, const MeshFile&)>;

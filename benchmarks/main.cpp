@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   register_merges();
   register_methods();
   register_growth();
+  register_pricing();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -19,10 +19,10 @@ HERE = Path(__file__).resolve().parent
 PYTHON = "/usr/bin/python3" if Path("/usr/bin/python3").exists() else sys.executable
 
 #: Runs of whole methods are long, and measured once.
-LONG = re.compile(r"^(method/|growth/gqe/)")
+LONG = re.compile(r"^(method/|growth/gqe/|pricing/)")
 #: What `--quick` leaves out.
 NOT_QUICK = re.compile(
-    r"^method/(?!.*/(pear|silk)/)|/patches/(400|900|1600)$|/resolution/1[04]00$|^cli/(duck|1520)"
+    r"^method/(?!.*/(pear|silk)/)|/patches/(400|900|1600)$|/resolution/1[04]00$|^cli/(duck|1520)|^pricing/"
 )
 
 PAPER_MESHES = {
@@ -109,6 +109,8 @@ def native_line(entry):
         line = {"seconds": wall, "clock": "wall", "cpu_seconds": cpu}
     else:
         line = {"seconds": 1 / entry["items_per_second"] if "items_per_second" in entry else cpu, "clock": "cpu"}
+    if entry.get("label"):
+        line["renderer"] = entry["label"]
     counted = ("patches", "left", "evaluations", "error")
     return line | {key: entry[key] for key in counted if key in entry}
 

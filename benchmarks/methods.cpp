@@ -8,6 +8,7 @@ void run(benchmark::State& state, const MeshFile& file, const SimplifyOptions& o
   const auto document = Document::read_file(file.path);
   SimplifyResult result;
   for (auto _ : state) result = document->preview({file.id}, options).front().result;
+  state.SetLabel(result.renderer);
   state.counters["patches"] = result.patches_before;
   state.counters["left"] = result.patches_after;
   state.counters["evaluations"] = result.evaluations;

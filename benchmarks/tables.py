@@ -40,8 +40,9 @@ def lines_table(lines):
         if "seconds" in line:
             wall = seconds_text(line["seconds"]) if line["clock"] == "wall" else ""
             cpu = seconds_text(line.get("cpu_seconds", line["seconds"]))
-            rows.append([name, wall, cpu, *(_count(line.get(key)) for key in COUNTED)])
-    return table(["", "clock", "processor", "patches", "left", "evaluations", "error", "MB"], rows)
+            renderer = line.get("renderer", "")
+            rows.append([name, renderer, wall, cpu, *(_count(line.get(key)) for key in COUNTED)])
+    return table(["", "renderer", "clock", "processor", "patches", "left", "evaluations", "error", "MB"], rows)
 
 
 def growth_table(growth):
