@@ -1,5 +1,7 @@
 #include "io/svg_memory.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "geom/box.h"
 #include "io/base64.h"
@@ -21,6 +23,16 @@ namespace {
 constexpr std::size_t longest_attribute = 9'000'000;
 /// Of a document in a memory: far more than the longest attribute can honestly hold.
 constexpr std::size_t most_bytes = 64 << 20;
+/// How many times its size a memory may unpack to, beyond the first bytes. A mesh unpacks to two to
+/// twelve times; zlib could pack a thousand times, so that small documents took as much memory as
+/// large ones.
+constexpr std::size_t most_times = 100, first_bytes = 1 << 16;
+
+std::optional<std::string> unpacked(std::string_view memory) {
+  const auto bytes = base64_bytes(memory);
+  if (!bytes) return std::nullopt;
+  return unzip(*bytes, std::min(most_bytes, first_bytes + most_times * bytes->size()));
+}
 
 std::string packed(const std::string& text) {
   std::string memory = base64(zip(text));
@@ -84,8 +96,7 @@ std::string remember_as_written(const Mesh& mesh, const std::vector<Block>& bloc
 }
 
 std::optional<MeshParts> recall(std::string_view memory) {
-  const auto bytes = base64_bytes(memory);
-  const auto text = bytes ? unzip(*bytes, most_bytes) : std::nullopt;
+  const auto text = unpacked(memory);
   if (!text) return std::nullopt;
   try {
     MeshParts parts = read(*text);
