@@ -31,6 +31,18 @@ bool is_named_by(const xmlNode* named, const MeshObject& object) {
   return is_inside(object.node, named) && (!object.kept || is_inside(named, object.kept));
 }
 
+/// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
+/// in which it is written, is one that the readers refuse.
+Mesh readable_mesh(MeshParts parts, const Affine& to_written = {}) {
+  const Mesh mesh = build_mesh(parts);
+  for (Patch& patch : parts.patches) {
+    transform(patch, to_written);
+    if (!is_within_limits(patch))
+      throw InputError("its mesh would reach beyond 5e8 user units when it is written.");
+  }
+  return mesh;
+}
+
 }  // namespace
 
 SvgMeshes::SvgMeshes(std::string_view bytes, const std::string& name)
@@ -123,10 +135,11 @@ std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const
 std::vector<Mesh> SvgMeshes::ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
                                            const Frame& frame) const {
   if (stays_one_gradient(entry, method))
-    return {build_mesh(gradient_parts(mesh, frame.coons_tolerance))};
+    return {readable_mesh(gradient_parts(mesh, frame.coons_tolerance),
+                          mesh_to_gradient(svg_, object(entry)))};
   std::vector<Mesh> ways;
   for (const std::vector<Block>& blocks : possible_blocks(mesh))
-    ways.push_back(build_mesh(block_parts(mesh, blocks, frame.coons_tolerance)));
+    ways.push_back(readable_mesh(block_parts(mesh, blocks, frame.coons_tolerance)));
   return ways;
 }
 
@@ -199,7 +212,8 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   result.error = std::numeric_limits<double>::infinity();
   // A rectangle that was one mesh gradient stays one.
   if (!entry.simplified && find_grid(edited)) result.method = Method::lines;
-  const std::vector<Mesh> ways = ways_to_write(entry, result.method, edited, result.frame);
+  const std::vector<Mesh> ways =
+      naming(entry, [&] { return ways_to_write(entry, result.method, edited, result.frame); });
   for (int way = 0; way < int(ways.size()); ++way)
     if (const double e = error.whole_frame(ways[std::size_t(way)]).mean; e < result.error) {
       result.error = e;
@@ -260,7 +274,8 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     const double tolerance = frame(entry, mesh, SimplifyOptions().resolution).coons_tolerance;
     // Painted in the order of before, in which the person has seen them.
     std::vector<Block> blocks = possible_blocks(mesh)[1];
-    const Mesh written = build_mesh(block_parts(mesh, blocks, tolerance));
+    const Mesh written =
+        naming(entry, [&] { return readable_mesh(block_parts(mesh, blocks, tolerance)); });
     std::string label = updated_label(entry, written).in(translation());
     edited.push_back({object(entry), std::move(mesh), std::move(blocks), tolerance,
                       std::move(label), patches_before(object(entry).node), remembers(entry)});

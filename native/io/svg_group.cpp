@@ -95,7 +95,7 @@ MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode*
     if (!affine) fail(path, Message("its transform {0} is malformed", excerpt(*text)));
     for (Patch& patch : block.patches) {
       transform(patch, *affine);
-      if (!is_within_limits(patch)) fail(path, Message("it reaches beyond 1e9 user units"));
+      if (!is_within_limits(patch)) fail(path, Message("it reaches beyond 5e8 user units"));
     }
   }
   return block;

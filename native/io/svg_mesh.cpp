@@ -235,7 +235,7 @@ class GridReader {
 void check_limits(const MeshGrid& grid, const xmlNode* node) {
   for (std::size_t i = 0; i < grid.patches.size(); ++i)
     if (!is_within_limits(grid.patches[i]))
-      fail(node, Message("{0} reaches beyond 1e9 user units",
+      fail(node, Message("{0} reaches beyond 5e8 user units",
                          place_name(int(i) / grid.columns, int(i) % grid.columns)));
 }
 
@@ -292,7 +292,7 @@ bool is_within_limits(const Patch& patch) {
   return std::all_of(net.begin(), net.end(), [](const auto& row) {
     return std::all_of(row.begin(), row.end(), [](const Value& value) {
       const glm::dvec2 p = value.position;
-      return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
+      return std::abs(p.x) <= largest_reach && std::abs(p.y) <= largest_reach;
     });
   });
 }

@@ -18,7 +18,11 @@ struct MeshGrid {
   std::vector<Patch> patches;
 };
 
-/// Whether no control point lies beyond Scanner's limit.
+/// No coordinate of a patch is larger, so that the distances between its points, which are what a
+/// document holds, are within Scanner's limit.
+inline constexpr double largest_reach = 5e8;
+
+/// Whether no control point lies beyond that.
 bool is_within_limits(const Patch& patch);
 
 /// The patches of a <meshgradient> in its own coordinates (of x, y and the paths, before

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "document/document.h"
 #include "geom/written.h"
 #include "io/svg_gradient_writer.h"
@@ -186,6 +187,35 @@ TEST(OneGradient, of_a_smooth_mesh_stays_smooth_and_in_its_own_coordinates) {
   EXPECT_EQ(read(again, object).position(Point{0}), glm::dvec2(0, 0));
   EXPECT_EQ(mesh_to_user(again, object).point({10, 10}), glm::dvec2(23, 21));
   EXPECT_EQ(mesh_to_gradient(again, object), Affine());
+}
+
+/// Two patches far out: what is simplified of them has a handle beyond what a document may hold.
+TEST(OneGradient, and_blocks_that_no_reader_would_take_are_not_written) {
+  const std::string stop = "<stop stop-color=\"red\" path=\"";
+  const std::string far = "<meshrow><meshpatch>" + stop + "c 0,-4.9e8 0.9e8,0 1e8,0\"/>" + stop +
+                          "l 0,1e8\"/>" + stop + "l -1e8,0\"/>" + stop +
+                          "l 0,-1e8\"/></meshpatch><meshpatch>" + stop + "l 1e8,0\"/>" + stop +
+                          "l 0,1e8\"/>" + stop + "l -1e8,0\"/></meshpatch></meshrow>";
+  const auto document = Document::parse(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\">" + gradient("m", user_space, far) +
+          "<rect id=\"r\" width=\"2e8\" height=\"1e8\" fill=\"url(#m)\"/></svg>",
+      "far.svg");
+  const std::string before = document->bytes();
+  for (const Method method : {Method::gqe, Method::lines}) {
+    SimplifyOptions options;
+    options.method = method;
+    options.epsilon = 1;
+    options.resolution = 50;
+    try {
+      document->simplify({}, options);
+      ADD_FAILURE() << name(method);
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(),
+                   "far.svg: rect \"r\": its mesh would reach beyond 5e8 user units when it is "
+                   "written.");
+    }
+    EXPECT_EQ(document->bytes(), before);
+  }
 }
 
 TEST(OneGradient, parts_are_those_of_the_grid_in_its_order) {

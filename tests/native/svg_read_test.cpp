@@ -364,7 +364,7 @@ TEST(SvgMesh, BadMeshesAreNamed) {
   EXPECT_EQ(complaint(mesh(row(square), "gradientTransform=\"scale(3 0)\"")),
             m + "its gradientTransform flattens the mesh to a line.");
   EXPECT_EQ(complaint(mesh(row(square), "gradientTransform=\"scale(1e8)\"")),
-            m + "row 1, patch 1 reaches beyond 1e9 user units.");
+            m + "row 1, patch 1 reaches beyond 5e8 user units.");
   EXPECT_EQ(complaint("<meshgradient id=\"m1\" x=\"1furlong\">" + row(square) + "</meshgradient>"),
             m + "its x \"1furlong\" is not a known length.");
 }

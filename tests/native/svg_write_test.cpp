@@ -400,7 +400,7 @@ TEST(SvgGroup, says_what_is_missing) {
   EXPECT_NE(complaint([&](xmlNode* g) { own(g, "curves", "1 | 1"); }), "");
   EXPECT_NE(complaint([&](xmlNode* g) {
               xmlSetProp(child_elements(g)[0], BAD_CAST "transform", BAD_CAST "scale(1e8)");
-            }).find("it reaches beyond 1e9 user units."),
+            }).find("it reaches beyond 5e8 user units."),
             std::string::npos);
 }
 
