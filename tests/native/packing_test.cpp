@@ -153,7 +153,9 @@ TEST(Packing, is_not_worse_than_the_start_when_nodes_run_out) {
 
 TEST(Packing, is_the_same_on_every_thread) {
   const Items items = hard_items();
-  const auto packing = [&](std::size_t i) { return best_packing(items, 0.1 * i, {}, many_nodes); };
+  const auto packing = [&](std::size_t i) {
+    return best_packing(items, 0.1 * double(i), {}, many_nodes);
+  };
   std::vector<Packing> found(16);
   parallel_for(found.size(), [&](std::size_t i) { found[i] = packing(i).items; });
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], packing(i).items) << i;
