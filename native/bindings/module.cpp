@@ -202,7 +202,7 @@ void bind_errors(py::module_& m) {
       py::exception<InputError>(m, "InputError", PyExc_ValueError).release();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      std::rethrow_exception(thrown);
+      std::rethrow_exception(std::move(thrown));
     } catch (const InputError& error) {
       py::object raised = type(error.what());
       raised.attr("message") = message_tuple(error.message());

@@ -66,8 +66,8 @@ class FitTrial {
 };
 
 struct FitTrial::Fork {
-  Fork(const Mesh& from, EditError error, std::shared_ptr<const FitTarget> target)
-      : mesh(from), trial(mesh, std::move(error), std::move(target)) {}
+  Fork(Mesh from, EditError error, std::shared_ptr<const FitTarget> target)
+      : mesh(std::move(from)), trial(mesh, std::move(error), std::move(target)) {}
 
   Mesh mesh;
   FitTrial trial;

@@ -123,8 +123,8 @@ class RegionTrial {
 };
 
 struct MergeTrial::Fork {
-  Fork(const Mesh& from, EditError error, double epsilon)
-      : mesh(from), trial(mesh, std::move(error), epsilon) {}
+  Fork(Mesh from, EditError error, double epsilon)
+      : mesh(std::move(from)), trial(mesh, std::move(error), epsilon) {}
 
   Mesh mesh;
   MergeTrial trial;

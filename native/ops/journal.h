@@ -35,9 +35,9 @@ class Journal {
   // --- for operations ---
   template <class Record>
   Record& edit(Index<Record> element) {
-    const std::size_t i = std::size_t(element.value);
+    const auto i = std::size_t(element.value);
     Record& record = records<Record>()[i];
-    Saved<Record>& saved = std::get<Saved<Record>>(saved_);
+    auto& saved = std::get<Saved<Record>>(saved_);
     const bool is_new = i >= std::get<Before<Record>>(operations_.back().before).size;
     if (!is_new && mark(saved.stamps, i)) saved.records.emplace_back(element, record);
     return record;
