@@ -1,5 +1,6 @@
 #include "error/edit_error.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "metric/local_mean.h"
@@ -20,6 +21,16 @@ void copy(const Painting& from, Window window, Painting& to) {
   copy(from.top, window, to.top);
 }
 
+bool overlaps(const Painting& painting, Window window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    const std::uint32_t* const row = painting.top.at(window.x0, y);
+    if (std::any_of(row, row + window.width(),
+                    [](std::uint32_t sample) { return TopFace(sample).covers_others(); }))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
@@ -38,6 +49,7 @@ EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame
   state->bounds.resize(start.face_slots());
   for (const Face f : start.faces())
     state->bounds[f.value] = pixel_bounds(start.patch(f), fixed->frame);
+  state->overlaps = overlaps(state->painting, state->painting.window());
   state_ = state;
   if (max_local_error) fixed->local_bound.emplace(*max_local_error, state->map);
   fixed_ = fixed;
@@ -121,6 +133,7 @@ void EditError::accept(const Journal& journal) {
   copy(trial_.painting, trial_.pixels, state.painting);
   copy(trial_.map, trial_.measured, state.map);
   state.sum = trial_.sum;
+  state.overlaps = state.overlaps || overlaps(trial_.painting, trial_.pixels);
   state.bounds.resize(journal.mesh().face_slots());
   for (const Face f : trial_.touched)
     state.bounds[f.value] =
@@ -138,7 +151,7 @@ void EditError::describe(const Journal& journal, std::size_t depth, EditTile& ti
   ++fixed_->evaluations;
   const std::vector<Face> touched = journal.touched_since(depth);
   tiler_.make(journal.mesh(), fixed_->frame, touched, changed_pixels(journal.mesh(), touched),
-              state_->painting, tile);
+              state_->overlaps ? &state_->painting : nullptr, tile);
 }
 
 FrameError EditError::whole_frame(const Mesh& mesh) const {

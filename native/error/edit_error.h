@@ -76,6 +76,8 @@ class EditError {
     double sum = 0;
     /// Where each face lies in the painting.
     std::vector<Window> bounds;
+    /// False only where no face lies over another anywhere.
+    bool overlaps = false;
   };
   std::shared_ptr<const State> state();
   /// Goes back to an earlier state, after the journal did.

@@ -51,8 +51,8 @@ void EditTile::reset(Window to) {
 }
 
 void EditTiler::make(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched,
-                     Window within, const Painting& painting, EditTile& tile) {
-  within = within.clipped(painting.window());
+                     Window within, const Painting* painting, EditTile& tile) {
+  within = within.clipped(frame.window());
   tile.reset(within);
   if (within.empty()) return;
   for (const Face f : touched) tile.touched.push_back(std::uint32_t(f.value) + 1);
@@ -63,8 +63,9 @@ void EditTiler::make(const Mesh& mesh, const Frame& frame, const std::vector<Fac
   for (const Face f : touched)
     if (std::size_t(f.value) < mesh.face_slots() && mesh[f].alive)
       add_face(mesh, frame, f, within, tile);
+  if (!painting) return;
   Window uncovered;
-  for_each_run(painting.top, within, [&](Window run, TopFace top) {
+  for_each_run(painting->top, within, [&](Window run, TopFace top) {
     if (top.covers_others() && is_touched(top.face())) uncovered = uncovered.united(run);
   });
   if (!uncovered.empty())

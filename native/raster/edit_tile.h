@@ -58,9 +58,10 @@ struct EditTile {
 class EditTiler {
  public:
   /// What Painter::repaint would paint of `touched` and of what lies below them, in `within`;
-  /// `painting` is what was painted before.
+  /// `painting` is what was painted before; null where no face lay over another.
   void make(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched, Window within,
-            const Painting& painting, EditTile& tile);
+            const Painting* painting, EditTile& tile);
+
   /// All faces, in `window`.
   void make_whole(const Mesh& mesh, const Frame& frame, Window window, EditTile& tile);
 

@@ -31,7 +31,8 @@ void Outlines::start(const Mesh& mesh, const Frame& frame) {
   mesh_ = &mesh;
   frame_ = &frame;
   cuts_.clear();
-  ranges_.assign(mesh.halfedge_slots(), {});
+  ++starts_;
+  if (ranges_.size() < mesh.halfedge_slots()) ranges_.resize(mesh.halfedge_slots());
 }
 
 void Outlines::add_stems(Halfedge side, bool backwards) {
@@ -45,7 +46,8 @@ void Outlines::add_stems(Halfedge side, bool backwards) {
 
 Outlines::Range Outlines::cuts_of(Halfedge curve) {
   Range& range = ranges_[curve.value];
-  if (range.end > range.begin) return range;
+  if (range.start == starts_) return range;
+  range.start = starts_;
   range.begin = std::uint32_t(cuts_.size());
 
   const PixelCurve cubic = in_pixels(mesh_->curve_of(curve), frame_->to_pixels);

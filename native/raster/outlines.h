@@ -51,6 +51,8 @@ class Outlines {
  private:
   struct Range {
     std::uint32_t begin = 0, end = 0;
+    /// Of the start for which it counts.
+    std::uint32_t start = 0;
   };
 
   Range cuts_of(Halfedge curve);
@@ -58,7 +60,8 @@ class Outlines {
 
   const Mesh* mesh_ = nullptr;
   const Frame* frame_ = nullptr;
-  /// The cuts of all curves so far, and which are those of a curve; an empty range: not yet made.
+  std::uint32_t starts_ = 0;
+  /// The cuts of all curves so far, and which are those of a curve.
   std::vector<Cut> cuts_;
   std::vector<Range> ranges_;
   std::vector<Cut> along_;
