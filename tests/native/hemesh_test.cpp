@@ -399,7 +399,7 @@ TEST(Hemesh, a_damaged_text_is_refused_or_makes_a_sound_mesh) {
     std::mt19937 random(seed);
     const Mesh mesh = test::changed_mesh(bicubic_parts(seed % 7, 2, 2), seed % 7, 8, 2);
     std::string text = mutated(seed % 3 ? write_hemesh(mesh) : handmade, random);
-    for (unsigned more = random() % 3; more > 0; --more)
+    for (unsigned more = unsigned(random() % 3); more > 0; --more)
       if (!text.empty()) text = mutated(text, random);
     try {
       const Mesh again = build_mesh(read_hemesh(text, "test.hemesh"));

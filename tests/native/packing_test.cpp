@@ -48,8 +48,9 @@ PatchSet random_patches(std::mt19937& random, bool rectangle, int& count) {
   PatchSet patches(20);
   count = 0;
   if (rectangle) {
-    const int rows = 1 + random() % 3, columns = 2 + random() % 3;
-    const int top = random() % (5 - rows), left = random() % (6 - columns);
+    const auto below = [&](int end) { return int(random() % unsigned(end)); };
+    const int rows = 1 + below(3), columns = 2 + below(3);
+    const int top = below(5 - rows), left = below(6 - columns);
     for (int r = 0; r < rows; ++r)
       for (int c = 0; c < columns; ++c, ++count) patches.add(Face{5 * (top + r) + left + c});
     return patches;
@@ -92,7 +93,7 @@ Totals best_of_all(const Items& items, double gamma) {
 void expect_best_of_all(bool rectangles, double lowest) {
   for (unsigned seed = 0; seed < 150; ++seed) {
     std::mt19937 random(seed);
-    const Items items = random_items(random, 1 + random() % 12, rectangles, lowest);
+    const Items items = random_items(random, 1 + int(random() % 12), rectangles, lowest);
     const double gamma = 0.02 * double(random() % 150);
     const BestPacking found = best_packing(items, gamma, {}, many_nodes);
     const Totals wanted = best_of_all(items, gamma);

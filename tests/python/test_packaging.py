@@ -53,7 +53,7 @@ def is_as_written(folder, sources):
 DIALOGS = sorted((ROOT / "inx").glob("*.inx"))
 SCRIPTS = sorted((ROOT / "extension").glob("*.py"))
 LIBRARIES = {
-    *("libhwy.so.1", "libtbb.so.12", "libglpk.so.40"),
+    *("libhwy.so.1", "libtbb.so.12", "libglpk.so.40", "libepoxy.so.0"),
     *("libamd.so.2", "libcolamd.so.2", "libsuitesparseconfig.so.5"),
 }
 PACKAGE = sorted((ROOT / "python" / "gradmesh").glob("*.py"))
@@ -87,7 +87,7 @@ def test_the_zip_holds_the_whole_extension(unpacked_zip):
     (module,) = (name for name in rest if re.match(r"gradmesh/_core\.", name))
     rest = {name for name in rest - {module} if not re.fullmatch(r"locale/\w+/LC_MESSAGES/.*\.mo", name)}
     libraries = {f"gradmesh/{name}" for name in LIBRARIES}
-    licenses = {f"gradmesh/LICENSE.{name}" for name in ("oneTBB-Highway", "GLPK", "SuiteSparse")}
+    licenses = {f"gradmesh/LICENSE.{name}" for name in ("oneTBB-Highway", "GLPK", "SuiteSparse", "libepoxy")}
     assert rest - licenses == {"LICENSE", *libraries}
 
 
@@ -173,7 +173,7 @@ def test_the_debian_package_runs_from_any_root(debian_package, tmp_path):
 def test_the_debian_package_names_what_it_needs(debian_package):
     depends = run("dpkg-deb", "--field", debian_package, "Depends")
     names = set(re.findall(r"(?:^|, )([\w.+-]+)", depends))
-    assert {"libc6", "libglpk40", "libhwy1", "libtbb12", "libxml2", "libopenimageio2.4"} <= names
+    assert {"libc6", "libepoxy0", "libglpk40", "libhwy1", "libtbb12", "libxml2", "libopenimageio2.4"} <= names
     assert {"python3", "python3-numpy"} <= names
     assert f"python3 (>= 3.{MINOR}), python3 (<< 3.{MINOR + 1})" in depends
     assert run("dpkg-deb", "--field", debian_package, "Package").strip() == "gradmesh"
