@@ -76,8 +76,8 @@ void use_renderer(SimplifyOptions& options, const std::string& name, const py::o
   const Renderer wanted = renderer_named(name);
   const auto tell = device_callback(lost);
   const py::gil_scoped_release release;
-  options.device = open_device(wanted);
   options.device_if_faster = wanted == Renderer::automatic;
+  if (wanted == Renderer::egl) options.device = open_device(wanted);
   options.device_lost = [tell](const DeviceError& error) { tell(error.what()); };
   if (wanted == Renderer::egl && !options.device) tell(no_device);
 }

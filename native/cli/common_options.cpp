@@ -60,8 +60,8 @@ void add_renderer_option(CLI::App& command, std::string& renderer) {
 
 void take_renderer(const std::string& renderer, SimplifyOptions& options) {
   const Renderer wanted = renderer_named(renderer);
-  options.device = open_device(wanted);
   options.device_if_faster = wanted == Renderer::automatic;
+  if (wanted == Renderer::egl) options.device = open_device(wanted);
   options.device_lost = [](const DeviceError& error) { say_without_device(error.what()); };
   if (wanted == Renderer::egl && !options.device) say_without_device(no_device);
 }

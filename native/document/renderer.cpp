@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -50,6 +51,16 @@ Mesh trial_mesh(int side) {
   return build_mesh(parts);
 }
 
+/// Regions take so many times the pixels of the edges, as found with 1,600 patches.
+constexpr double regions_to_edges = 8;
+/// Seconds of one core for a pixel, about, and how long pricing must take on the cores for a device
+/// to be worth its start.
+constexpr double typical_per_pixel = 1e-7, worth_a_start = 0.5;
+
+std::size_t thread_number(int threads) {
+  return threads > 0 ? std::size_t(threads) : thread_count();
+}
+
 /// Seconds that pricing all edges of the mesh takes, the shorter of two times: shaders are built
 /// in the first.
 double pricing_seconds(const Mesh& mesh, const SimplifyOptions& options) {
@@ -70,7 +81,7 @@ Speed measure(SimplifyOptions options) {
   for (std::size_t i = 0; i < 2; ++i) {
     options.resolution = resolutions[i];
     const Frame frame = fit_frame(mesh, options.view, options.resolution, options.padding);
-    pixels[i] = priced_pixels(mesh, frame, options.metric);
+    pixels[i] = priced_pixels(mesh, frame, options.metric) / regions_to_edges;
     seconds[i] = pricing_seconds(mesh, options);
   }
   Speed speed;
@@ -104,7 +115,7 @@ json read_speeds(const std::filesystem::path& file) {
 
 std::string key_of(const Device& device, int threads) {
   return device.info().name + " | " + device.info().version + " | " + GRADMESH_VERSION + " | " +
-         std::to_string(threads > 0 ? std::size_t(threads) : thread_count());
+         std::to_string(thread_number(threads));
 }
 
 }  // namespace
@@ -134,7 +145,7 @@ double priced_pixels(const Mesh& mesh, const Frame& frame, MetricKind metric) {
                             .clipped(frame.window());
     if (!both.empty()) pixels += double(both.width()) * both.height();
   }
-  return pixels;
+  return regions_to_edges * pixels;
 }
 
 Speeds measure_speeds(const std::shared_ptr<Device>& device, int threads) {
@@ -175,7 +186,7 @@ Speeds known_speeds(const std::shared_ptr<Device>& device, int threads) {
 RendererChoice faster(const Speeds& speeds, double pixels) {
   const double software = speeds.software.seconds(pixels), device = speeds.device.seconds(pixels);
   return {device < software,
-          Message("pricing its edges takes about {0} s on the device and {1} s in software",
+          Message("pricing takes about {0} s on the device and {1} s in software",
                   seconds_text(device), seconds_text(software))};
 }
 
@@ -186,6 +197,21 @@ RendererChoice choose_renderer(const std::shared_ptr<Device>& device, const Mesh
   } catch (const DeviceError& error) {
     return {false, error.message()};
   }
+}
+
+std::shared_ptr<Device> automatic_device(const Mesh& mesh, const Frame& frame, MetricKind metric,
+                                         int threads) {
+  const double pixels = priced_pixels(mesh, frame, metric);
+  if (pixels * typical_per_pixel < worth_a_start * double(thread_number(threads))) return nullptr;
+  // Opened once for all meshes of a document.
+  static std::mutex mutex;
+  static std::weak_ptr<Device> opened;
+  const std::lock_guard lock(mutex);
+  std::shared_ptr<Device> device = opened.lock();
+  if (!device) opened = device = open_device(Renderer::automatic);
+  if (!device || !choose_renderer(device, mesh, frame, metric, threads).takes_device)
+    return nullptr;
+  return device;
 }
 
 }  // namespace gradmesh

@@ -41,8 +41,7 @@ struct Speeds {
   Speed software, device;
 };
 
-/// How many pixels are painted and measured when every inner edge of a mesh is priced: what is
-/// compared between meshes, as regions add to it in proportion.
+/// About how many pixels are painted and measured when the edges and regions of a mesh are priced.
 double priced_pixels(const Mesh& mesh, const Frame& frame, MetricKind metric);
 
 /// Measures both on so many threads (0: all cores); takes about a second. Throws DeviceError.
@@ -57,8 +56,13 @@ struct RendererChoice {
   Message reason;
 };
 RendererChoice faster(const Speeds& speeds, double pixels);
-/// What `auto` takes for a mesh; false where the device fails.
+/// What `auto` takes for a mesh, of software and this device; software where that fails.
 RendererChoice choose_renderer(const std::shared_ptr<Device>& device, const Mesh& mesh,
                                const Frame& frame, MetricKind metric, int threads);
+
+/// The device that `auto` takes for a mesh, null for software. None is started where pricing takes
+/// less time than that.
+std::shared_ptr<Device> automatic_device(const Mesh& mesh, const Frame& frame, MetricKind metric,
+                                         int threads);
 
 }  // namespace gradmesh

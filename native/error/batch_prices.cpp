@@ -8,7 +8,7 @@ namespace gradmesh {
 namespace {
 
 /// Chains that are described while the device measures those before.
-constexpr std::size_t chains_at_once = 512;
+constexpr std::size_t chains_at_once = 256;
 /// Pixels of the tiles that are measured at once, unless a single one has more.
 constexpr std::size_t most_pixels = std::size_t(1) << 22;
 /// How far errors may be from the software path's before they could decide otherwise.

@@ -67,7 +67,7 @@ struct SimplifyOptions {
   /// Where regions are priced, many at once; null: on the cores alone. Where it fails they go on,
   /// from where it was, after `device_lost` was called on the calling thread.
   std::shared_ptr<Device> device;
-  /// Of a document's mesh (Document::start): the device only where it is expected to be faster.
+  /// Of a document's mesh (Document::start): a device where it is expected to be faster.
   bool device_if_faster = false;
   MergeTrial::DeviceLost device_lost;
   /// From mesh units to what the person sees, up to scale.

@@ -233,7 +233,7 @@ TEST(Renderer, takes_the_faster_one) {
   EXPECT_FALSE(faster(speeds, 1e5).takes_device);
   EXPECT_TRUE(faster(speeds, 1e7).takes_device);
   EXPECT_EQ(faster(speeds, 1e7).reason.english(),
-            "pricing its edges takes about 0.21 s on the device and 1 s in software");
+            "pricing takes about 0.21 s on the device and 1 s in software");
 }
 
 TEST(Renderer, has_names) {

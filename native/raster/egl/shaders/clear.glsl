@@ -12,17 +12,7 @@ layout(std430, binding = 5) writeonly buffer Tops { uint tops[]; };
 // Tiles without a frame below them begin white.
 uniform bool begins_white;
 
-int tile_of_block(int block) {
-  int low = 0, high = tiles.length() - 1;
-  while (low < high) {
-    int middle = (low + high + 1) / 2;
-    if (tiles[middle].paint_blocks <= block)
-      low = middle;
-    else
-      high = middle - 1;
-  }
-  return low;
-}
+FIND_OWNER(tile_of_block, tiles, paint_blocks)
 
 bool is_touched(Tile tile, uint face) {
   int low = tile.touched, high = tile.touched_end;

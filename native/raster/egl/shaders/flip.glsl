@@ -187,7 +187,7 @@ float distance_between(Appearance s, Appearance t) {
 void main() {
   int block = group_index();
   if (block >= count) return;
-  Tile tile = tiles[tile_of_metric_block(block)];
+  Tile tile = tiles[tile_of_block(block)];
   ivec2 corner = block_corner(tile, block), p = corner + ivec2(gl_LocalInvocationID.xy);
 #if PASS == RISES
   if (!differs(tile, corner)) {

@@ -20,17 +20,7 @@ uniform int plane_size;
 
 shared uint any_difference;
 
-int tile_of_metric_block(int block) {
-  int low = 0, high = tiles.length() - 1;
-  while (low < high) {
-    int middle = (low + high + 1) / 2;
-    if (tiles[middle].metric_blocks <= block)
-      low = middle;
-    else
-      high = middle - 1;
-  }
-  return low;
-}
+FIND_OWNER(tile_of_block, tiles, metric_blocks)
 
 ivec2 block_corner(Tile tile, int block) {
   int blocks_a_row = (tile.measured_x1 - tile.measured_x0 + side - 1) / side;

@@ -33,18 +33,12 @@ struct Segment {
   int from, to;  // its pixels inside the tile
 };
 
+FIND_OWNER(span_of_segment, spans, segments_before)
+
 bool find_segment(out Segment segment) {
   int index = group_index() * int(gl_WorkGroupSize.x) + int(gl_LocalInvocationID.x);
   if (index >= count) return false;
-  int low = 0, high = spans.length() - 1;
-  while (low < high) {
-    int middle = (low + high + 1) / 2;
-    if (spans[middle].segments_before <= index)
-      low = middle;
-    else
-      high = middle - 1;
-  }
-  segment.span = spans[low];
+  segment.span = spans[span_of_segment(index)];
   segment.tile = tiles[patches[segment.span.patch_index].tile];
   segment.k = segment.span.first + index - segment.span.segments_before;
   segment.start = segment.span.x0 + segment.k * MOST_LENGTH;

@@ -97,7 +97,7 @@ float channel_distance(Tile tile, ivec2 corner, int c, int at_reference) {
 void main() {
   int block = group_index();
   if (block >= count) return;
-  Tile tile = tiles[tile_of_metric_block(block)];
+  Tile tile = tiles[tile_of_block(block)];
   ivec2 corner = block_corner(tile, block), p = corner + ivec2(gl_LocalInvocationID.xy);
 #if PASS == REFERENCE
   for (int i = int(gl_LocalInvocationIndex); i < around * around; i += threads) {

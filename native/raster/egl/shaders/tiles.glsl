@@ -19,6 +19,21 @@ const uint row_of_groups = 32768u;
 
 int group_index() { return int(gl_WorkGroupID.y * row_of_groups + gl_WorkGroupID.x); }
 
+// Defines a function that finds, in a list whose elements tell how many blocks or segments the ones
+// before them have, the element that the one with an index belongs to.
+#define FIND_OWNER(find, list, before)        \
+  int find(int index) {                       \
+    int low = 0, high = list.length() - 1;    \
+    while (low < high) {                      \
+      int middle = (low + high + 1) / 2;      \
+      if (list[middle].before <= index)       \
+        low = middle;                         \
+      else                                    \
+        high = middle - 1;                    \
+    }                                         \
+    return low;                               \
+  }
+
 bool is_inside(Tile tile, ivec2 p) {
   return p.x >= tile.x0 && p.x < tile.x1 && p.y >= tile.y0 && p.y < tile.y1;
 }
