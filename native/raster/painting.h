@@ -53,7 +53,7 @@ template <class F>
 void for_each_run(const Raster<std::uint32_t, 1>& top, Window window, const F& f) {
   for (int y = window.y0; y < window.y1; ++y) {
     const std::uint32_t* const row = top.at(window.x0, y);
-    for (int end, begin = 0; begin < window.width(); begin = end) {
+    for (int end = 0, begin = 0; begin < window.width(); begin = end) {
       for (end = begin + 1; end < window.width() && row[end] == row[begin];) ++end;
       const TopFace here(row[begin]);
       if (here.face().valid())
