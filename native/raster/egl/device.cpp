@@ -40,12 +40,14 @@ std::vector<Place> places() {
     EGLint count = 0;
     if (eglQueryDevicesEXT(EGLint(devices.size()), devices.data(), &count))
       for (EGLint i = 0; i < count; ++i) {
-        const char* const extensions = eglQueryDeviceStringEXT(devices[std::size_t(i)], EGL_EXTENSIONS);
+        const char* const extensions =
+            eglQueryDeviceStringEXT(devices[std::size_t(i)], EGL_EXTENSIONS);
         found.push_back({EGL_PLATFORM_DEVICE_EXT, devices[std::size_t(i)],
                          !has_extension(extensions, "EGL_MESA_device_software")});
       }
   }
-  std::ranges::stable_partition(found, [](const Place& place) { return place.is_hardware; });
+  std::stable_partition(found.begin(), found.end(),
+                        [](const Place& place) { return place.is_hardware; });
   if (has_extension(client, "EGL_MESA_platform_surfaceless"))
     found.push_back({EGL_PLATFORM_SURFACELESS_MESA, nullptr, false});
   return found;
@@ -62,10 +64,9 @@ EGLContext make_context(EGLDisplay display, bool es) {
                       {EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT});
   // So that the driver tells when the device was reset. The name differs between the two.
   if (is_robust)
-    attributes.insert(attributes.end(),
-                      {es ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT
-                          : EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
-                       EGL_LOSE_CONTEXT_ON_RESET});
+    attributes.insert(attributes.end(), {es ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT
+                                            : EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                         EGL_LOSE_CONTEXT_ON_RESET});
   attributes.push_back(EGL_NONE);
   return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
 }
@@ -116,9 +117,7 @@ struct Device::Context {
   bool make_current() const {
     return eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
   }
-  void release() const {
-    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  }
+  void release() const { eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
  private:
   std::string open(const Place& place) {
@@ -189,9 +188,8 @@ const Program& Device::Use::program(const std::string& source) const {
 }
 
 void Device::Use::check() const {
-  const bool tells_resets =
-      epoxy_gl_version() >= (epoxy_is_desktop_gl() ? 45 : 32) ||
-      epoxy_has_gl_extension("GL_KHR_robustness");
+  const bool tells_resets = epoxy_gl_version() >= (epoxy_is_desktop_gl() ? 45 : 32) ||
+                            epoxy_has_gl_extension("GL_KHR_robustness");
   const auto lost = [this] {
     device_.is_lost_ = true;
     return DeviceError(Message("the device was lost"));
