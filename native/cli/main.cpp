@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <iostream>
 #include <new>
 #include <stdexcept>
@@ -42,4 +43,12 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace gradmesh
 
-int main(int argc, char** argv) { return gradmesh::run(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return gradmesh::run(argc, argv);
+  } catch (...) {
+    // Before the first option was known, or while an error was told.
+    std::fputs("gradmesh: there is not enough memory to begin.\n", stderr);
+    return 1;
+  }
+}

@@ -65,7 +65,7 @@ class Refiner {
   }
 
   Face face(int row, int column) const {
-    return chosen_.faces[std::size_t(row * chosen_.columns + column)];
+    return chosen_.faces[std::size_t(row) * std::size_t(chosen_.columns) + std::size_t(column)];
   }
 
   void split_patch(Face f) {
