@@ -1,5 +1,7 @@
 #include "raster/egl/gl_objects.h"
 
+#include <epoxy/egl.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -19,6 +21,10 @@ std::string literal(float value) {
 }
 
 }  // namespace
+
+Buffer::~Buffer() {
+  if (eglGetCurrentContext() != EGL_NO_CONTEXT) glDeleteBuffers(1, &name_);
+}
 
 void Buffer::reserve(std::size_t bytes) {
   used_ = std::max<std::size_t>(bytes, 4);

@@ -8,13 +8,14 @@
 
 namespace gradmesh {
 
-// What lives on a device. All of it is made, used and let go while a Device::Use lives.
+// What lives on a device. All of it is made, used and let go while a Device::Use lives, or let go
+// without one where the device is lost.
 
 /// A buffer that shaders read and write. Grows as needed, never shrinks.
 class Buffer {
  public:
   Buffer() = default;
-  ~Buffer() { glDeleteBuffers(1, &name_); }
+  ~Buffer();
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 

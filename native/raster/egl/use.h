@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
 
 #include "raster/egl/device.h"
 #include "raster/egl/gl_objects.h"
@@ -24,17 +25,16 @@ class Device::Use {
   std::unique_lock<std::mutex> lock_;
 };
 
-/// Lets go of what lives on a device. Where the device is lost that is not possible, and goes with
-/// its context.
+/// Lets go of what lives on a device. Where that is lost, its part goes with the context.
 template <class Objects>
 void release_on(Device& device, std::unique_ptr<Objects>& objects) {
-  if (!objects) return;
+  std::optional<Device::Use> use;
   try {
-    const Device::Use use(device);
-    objects.reset();
+    use.emplace(device);
   } catch (const DeviceError&) {
-    static_cast<void>(objects.release());
+    // No context is current then, which Buffer looks at.
   }
+  objects.reset();
 }
 
 }  // namespace gradmesh
