@@ -251,7 +251,7 @@ TEST(Motorcycle, cuts_the_mesh_into_rectangles) {
     std::vector<EdgePrice> prices;
     for (const Halfedge edge : inner_edges(mesh))
       prices.push_back(
-          {edge, MergeObstacle::none, random() % 10 == 0 ? 1.0 : 0.001 * (random() % 9)});
+          {edge, MergeObstacle::none, random() % 10 == 0 ? 1.0 : 0.001 * double(random() % 9)});
     const MotorcycleGraph graph = motorcycle_graph(mesh, prices, 0.5);
     std::set<Halfedge> inside;
     double last = 0;
