@@ -139,8 +139,11 @@ double priced_pixels(const Mesh& mesh, const Frame& frame, MetricKind metric) {
   const int reach = metric_reach(metric);
   double pixels = 0;
   for (const Halfedge edge : inner_edges(mesh)) {
+    // A side with T-junctions has no face, and nothing is merged across it as a whole.
+    const Halfedge across = mesh.is_leaf(edge) ? leaf_across(mesh, edge) : Halfedge();
+    if (!across.valid()) continue;
     const Window both = pixel_bounds(mesh.patch(mesh.face(edge)), frame)
-                            .united(pixel_bounds(mesh.patch(mesh.face(mesh[edge].twin)), frame))
+                            .united(pixel_bounds(mesh.patch(mesh.face(across)), frame))
                             .grown(reach)
                             .clipped(frame.window());
     if (!both.empty()) pixels += double(both.width()) * both.height();
