@@ -104,11 +104,11 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   start.options.ways_to_write = [this, entry, method](const Mesh& mesh, const Frame& frame) {
     return ways_to_write(entry, method, mesh, frame);
   };
+  const AnalysisKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   if (options.device_if_faster && !start.mesh.is_smooth())
     start.options.device =
         automatic_device(start.mesh, frame(entry, start.mesh, options.resolution), options.metric,
                          options.threads);
-  const AnalysisKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   start.options.analysis = &files.start(key, start.mesh);
   return start;
 }

@@ -8,6 +8,8 @@
 #include "document/renderer.h"
 #include "error/edit_error.h"
 #include "mesh/grid.h"
+#include "meshes.h"
+#include "ops/merge.h"
 #include "random_meshes.h"
 #include "raster/egl/edit_errors.h"
 #include "raster/egl/egl_rasterizer.h"
@@ -241,6 +243,23 @@ TEST(Renderer, has_names) {
     EXPECT_EQ(renderer_named(name(r)), r);
   EXPECT_THROW(renderer_named("vulkan"), std::invalid_argument);
   EXPECT_EQ(open_device(Renderer::software), nullptr);
+}
+
+/// Four pairs of halves in a square of two by two patches. With the two above merged one such pair
+/// is left, as no two patches merge across the side with the T-junction; with the two below merged
+/// too, a pair that fills the square.
+TEST(PricedPixels, are_those_of_patches_that_can_merge) {
+  Mesh mesh = test::grid_mesh({.rows = 2, .columns = 2});
+  const Frame frame = fit_frame(mesh, {}, 300);
+  const auto pixels = [&] { return priced_pixels(mesh, frame, MetricKind::ssim); };
+  Journal journal(mesh);
+  const double half = pixels() / 4;
+  merge(journal, test::between(mesh, Face{0}, Face{1}));
+  const double with_t_junction = pixels();
+  merge(journal, test::between(mesh, Face{2}, Face{3}));
+  const double whole = pixels();
+  EXPECT_LT(half, 0.6 * whole);
+  EXPECT_EQ(with_t_junction, half);
 }
 
 TEST_F(OnDevice, its_speed_is_measured) {
