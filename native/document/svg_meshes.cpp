@@ -34,7 +34,7 @@ bool is_named_by(const xmlNode* named, const MeshObject& object) {
 /// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
 /// in which it is written, is one that the readers refuse.
 Mesh readable_mesh(MeshParts parts, const Affine& to_written = {}) {
-  const Mesh mesh = build_mesh(parts);
+  Mesh mesh = build_mesh(parts);
   for (Patch& patch : parts.patches) {
     transform(patch, to_written);
     if (!is_within_limits(patch))

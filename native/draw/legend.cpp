@@ -119,8 +119,8 @@ void Legend::scale(const HeatScale& scale, double least) {
   tick(1, subject_.say(Message("{0} (largest)", short_number(scale.highest()))));
   const std::string lowest = short_number(scale.lowest());
   tick(0, least < scale.lowest() ? subject_.say(Message("{0} and less", lowest)) : lowest);
-  const double first = std::ceil(std::log10(scale.lowest()));
-  for (double power = first; power < std::log10(scale.highest()); ++power) {
+  const int first = int(std::ceil(std::log10(scale.lowest())));
+  for (int power = first; power < std::log10(scale.highest()); ++power) {
     const double position = scale.position(std::pow(10, power));
     // The ends have their own numbers, which must stay legible.
     if (position > 0.08 && position < 0.92) tick(position, short_number(std::pow(10, power)));

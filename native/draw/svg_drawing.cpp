@@ -79,7 +79,7 @@ std::string rectangle(glm::dvec2 low, glm::dvec2 high) {
 }
 
 std::string element(const Picture& picture) {
-  return "<g inkscape:groupmode=\"layer\" inkscape:label=\"Picture\"" +
+  return R"(<g inkscape:groupmode="layer" inkscape:label="Picture")" +
          attribute("opacity", picture.opacity) + ">\n<image" +
          rectangle(picture.low, picture.high) + " preserveAspectRatio=\"none\"" +
          attribute("xlink:href", "data:image/png;base64," + base64(png_bytes(picture.image))) +

@@ -98,7 +98,7 @@ double EditError::after_edits(const Journal& journal, std::size_t depth, double 
   copy(state_->map, trial_.measured, trial_.map);
 
   painter_.repaint(journal.mesh(), fixed_->frame, trial_.touched, trial_.pixels, painting);
-  const double pixels = double(state_->map.pixels());
+  const auto pixels = double(state_->map.pixels());
   trial_.sum += metric.update_map(state_->painting.image, painting.image, trial_.pixels, trial_.map,
                                   limit * pixels - state_->sum);
   return trial_.sum / pixels;

@@ -34,7 +34,7 @@ class ParallelTrials {
     std::atomic<std::size_t> next = 0, done = 0;
     std::atomic<bool> stopped = false;
     parallel_for(std::min(trials_.size(), count), [&](std::size_t own) {
-      for (std::size_t i; !stopped && (i = next++) < count; ++done) {
+      for (std::size_t i = 0; !stopped && (i = next++) < count; ++done) {
         if (std::this_thread::get_id() == caller && stop(done)) stopped = true;
         if (!stopped) body(*trials_[own], i);
       }

@@ -22,12 +22,14 @@ void set_row(Eigen::MatrixXd& matrix, int row, const std::array<double, 16>& val
 Samples make_samples(int rows, int columns) {
   const int count = rows * columns;
   Samples s{Eigen::MatrixXd(count, 16), Eigen::MatrixXd(count, 16), Eigen::MatrixXd(count, 16)};
-  for (int i = 0; i < count; ++i) {
-    const double u = (i / columns + 0.5) / rows, v = (i % columns + 0.5) / columns;
-    set_row(s.at, i, products(hermite_basis(u), hermite_basis(v)));
-    set_row(s.by_u, i, products(hermite_derivative(u), hermite_basis(v)));
-    set_row(s.by_v, i, products(hermite_basis(u), hermite_derivative(v)));
-  }
+  int at = 0;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column, ++at) {
+      const double u = (row + 0.5) / rows, v = (column + 0.5) / columns;
+      set_row(s.at, at, products(hermite_basis(u), hermite_basis(v)));
+      set_row(s.by_u, at, products(hermite_derivative(u), hermite_basis(v)));
+      set_row(s.by_v, at, products(hermite_basis(u), hermite_derivative(v)));
+    }
   return s;
 }
 
@@ -38,8 +40,9 @@ std::array<double, 16> basis_products(double u, double v) {
 }
 
 const Samples& samples_of(int rows, int columns) {
-  static thread_local std::array<std::unique_ptr<Samples>, most_samples * most_samples> made;
-  auto& place = made[std::size_t((rows - 1) * most_samples + columns - 1)];
+  static thread_local std::array<std::unique_ptr<Samples>, std::size_t(most_samples) * most_samples>
+      made;
+  auto& place = made[std::size_t(rows - 1) * most_samples + std::size_t(columns - 1)];
   if (!place) place = std::make_unique<Samples>(make_samples(rows, columns));
   return *place;
 }

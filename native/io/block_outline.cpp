@@ -179,7 +179,7 @@ std::vector<glm::dvec2> grown_outline(const Mesh& mesh, const Block& block, doub
   if (doubled_area(outline) < 0) std::ranges::reverse(outline);
   const Polygon points = surface_points(mesh, block);
   if (outline.size() >= 3) {
-    const Polygon grown = offset(outline, by + flatness);
+    Polygon grown = offset(outline, by + flatness);
     if (holds(grown, points, 0.9 * margin)) return grown;
   }
   // A block that folds over itself: its convex hull holds all of it.

@@ -27,7 +27,7 @@ std::string read(const std::string& path, Image& image) {
   if (!input) return one_line(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   const int channels = spec.nchannels;
-  const std::uint64_t longer = std::uint64_t(std::max(spec.width, spec.height));
+  const auto longer = std::uint64_t(std::max(spec.width, spec.height));
   if (const std::uint64_t most = limits().resolution; longer > most)
     return "it is " + std::to_string(longer) + " pixels long, " +
            beyond_limit("resolution", most, longer).english();

@@ -1,6 +1,7 @@
 #include "io/mesh_outline.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "io/block_outline.h"
@@ -22,8 +23,8 @@ double doubled_area_of(const Loop& loop) {
 
 Loop reversed(const Loop& loop) {
   Loop result;
-  for (auto curve = loop.rbegin(); curve != loop.rend(); ++curve)
-    result.push_back(curve->reversed());
+  std::transform(loop.rbegin(), loop.rend(), std::back_inserter(result),
+                 [](const Cubic<Value>& curve) { return curve.reversed(); });
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "io/svg_blocks_writer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/block_outline.h"
 #include "io/svg_group.h"
@@ -20,8 +21,12 @@ std::string path_data(const std::vector<glm::dvec2>& polygon, int digits) {
 }  // namespace
 
 BlocksWriter::BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMesh& written,
-                           const std::string& id, const std::string& fallback)
-    : document_(document), defs_(defs), written_(written), id_(id), fallback_(fallback) {}
+                           std::string id, std::string fallback)
+    : document_(document),
+      defs_(defs),
+      written_(written),
+      id_(std::move(id)),
+      fallback_(std::move(fallback)) {}
 
 Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) const {
   const bool color = channel == MeshChannel::color;

@@ -16,8 +16,8 @@ class BlocksWriter {
  public:
   /// `id` begins the ids of all that is written; `fallback` is the colour for programs that know
   /// no meshes, or empty.
-  BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMesh& written,
-               const std::string& id, const std::string& fallback);
+  BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMesh& written, std::string id,
+               std::string fallback);
 
   /// Adds the blocks to `parent`, the largest below, before `before` or at the end; the box around
   /// their paths.

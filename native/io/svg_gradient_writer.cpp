@@ -109,7 +109,7 @@ std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mes
                                  const Block& block, const GradientFormat& format,
                                  const std::string& prefix) {
   xmlNode* gradient = add_child(defs, "meshgradient");
-  const std::string id = document.give_id(gradient, prefix);
+  std::string id = document.give_id(gradient, prefix);
   set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
   write_block_rows(gradient, mesh, block, format);
   return id;

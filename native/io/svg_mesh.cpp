@@ -95,7 +95,9 @@ class GridReader {
   }
 
  private:
-  BezierNet& net(int row, int column) { return nets_[std::size_t(row * columns_ + column)]; }
+  BezierNet& net(int row, int column) {
+    return nets_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
+  }
 
   /// Point j, 0..3, of side `side` in the side's direction (clockwise).
   static Value& side_point(BezierNet& net, int side, int j) {

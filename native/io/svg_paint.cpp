@@ -73,7 +73,8 @@ Declarations style_of(const xmlNode* node) {
 
 void write_style(xmlNode* node, const Declarations& style) {
   std::string text;
-  for (const auto& [name, value] : style) text += (text.empty() ? "" : ";") + name + ":" + value;
+  for (const auto& [name, value] : style)
+    text.append(text.empty() ? "" : ";").append(name).append(":").append(value);
   if (text.empty()) {
     remove_attribute(node, "style");
   } else {

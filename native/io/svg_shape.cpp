@@ -63,7 +63,7 @@ std::vector<glm::dvec2> read_points(const xmlNode* shape) {
     scanner.skip_comma();
     const auto y = scanner.number();
     if (!x || !y) fail(shape, Message("its points {0} are malformed", excerpt(points)));
-    list.push_back({*x, *y});
+    list.emplace_back(*x, *y);
   }
   return list;
 }

@@ -27,7 +27,7 @@ std::optional<std::string> unzip(std::string_view zipped, std::size_t most) {
   // The size is not told beforehand: guessed, and doubled while it is too small.
   for (std::size_t room = 8 * zipped.size() + 64;; room *= 2) {
     std::string bytes(std::min(room, most), '\0');
-    uLongf size = uLongf(bytes.size());
+    auto size = uLongf(bytes.size());
     const int status = uncompress(output(bytes), &size, input(zipped), uLong(zipped.size()));
     if (status == Z_BUF_ERROR && room < most) continue;
     if (status != Z_OK) return std::nullopt;

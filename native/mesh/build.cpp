@@ -44,11 +44,11 @@ class MeshBuilder {
   void add_faces() {
     const int count = int(parts_.patches.size());
     mesh_.face_count_ = count;
-    mesh_.halfedges_.resize(4 * count);
+    mesh_.halfedges_.resize(4 * parts_.patches.size());
     for (int f = 0; f < count; ++f) {
       mesh_.faces_.push_back({Halfedge{4 * f}});
       for (int k = 0; k < 4; ++k) {
-        HalfedgeRecord& h = mesh_.halfedges_[4 * f + k];
+        HalfedgeRecord& h = at(Halfedge{4 * f + k});
         h.face = Face{f};
         h.next = Halfedge{4 * f + (k + 1) % 4};
         h.prev = Halfedge{4 * f + (k + 3) % 4};
@@ -56,7 +56,7 @@ class MeshBuilder {
         h.color = parts_.patches[f].corner(k).color;
       }
     }
-    used_.assign(4 * count, false);
+    used_.assign(mesh_.halfedges_.size(), false);
   }
 
   void add_curve(const CurveParts& curve) {

@@ -153,8 +153,9 @@ void append_row(const Patch& patch, const PartColors& colors, int i, std::vector
   const Patch row = patch.part_u(double(i) / parts_per_side, double(i + 1) / parts_per_side);
   for (int j = 0; j < parts_per_side; ++j) {
     Patch part = row.part_v(double(j) / parts_per_side, double(j + 1) / parts_per_side);
-    for (int a : {0, 1})
-      for (int b : {0, 1}) part.c[3 * a][3 * b].color = colors[i + a][j + b];
+    for (std::size_t a : {0, 1})
+      for (std::size_t b : {0, 1})
+        part.c[3 * a][3 * b].color = colors[std::size_t(i) + a][std::size_t(j) + b];
     make_color_bilinear(part);
     parts.push_back(part);
   }
@@ -174,7 +175,8 @@ MeshParts with_smooth_colors(const Mesh& mesh) {
 Mesh painted_mesh(const Mesh& mesh) {
   const SmoothGrid grid(mesh);
   MeshParts parts{{}, {}, ColorModel::bicubic};
-  parts.patches.reserve(parts_per_side * parts_per_side * mesh.face_count());
+  parts.patches.reserve(std::size_t(parts_per_side * parts_per_side) *
+                        std::size_t(mesh.face_count()));
   for (int row = 0; row < grid.rows(); ++row) {
     std::vector<Patch> patches;
     std::vector<PartColors> colors;

@@ -34,7 +34,7 @@ class PaddedRows {
     std::fill_n(samples_.get(), size, Sample(0));
   }
 
-  void clear() { std::fill_n(samples_.get(), planes_ * window_.height() * stride_, Sample(0)); }
+  void clear() { std::fill_n(samples_.get(), offset(planes_, window_.y0), Sample(0)); }
 
   Window window() const { return window_; }
   int planes() const { return planes_; }

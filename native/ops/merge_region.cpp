@@ -25,7 +25,7 @@ struct MergeOrder {
 MergeOrder merge_order(const Mesh& mesh, const Region& view, const std::vector<Halfedge>& tops) {
   MergeOrder order{view.columns, {}, {}};
   for (int i = 0; i < view.rows; ++i) {
-    const auto row = tops.begin() + i * view.columns;
+    const auto row = tops.begin() + std::ptrdiff_t(i) * view.columns;
     for (int j = 0; j + 1 < view.columns; ++j) order.inside.push_back(mesh.next(row[j]));
     order.left.push_back(mesh.prev(row[0]));
   }

@@ -98,13 +98,14 @@ class FixedWalk {
 
 Color16 color16(const glm::dvec4& color) {
   Color16 result;
-  for (int k = 0; k < 4; ++k) result[k] = int(std::clamp(color[k], 0.0, 1.0) * 65535 + 0.5);
+  for (int k = 0; k < 4; ++k)
+    result[k] = int(std::floor(std::clamp(color[k], 0.0, 1.0) * 65535 + 0.5));
   return result;
 }
 
 /// Cairo's image is premultiplied, 8 bits per channel; it is then painted over white.
 std::array<std::uint8_t, 3> over_white(const Color16& color) {
-  const std::uint32_t alpha = std::uint32_t(color[3]);
+  const auto alpha = std::uint32_t(color[3]);
   const std::uint32_t white = 255 - (alpha >> 8);
   std::array<std::uint8_t, 3> rgb;
   for (int k = 0; k < 3; ++k) {

@@ -40,7 +40,7 @@ std::vector<std::vector<Crossing>> crossings(const Outline& outline, const Affin
 /// Marks the pixels of a row that a line meets inside the polygons.
 void mark(std::vector<Crossing> line, FillRule rule, std::vector<char>& seen) {
   std::ranges::sort(line, {}, &Crossing::x);
-  const double width = double(seen.size());
+  const auto width = double(seen.size());
   int winding = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     winding += line[i].winding;
@@ -69,7 +69,7 @@ HiddenPixels::HiddenPixels(const VisibleArea& area, const Frame& frame) {
   for (int y = 0; y < frame.height; ++y) {
     std::vector<char> seen(std::size_t(frame.width), false);
     for (int k = 0; k <= lines_a_row; ++k)
-      mark(lines[std::size_t(y * lines_a_row + k)], area.rule, seen);
+      mark(lines[std::size_t(y) * lines_a_row + std::size_t(k)], area.rule, seen);
     rows_.push_back(unmarked(seen));
   }
 }

@@ -24,7 +24,7 @@ constexpr int most_knot_steps = 6, most_polish_steps = 4, start_cells = 8;
 
 /// Weights of value, next value, slope and next slope at each pixel of a segment, and a vector's
 /// length of zeros.
-using InterpolationBasis = std::array<std::array<float, 2 * most_length>, 4>;
+using InterpolationBasis = std::array<std::array<float, 2 * std::size_t(most_length)>, 4>;
 /// For each length.
 using InterpolationBases = std::array<InterpolationBasis, most_length + 1>;
 

@@ -153,7 +153,7 @@ Steps steps_for(const Bends& bends, double tolerance) {
 void set_lines(const std::array<bool, Folds::cells>& fine, double fine_steps, double coarse_steps,
                std::vector<double>& lines) {
   lines.assign(1, 0);
-  for (int end, begin = 0; begin < Folds::cells; begin = end) {
+  for (int end = 0, begin = 0; begin < Folds::cells; begin = end) {
     for (end = begin + 1; end < Folds::cells && fine[end] == fine[begin];) ++end;
     const double first = double(begin) / Folds::cells, length = double(end - begin) / Folds::cells;
     const double wanted = std::ceil(length * (fine[begin] ? fine_steps : coarse_steps));

@@ -140,7 +140,7 @@ struct Device::Context {
     // Drivers that are programs do not always say so to EGL.
     for (const char* program : {"llvmpipe", "softpipe", "SwiftShader"})
       if (info.name.find(program) != std::string::npos) info.is_hardware = false;
-    const std::string missing = what_is_missing();
+    std::string missing = what_is_missing();
     release();
     return missing;
   }
@@ -197,7 +197,7 @@ void Device::Use::check() const {
   if (tells_resets && glGetGraphicsResetStatus() != GL_NO_ERROR) throw lost();
   // One at a time, until there is none.
   std::optional<GLenum> first;
-  for (GLenum error; (error = glGetError()) != GL_NO_ERROR;) {
+  for (GLenum error = 0; (error = glGetError()) != GL_NO_ERROR;) {
     if (!first) first = error;
     if (error == GL_CONTEXT_LOST) break;
   }

@@ -16,8 +16,8 @@ struct EditErrors::Objects {
 };
 
 EditErrors::EditErrors(std::shared_ptr<Device> device, MetricKind metric, const Image& original,
-                       const Frame& frame)
-    : device_(std::move(device)), frame_(frame) {
+                       Frame frame)
+    : device_(std::move(device)), frame_(std::move(frame)) {
   const Device::Use use(*device_);
   objects_ = std::make_unique<Objects>(use, metric, original);
   use.check();

@@ -15,8 +15,7 @@ namespace gradmesh {
 /// call may throw DeviceError; then it is of no further use.
 class EditErrors {
  public:
-  EditErrors(std::shared_ptr<Device> device, MetricKind metric, const Image& original,
-             const Frame& frame);
+  EditErrors(std::shared_ptr<Device> device, MetricKind metric, const Image& original, Frame frame);
   ~EditErrors();
 
   /// The picture that the edits start from.

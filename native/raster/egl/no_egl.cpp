@@ -11,8 +11,8 @@ std::vector<DeviceInfo> Device::list() { return {}; }
 std::shared_ptr<Device> Device::open(bool) { return nullptr; }
 
 struct EditErrors::Objects {};
-EditErrors::EditErrors(std::shared_ptr<Device> device, MetricKind, const Image&, const Frame& frame)
-    : device_(std::move(device)), frame_(frame) {}
+EditErrors::EditErrors(std::shared_ptr<Device> device, MetricKind, const Image&, Frame frame)
+    : device_(std::move(device)), frame_(std::move(frame)) {}
 EditErrors::~EditErrors() = default;
 void EditErrors::start(const Painting&) {}
 void EditErrors::submit(std::span<const EditTile>) {}
