@@ -45,8 +45,9 @@ class Collector {
     if (is_container) {
       for (xmlNode* child : child_elements(node)) visit(child, context);
     } else {
-      if (context.fill && name != "line") add(node, PaintRole::fill, context.fill, context.kept);
-      if (context.stroke) add(node, PaintRole::stroke, context.stroke, context.kept);
+      for (const auto& [role, gradient] :
+           {std::pair(PaintRole::fill, context.fill), std::pair(PaintRole::stroke, context.stroke)})
+        if (gradient && can_paint(node, role)) add(node, role, gradient, context.kept);
     }
   }
 
@@ -69,6 +70,11 @@ class Collector {
 };
 
 }  // namespace
+
+bool can_paint(const xmlNode* node, PaintRole role) {
+  const std::string_view name = svg_name(node);
+  return contains(paintables, name) && (role == PaintRole::stroke || name != "line");
+}
 
 std::optional<std::string> referenced_id(std::string_view paint) {
   if (!lower(paint.substr(0, 4)).starts_with("url(")) return std::nullopt;

@@ -32,7 +32,7 @@ class ShapeRestorer {
       : document_(document),
         group_(object.node),
         outermost_(outermost_group(object.node)),
-        stroke_(object.role == PaintRole::stroke),
+        role_(object.role),
         id_(object_id(object.node)) {}
 
   void check() {
@@ -52,16 +52,17 @@ class ShapeRestorer {
     set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
     const std::string name = document_.give_id(gradient, id_ + "-mesh");
     const std::string paint = "url(#" + name + ")" + (fallback.empty() ? "" : " " + fallback);
-    set_style(shape, stroke_ ? "stroke" : "fill", paint);
+    set_style(shape, is_stroke() ? "stroke" : "fill", paint);
 
     remove_node(outermost_);
     for (const std::string& unused : unused_) remove_if_unused(document_, unused);
     document_.set_id(shape, id_);
-    return {shape, id_, stroke_ ? PaintRole::stroke : PaintRole::fill, gradient};
+    return {shape, id_, role_, gradient};
   }
 
  private:
-  const char* holding_attribute() const { return stroke_ ? "mask" : "clip-path"; }
+  bool is_stroke() const { return role_ == PaintRole::stroke; }
+  const char* holding_attribute() const { return is_stroke() ? "mask" : "clip-path"; }
 
   /// The element that an attribute names.
   xmlNode* named(const xmlNode* node, const char* name) const {
@@ -80,7 +81,8 @@ class ShapeRestorer {
       }
       if (node == outermost_) break;
     }
-    if (!holding_ || child_elements(holding_).size() != 1)
+    const auto held = holding_ ? child_elements(holding_) : std::vector<xmlNode*>();
+    if (held.size() != 1 || !can_paint(held.front(), role_))
       fail(group_, Message("its {0} no longer holds its shape", holding_attribute()));
     unused_.push_back(attribute(holding_, "id").value_or(""));
     if (const xmlNode* mask = opacity_mask(document_, group_))
@@ -91,10 +93,8 @@ class ShapeRestorer {
   xmlNode* take_shape() {
     xmlNode* shape = nullptr;
     for (xmlNode* child : child_elements(outermost_)) {
-      const std::string_view name = svg_name(child);
-      if (name != "g" && name != "title" && name != "desc" && child != group_ &&
-          !attribute(child, "face", gradmesh_namespace))
-        shape = child;
+      const bool is_block = attribute(child, "face", gradmesh_namespace).has_value();
+      if (!is_block && can_paint(child, role_)) shape = child;
     }
     if (!shape) {
       shape = child_elements(holding_).front();
@@ -109,7 +109,8 @@ class ShapeRestorer {
     // Inside another group its opacity is that of the paint alone.
     if (group_ != outermost_) {
       const std::string opacity = take_style(group_, "opacity");
-      if (!opacity.empty()) set_style(shape, stroke_ ? "stroke-opacity" : "fill-opacity", opacity);
+      if (!opacity.empty())
+        set_style(shape, is_stroke() ? "stroke-opacity" : "fill-opacity", opacity);
     }
     if (holder_ == outermost_) remove_attribute(outermost_, holding_attribute());
     if (group_ == outermost_ && opacity_mask(document_, group_)) remove_attribute(group_, "mask");
@@ -140,7 +141,7 @@ class ShapeRestorer {
   SvgDocument& document_;
   xmlNode* group_;
   xmlNode* outermost_;
-  const bool stroke_;
+  const PaintRole role_;
   const std::string id_;
   /// The group that the shape clips or masks, and the clip path or mask.
   xmlNode* holder_ = nullptr;
