@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/svg_group.h"
 #include "io/svg_memory.h"
@@ -23,10 +24,16 @@ Mesh read(const SvgDocument& document, const MeshObject& object) {
                                     : read_mesh_group(document, object.node));
 }
 
-/// The first mesh that can be read, and is not smooth: such are never written in blocks.
+/// The first mesh that can be read, that no other object shares its id with, so that it is found
+/// again, and that is not smooth: such are never written in blocks.
 std::optional<std::pair<MeshObject, Mesh>> first_mesh(SvgDocument& document) {
   std::optional<std::pair<MeshObject, Mesh>> found;
-  for (const MeshObject& object : mesh_objects(document)) {
+  const std::vector<MeshObject> objects = mesh_objects(document);
+  for (const MeshObject& object : objects) {
+    const auto is_alike = [&](const MeshObject& other) {
+      return other.id == object.id && other.role == object.role;
+    };
+    if (std::ranges::count_if(objects, is_alike) > 1) continue;
     accepts([&] { found.emplace(object, read(document, object)); });
     if (found && !found->second.is_smooth()) return found;
   }
