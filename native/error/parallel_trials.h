@@ -25,11 +25,13 @@ class ParallelTrials {
   }
 
   /// Calls `body(trial, i)` for each i in [0, count), lower ones first; the body must leave its
-  /// trial as it found it. `stop(done)` is asked on the calling thread between two of its calls;
-  /// once it is true no more are begun. Whether all were done.
+  /// trial as it found it. `stop(done)` is asked on the calling thread, before anything is begun
+  /// and before each of its calls; once it is true no more are begun. Whether all were done.
   template <class Body>
   bool for_each(std::size_t count, const std::function<bool(std::size_t done)>& stop,
                 const Body& body) {
+    // Now, as others may be done before it gets to its first call.
+    if (stop(0)) return false;
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<std::size_t> next = 0, done = 0;
     std::atomic<bool> stopped = false;

@@ -1,7 +1,6 @@
 // What goes wrong in the middle of a run: no memory, a fault on another thread, a person who stops.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <climits>
 #include <cstdlib>
@@ -173,10 +172,11 @@ TEST(Cancelling, leaves_a_mesh_that_keeps_to_epsilon_wherever_it_happens) {
     const Mesh original = grid_mesh(
         {.rows = 4, .columns = 4, .position_noise = 0.03, .color_noise = 0.03}, unsigned(i) % 16);
     Mesh mesh = original, stopped = original;
-    // How often one of two threads gets to say so follows the moment: it may be never, and the
-    // point may be beyond the end of the second run.
-    const long all = std::max(1L, run_until(LONG_MAX, mesh, options));
+    const long all = run_until(LONG_MAX, mesh, options);
+    ASSERT_GE(all, 1);
     const long point = std::uniform_int_distribution<long>(1, all)(random);
+    // How often one of two threads gets to say so follows the moment, so that the point may be
+    // beyond the end.
     cancelled += run_until(point, stopped, options) == point;
   }
   EXPECT_EQ(cancelled, 1000);
