@@ -7,7 +7,8 @@
 namespace gradmesh {
 
 /// The mesh as the text of a .hemesh file (see HemeshFile). The colour model must be `bicubic`
-/// (as_bicubic makes it so). Opacities are dropped: the format has none.
+/// (as_bicubic makes it so). Opacities and HalfedgeRecord::own_tangents are dropped: the format has
+/// none.
 ///
 /// read_hemesh makes the same mesh of it: patches, T-junctions, sharp colours and tangents bit for
 /// bit, faces in the same order. Elements that are not alive are left out, and the order of the

@@ -95,6 +95,10 @@ struct HalfedgeRecord {
   glm::dvec4 color{0.0};
   /// At a T-junction: false where the colour is kept equal to that of the parent's curve.
   bool own_color = true;
+  /// Bars only, in `bicubic`: by how much the colour tangents at the start and at the end differ
+  /// from those of the parent's curve. Not zero where a side between T-junctions with colours of
+  /// their own was split.
+  std::array<glm::dvec4, 2> own_tangents{glm::dvec4(0.0), glm::dvec4(0.0)};
 
   bool alive = true;
 

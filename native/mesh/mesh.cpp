@@ -38,6 +38,8 @@ Cubic<Value> Mesh::side_of(Halfedge leaf) const {
   if (!is_bar(leaf)) return curve_of(leaf);
   const Interval interval = (*this)[leaf].interval;
   Cubic<Value> curve = curve_of((*this)[leaf].parent).part(interval.first, interval.second);
+  curve.m0.color += (*this)[leaf].own_tangents[0];
+  curve.m1.color += (*this)[leaf].own_tangents[1];
   curve.p0 = {position(origin(leaf)), (*this)[leaf].color};
   curve.p1 = {position(end(leaf)), (*this)[next(leaf)].color};
   return curve;

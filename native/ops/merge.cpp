@@ -72,6 +72,8 @@ class Merge {
       journal_.remove(end.out);
       return parent;
     }
+    const double in = mesh_[end.in].interval.length(), out = mesh_[end.out].interval.length();
+    join_own_tangents(end.in, end.out, in / (in + out));
     edit(end.in).interval.second = mesh_[end.out].interval.second;
     edit(end.in).next_sibling = after;
     journal_.remove(end.out);
@@ -116,6 +118,7 @@ class Merge {
     const double second = end.out == out ? 1.0 : t + (1 - t) * mesh_[end.out].interval.second;
     const Children before = children_over(in, {0, t}, in), after = children_over(out, {t, 1}, in);
     const Halfedge bar = before.last;
+    join_own_tangents(bar, after.first, (t - first) / (second - first));
     edit(bar).interval = {first, second};
     edit(bar).next_sibling = mesh_[after.first].next_sibling;
     edit(in).first_child = before.first;
@@ -211,6 +214,13 @@ class Merge {
     edit(in).handles = {first[0], second[1]};
     const Halfedge back = mesh_[out].twin;
     if (back.valid()) edit(back).handles = {second[1], first[0]};
+  }
+
+  /// The same for what two bars have of their own. `in` becomes the bar instead of both.
+  void join_own_tangents(Halfedge in, Halfedge out, double t) {
+    const glm::dvec4 end = mesh_[out].own_tangents[1] / (1 - t);
+    std::array<glm::dvec4, 2>& own = edit(in).own_tangents;
+    own = {own[0] / t, end};
   }
 
   void close_loop(Face face, const std::array<Halfedge, 4>& loop) {

@@ -1,7 +1,9 @@
 #include "ops/split.h"
 
 #include <cassert>
+#include <glm/geometric.hpp>
 
+#include "mesh/dependence.h"
 #include "ops/refresh.h"
 
 namespace gradmesh {
@@ -43,6 +45,8 @@ class Split {
     const std::array<Halfedge, 4> second_loop{top_cut.second, right, bottom_cut.first, twin};
     close_loop(first, first_loop, parts[0]);
     close_loop(second, second_loop, parts[1]);
+    keep_colors(edge, top_cut, parts[0].side(0), parts[1].side(0));
+    keep_colors(twin, bottom_cut, parts[1].side(2), parts[0].side(2));
     // u and v keep their directions in both parts.
     const int top = top_before == side_    ? 0
                     : top_before == right  ? 1
@@ -95,7 +99,6 @@ class Split {
     after.parent = before.parent;
     after.interval = {at, before.interval.second};
     after.next_sibling = before.next_sibling;
-    after.own_color = false;
     before.interval.second = at;
     before.next_sibling = second;
     return {bar, second, point, before.parent, at};
@@ -133,7 +136,6 @@ class Split {
     edit(h).parent = cut.parent;
     edit(h).interval = {cut.t, cut.t};
     edit(h).next_sibling = cut.second;
-    edit(h).own_color = false;
     edit(cut.first).next_sibling = h;
     journal_.edit(cut.point).stem = journal_.edit(cut.point).halfedge = h;
   }
@@ -147,6 +149,32 @@ class Split {
       record.twist = patch.twist(k);
       record.color = patch.corner(k).color;
     }
+  }
+
+  /// Where the bars at a new T-junction, whose curves are `first` and `second`, have not the
+  /// colours of the parent's curve, since it has colours of its own at one of their other ends,
+  /// they and the stem keep theirs.
+  void keep_colors(Halfedge stem, const Cut& cut, const Cubic<Value>& first,
+                   const Cubic<Value>& second) {
+    if (!cut.parent.valid()) return;
+    const bool own = !is_rounding(second.p0.color - junction_value(mesh_, stem).color);
+    edit(stem).own_color = edit(cut.second).own_color = own;
+    if (mesh_.color_model() == ColorModel::bilinear) return;
+    keep_tangents(cut.first, first);
+    keep_tangents(cut.second, second);
+  }
+
+  void keep_tangents(Halfedge bar, const Cubic<Value>& curve) {
+    edit(bar).own_tangents = {};
+    const Cubic<Value> of_parent = mesh_.side_of(bar);
+    const std::array<glm::dvec4, 2> own{curve.m0.color - of_parent.m0.color,
+                                        curve.m1.color - of_parent.m1.color};
+    if (!is_rounding(own[0]) || !is_rounding(own[1])) edit(bar).own_tangents = own;
+  }
+
+  static bool is_rounding(const glm::dvec4& difference) {
+    constexpr double rounding = 1e-13;
+    return glm::length(difference) <= rounding;
   }
 
   Journal& journal_;

@@ -7,7 +7,9 @@
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "ops/merge.h"
+#include "ops/refresh.h"
 #include "ops/split.h"
+#include "random_meshes.h"
 
 namespace gradmesh {
 namespace {
@@ -96,6 +98,86 @@ TEST(Split, parts_are_the_patch) {
       EXPECT_LE(glm::length(a.position) + glm::length(a.color), 1e-9);
       EXPECT_LE(glm::length(b.position) + glm::length(b.color), 1e-9);
     }
+}
+
+/// Gives half of the half-edges at T-junctions colours of their own.
+void recolor_junctions(Journal& journal, std::mt19937& random) {
+  const Mesh& mesh = journal.mesh();
+  std::uniform_real_distribution<double> channel(0, 1);
+  for (const Halfedge h : mesh.halfedges()) {
+    if (!mesh.is_leaf(h) || !mesh[mesh.origin(h)].is_junction() || random() % 2) continue;
+    journal.begin();
+    journal.edit(h).own_color = true;
+    for (int i = 0; i < 4; ++i) journal.edit(h).color[i] = channel(random);
+    refresh(journal, std::array{mesh.curve(h), mesh.curve(mesh.prev(h))});
+  }
+}
+
+double color_difference(Patch a, Patch b) {
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) a.c[i][j].position = b.c[i][j].position;
+  return difference(a, b);
+}
+
+/// Splits a patch at random; all patches are what they were, and the new ones its parts.
+void expect_exact_split(Journal& journal, std::mt19937& random) {
+  const Mesh& mesh = journal.mesh();
+  const std::vector<Face> faces(mesh.faces().begin(), mesh.faces().end());
+  const Face f = faces[random() % faces.size()];
+  const int k = int(random() % 4);
+  const double t = std::uniform_real_distribution<double>(0.1, 0.9)(random);
+  std::vector<Patch> expected;
+  for (const Face g : faces) expected.push_back(mesh.patch(g));
+  const Patch whole = mesh.patch(f);
+  const bool across = k % 2 == 0;
+  std::array<Patch, 2> parts =
+      across ? whole.split_v(k == 0 ? t : 1 - t) : whole.split_u(k == 1 ? t : 1 - t);
+  if (k > 1) std::swap(parts[0], parts[1]);
+  const Halfedge edge = split(journal, mesh.sides(f)[std::size_t(k)], t);
+  ASSERT_TRUE(sound(mesh));
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Patch now = mesh.patch(faces[i]);
+    const Patch& was = faces[i] == f ? parts[0] : expected[i];
+    EXPECT_LE(color_difference(now, was), 1e-12);
+    EXPECT_LE(difference(now, was), 1e-9);
+  }
+  const Patch other = mesh.patch(mesh.face(mesh[edge].twin));
+  EXPECT_LE(color_difference(other, parts[1]), 1e-12);
+  EXPECT_LE(difference(other, parts[1]), 1e-9);
+}
+
+TEST(Split, is_exact_beside_recoloured_junctions) {
+  for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
+    for (unsigned seed = 0; seed < 60; ++seed) {
+      std::mt19937 random(seed);
+      const MeshParts parts = test::grid_parts({.rows = 4,
+                                                .columns = 4,
+                                                .position_noise = 0.1,
+                                                .color_noise = 0.2,
+                                                .color_model = model},
+                                               random);
+      Mesh mesh = test::changed_mesh(parts, seed, 12, 5);
+      Journal journal(mesh);
+      recolor_junctions(journal, random);
+      for (int i = 0; i < 12; ++i) expect_exact_split(journal, random);
+      ASSERT_FALSE(testing::Test::HasFailure())
+          << "color model " << int(model) << ", seed " << seed;
+    }
+}
+
+TEST(Split, then_merge_gives_back_a_patch_between_recoloured_junctions) {
+  Mesh mesh = test::grid_mesh(
+      {.rows = 2, .columns = 1, .color_noise = 0.2, .color_model = ColorModel::bicubic});
+  Journal journal(mesh);
+  const Halfedge right = mesh[split(journal, mesh.sides(Face{1})[0], 0.3)].twin;
+  split(journal, mesh.sides(mesh.face(right))[0], 0.5);
+  std::mt19937 random(3);
+  recolor_junctions(journal, random);
+  const std::vector<Patch> before = patches(mesh);
+  merge(journal, split(journal, mesh.sides(mesh.face(right))[0], 0.4));
+  const std::vector<Patch> after = patches(mesh);
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) EXPECT_LE(difference(before[i], after[i]), 1e-9);
 }
 
 TEST(Merge, random_sequences_keep_every_invariant) {

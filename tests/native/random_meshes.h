@@ -34,4 +34,12 @@ inline Mesh changed_mesh(const MeshParts& parts, unsigned seed, int steps,
   return mesh;
 }
 
+/// The mesh without what MeshParts and files cannot hold.
+inline Mesh without_own_tangents(Mesh mesh) {
+  Journal journal(mesh);
+  journal.begin();
+  for (const Halfedge h : mesh.halfedges()) journal.edit(h).own_tangents = {};
+  return mesh;
+}
+
 }  // namespace gradmesh::test

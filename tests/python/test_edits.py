@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from built import SAMPLES
-from hemesh_files import grid
+from hemesh_files import SHARED, grid
 
 import gradmesh
 
@@ -127,6 +127,19 @@ def test_refining_here_leaves_the_other_patches_alone(simplified):
     assert here.patches_after == here.patches_before + 3
     across = gradmesh.refine(whole, name, row=1, column=1, whole=True)
     assert across.patches_after > here.patches_after
+
+
+@pytest.mark.skipif(not SHARED.exists(), reason="the authors' meshes are not here")
+@pytest.mark.parametrize("direction", ["rows", "columns"])
+def test_refining_beside_a_recoloured_junction(direction):
+    demo = gradmesh.load(SHARED / "junction-recolor-demo.hemesh")
+    before = gradmesh.convert(demo, "svg", subdivide=1).document
+    chosen = blocks(before, "mesh")
+    assert len(chosen) > 1
+    for name in chosen:
+        refined = gradmesh.loads(before.to_bytes())
+        gradmesh.refine(refined, name, direction=direction, place=0.4)
+        assert look_the_same(before, refined)
 
 
 def test_refining_an_object(tmp_path):
