@@ -226,7 +226,9 @@ Mesh build_mesh(const MeshParts& parts) {
   const std::size_t patches = parts.patches.size(), most = limits().patches;
   if (patches > most)
     throw InputError("it has {0} patches, {1}.", patches, beyond_limit("patches", most, patches));
-  return MeshBuilder(parts).build();
+  return build_derived_mesh(parts);
 }
+
+Mesh build_derived_mesh(const MeshParts& parts) { return MeshBuilder(parts).build(); }
 
 }  // namespace gradmesh

@@ -11,7 +11,12 @@ namespace gradmesh {
 /// the parent's (by more than the rounding to 8 bits, or to six digits in `bicubic`).
 ///
 /// Half-edge 4 * patch + side keeps its index, and face i is patch i.
-/// Throws InputError where the parts do not fit together or a curve hangs on itself (4.4).
+/// Throws InputError where the parts do not fit together or a curve hangs on itself (4.4), and
+/// where there are more patches than the limit (base/limits.h).
 Mesh build_mesh(const MeshParts& parts);
+
+/// The same of parts that were made of a mesh which keeps to the limit: there is none on how many
+/// they are.
+Mesh build_derived_mesh(const MeshParts& parts);
 
 }  // namespace gradmesh

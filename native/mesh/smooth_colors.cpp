@@ -188,7 +188,7 @@ Mesh painted_mesh(const Mesh& mesh) {
       for (int column = 0; column < grid.columns(); ++column)
         append_row(patches[column], colors[column], i, parts.patches);
   }
-  return build_mesh(parts);
+  return build_derived_mesh(parts);
 }
 
 }  // namespace gradmesh

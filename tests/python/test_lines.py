@@ -207,6 +207,18 @@ def test_converted_its_colours_are_bicubic(tmp_path):
     assert gradmesh.load(out).meshes[0].patches == 88
 
 
+def test_the_limit_counts_the_patches_of_the_document_not_those_that_are_painted(tmp_path):
+    smooth, out = tmp_path / "photo.svg", tmp_path / "out.svg"
+    text = (SAMPLES / "photo.svg").read_text()
+    smooth.write_text(text.replace("<meshgradient ", '<meshgradient type="bicubic" '))
+    assert gradmesh.load(smooth).meshes[0].smooth
+    options = ("--resolution", 100, "--epsilon", 0.02)
+    done = run("simplify", smooth, "-o", out, *options)
+    assert done.returncode == 0 and gradmesh.load(out).meshes[0].patches < 400
+    assert run("render", smooth, "-o", tmp_path / "out.png").returncode == 0
+    assert run("compare", smooth, out).returncode == 0
+
+
 def test_what_the_outline_hides_need_not_count_for_a_smooth_mesh_either():
     """Its mesh has other units than the object; a corner of the vase shows all that there is."""
     text = VASE.read_text()
