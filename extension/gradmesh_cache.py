@@ -7,7 +7,7 @@ longest goes first.
 
 from contextlib import contextmanager
 
-from gradmesh_text import cache_folder
+from gradmesh_log import cache_folder
 
 LARGEST = 64 * 2**20  # bytes
 

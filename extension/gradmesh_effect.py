@@ -6,13 +6,17 @@ silent; one that does not, or that was only to tell something, writes plain sent
 document as it is.
 """
 
+import gradmesh_attended  # first of all, so that what fails from here on is told to somebody
+
 import io
 import os
 import sys
 import traceback
 from contextlib import contextmanager
 
-from gradmesh_text import _, log, sentence, translated, why_it_does_not_load
+from gradmesh_log import log
+from gradmesh_report import report
+from gradmesh_text import _, sentence, translated, why_it_does_not_load
 
 # Drivers of graphics processors that gradmesh looks at would otherwise warn on stderr.
 os.environ.setdefault("EGL_LOG_LEVEL", "fatal")
@@ -28,13 +32,24 @@ try:
         load_svg,
     )
 except ImportError as missing:
-    sys.exit(why_it_does_not_load(missing))
+    report.messages.append(why_it_does_not_load(missing))
+    sys.exit(report.messages[-1])
 
 
 NAMESPACE = "urn:gradmesh"
 etree.register_namespace("gradmesh", NAMESPACE)
 #: Of elements that Show Analysis has added.
 MARK = f"{{{NAMESPACE}}}analysis"
+
+
+class NothingToDo(AbortExtension):
+    """Raised with a sentence where the document stays as it is though nothing is wrong."""
+
+
+def say(text):
+    """Says something although the run goes on."""
+    errormsg(text)
+    report.messages.append(text)
 
 
 class Gradmesh:
@@ -49,13 +64,21 @@ class Gradmesh:
     def run(self, *args, **keywords):
         try:
             super().run(*args, **keywords)
+            report.outcome = report.outcome or "done"
+        except SystemExit as end:  # by inkex, which has told the message of an AbortExtension
+            refusal = end.__context__
+            report.outcome = "unchanged" if isinstance(refusal, NothingToDo) else "refused"
+            report.messages.append(str(refusal))
+            raise
         except Exception as error:  # pylint: disable=broad-except
             where = log(traceback.format_exc())
             fault = _("Nothing was done because of a fault in gradmesh ({fault}).")
             if where:
                 fault = _("Nothing was done because of a fault in gradmesh ({fault}), described in {file}.")
-            errormsg(fault.format(fault=type(error).__name__, file=where))
+            say(fault.format(fault=type(error).__name__, file=where))
             sys.exit(1)
+        finally:
+            report.ids = getattr(self.options, "ids", [])
 
 
 class _GradmeshDocument(Gradmesh):

@@ -4,6 +4,7 @@
 
 from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
 from gradmesh_inkex import AbortExtension
+from gradmesh_report import report
 from gradmesh_text import _
 
 
@@ -17,7 +18,7 @@ class Merge(GradmeshEffect):
             )
         self.chosen_elements()
         with refusals_as_sentences():
-            gradmesh.merge(self.meshes, self.options.ids)
+            report.meshes = [gradmesh.merge(self.meshes, self.options.ids)]
         self.take_over()
 
 

@@ -4,6 +4,7 @@
 
 from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
 from gradmesh_inkex import AbortExtension, Boolean
+from gradmesh_report import report
 from gradmesh_text import _
 
 
@@ -27,7 +28,7 @@ class Refine(GradmeshEffect):
             )
         self.chosen_elements()
         with refusals_as_sentences():
-            gradmesh.refine(
+            edit = gradmesh.refine(
                 self.meshes,
                 options.ids[0],
                 direction=options.direction,
@@ -36,6 +37,7 @@ class Refine(GradmeshEffect):
                 column=options.column or None,
                 whole=options.whole,
             )
+        report.meshes = [edit]
         self.take_over()
 
 

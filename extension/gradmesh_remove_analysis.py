@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Remove Analysis: takes away the layers of Show Analysis."""
 
-from gradmesh_effect import MARK, Gradmesh
-from gradmesh_inkex import AbortExtension, EffectExtension
+from gradmesh_effect import MARK, Gradmesh, NothingToDo
+from gradmesh_inkex import EffectExtension
 from gradmesh_text import _
 
 
@@ -13,7 +13,7 @@ class RemoveAnalysis(Gradmesh, EffectExtension):
     def effect(self):
         layers = [element for element in self.svg.iter("{*}g") if element.get(MARK)]
         if not layers:
-            raise AbortExtension(_("There is no analysis in this document."))
+            raise NothingToDo(_("There is no analysis in this document."))
         for layer in layers:
             layer.getparent().remove(layer)
 

@@ -4,8 +4,8 @@
 
 from itertools import count
 
-from gradmesh_cache import analysis_cache
 from gradmesh_effect import MARK, GradmeshEffect, gradmesh, refusals_as_sentences
+from gradmesh_cache import analysis_cache
 from gradmesh_inkex import etree, load_svg
 from gradmesh_text import _
 from gradmesh_window import LongWork

@@ -4,10 +4,12 @@
 
 import re
 
+from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences, say
 from gradmesh_cache import analysis_cache
-from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
-from gradmesh_inkex import AbortExtension, Boolean, errormsg
-from gradmesh_text import _, log
+from gradmesh_inkex import AbortExtension, Boolean
+from gradmesh_log import log
+from gradmesh_report import report
+from gradmesh_text import _
 from gradmesh_window import LongWork
 
 # The largest error of each amount that the dialog offers by name. Of FLIP a person sees 0.01 hardly
@@ -52,10 +54,12 @@ class Simplify(GradmeshEffect):
             options = self.core_options()
             work = LongWork(self.title(ids), lambda tell: self.simplify(ids, options, tell))
             results = work.run()
+        report.meshes = results
         if all(result.patches_after == result.patches_before for result in results):
-            raise AbortExtension(self.why_nothing_changed(results))
+            raise NothingToDo(self.why_nothing_changed(results))
         if self.options.preview:
-            errormsg("\n".join(map(self.what_would_change, results)))
+            say("\n".join(map(self.what_would_change, results)))
+            report.outcome = "unchanged"
         else:
             self.take_over()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What the extension says, in the person's language, and the log for what it does not say."""
+"""What the extension says, in the person's language."""
 
 import gettext
 import importlib.util
@@ -30,29 +30,6 @@ def translated(message):
         return message
     template, arguments = message
     return _(template).format(*map(translated, arguments))
-
-
-def cache_folder():
-    """The user's folder for what may be deleted at any time; it need not exist."""
-    cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    return Path(cache) / "gradmesh"
-
-
-def log_file():
-    """The open log, made where it is not there yet; OSError where that fails."""
-    folder = cache_folder()
-    folder.mkdir(parents=True, exist_ok=True)
-    return open(folder / "extension.log", "a", encoding="utf-8")
-
-
-def log(text):
-    """Adds to the log; its name, or nothing where that fails."""
-    try:
-        with log_file() as stream:
-            stream.write(text + "\n")
-    except OSError:
-        return None
-    return stream.name
 
 
 def why_it_does_not_load(error):

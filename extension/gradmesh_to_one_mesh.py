@@ -3,6 +3,7 @@
 """Extensions > Gradient Mesh > To One Mesh: blocks become one ordinary mesh gradient again."""
 
 from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
+from gradmesh_report import report
 
 
 class ToOneMesh(GradmeshEffect):
@@ -11,7 +12,7 @@ class ToOneMesh(GradmeshEffect):
     def effect(self):
         ids = self.selected_meshes()
         with refusals_as_sentences():
-            gradmesh.to_one_mesh(self.meshes, ids)
+            report.meshes = gradmesh.to_one_mesh(self.meshes, ids)
         self.take_over()
 
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Update after Editing: blocks that were edited fit together again."""
 
-from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
-from gradmesh_inkex import AbortExtension
+from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences
+from gradmesh_report import report
 from gradmesh_text import _
 
 
@@ -14,8 +14,9 @@ class Update(GradmeshEffect):
         ids = self.selected_meshes()
         with refusals_as_sentences():
             results = gradmesh.update(self.meshes, ids)
+        report.meshes = results
         if not any(result.changed for result in results):
-            raise AbortExtension(
+            raise NothingToDo(
                 _("{meshes}: all blocks fit together, so there was nothing to do.").format(
                     meshes=", ".join(result.id for result in results)
                 )

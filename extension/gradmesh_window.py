@@ -2,7 +2,8 @@
 """A small window beside long work: how far it is, and a button that stops it.
 
 Inkscape waits for an extension, blocked, and cannot stop it. The window opens only where the work
-takes longer than a person waits without wondering; without GTK or a display the work runs alone.
+takes longer than a person waits without wondering; without a person, GTK or a display the work runs
+alone, as long as it is allowed to take.
 """
 
 import os
@@ -10,7 +11,9 @@ import sys
 import threading
 from contextlib import contextmanager
 
-from gradmesh_text import _, log_file
+from gradmesh_attended import ATTENDED
+from gradmesh_log import log_once, send_stderr_to_the_log
+from gradmesh_text import _
 
 PATIENCE = 1.5  # seconds until the window opens
 REFRESH = 100  # milliseconds
@@ -31,7 +34,7 @@ class LongWork:
         """What the work returns or raises; where it was stopped it says so itself."""
         thread = threading.Thread(target=self._run, daemon=True)
         thread.start()
-        if not self._ended.wait(PATIENCE):
+        if not self._ended.wait(PATIENCE) and ATTENDED:
             with stderr_in_the_log():
                 show(self)
         thread.join()
@@ -120,7 +123,13 @@ def toolkit():
 
         gi.require_version("Gtk", "3.0")
         from gi.repository import GLib, Gtk
-    except (ImportError, ValueError):
+    except (ImportError, ValueError) as missing:
+        log_once(
+            _(
+                "Long work shows no window with a button that stops it, because Python finds no GTK 3 "
+                "({error}); on Debian it is in the packages python3-gi and gir1.2-gtk-3.0."
+            ).format(error=missing)
+        )
         return None, None
     return (Gtk, GLib) if Gtk.init_check(None)[0] else (None, None)
 
@@ -130,12 +139,7 @@ def stderr_in_the_log():
     """What GTK grumbles would open a dialog in Inkscape."""
     sys.stderr.flush()
     before = os.dup(2)
-    try:
-        with log_file() as log:
-            os.dup2(log.fileno(), 2)
-    except OSError:
-        with open(os.devnull, "wb") as nowhere:
-            os.dup2(nowhere.fileno(), 2)
+    send_stderr_to_the_log()
     try:
         yield
     finally:

@@ -216,8 +216,10 @@ class Inkscape:
     def run_actions(
         self, svg_in, actions: Sequence[str], timeout: Optional[float] = None
     ) -> Finished:
-        """Opens `svg_in` and runs `actions` one after the other; Timeout past `timeout` seconds."""
-        command = [INKSCAPE, "--batch-process", "--actions=" + ";".join(actions), str(svg_in)]
+        """Opens `svg_in`, or several in turn, and runs `actions` one after the other on each; Timeout
+        past `timeout` seconds."""
+        documents = map(str, [svg_in] if isinstance(svg_in, (str, Path)) else svg_in)
+        command = [INKSCAPE, "--batch-process", "--actions=" + ";".join(actions), *documents]
         return run(command, self.env, timeout or self.timeout)
 
     def run_extension(
@@ -245,9 +247,11 @@ class Inkscape:
         """Runs an extension as `run_extension` does; what it says, which a dialog would show.
 
         Inkscape would wait for ever for somebody to close the dialog, so it never gets to know.
+        gradmesh gets to know that somebody listens.
         """
         said, python = self.home / "said", self.home / "python-with-said"
-        python.write_text(f'#!/bin/sh\nexec /usr/bin/python3 "$@" 2>"{said}"\n')
+        run_python = 'GRADMESH_UNATTENDED=0 exec /usr/bin/python3 "$@"'
+        python.write_text(f'#!/bin/sh\n{run_python} 2>"{said}"\n')
         python.chmod(0o755)
         values = self._values
         self.set_values({**values, "python-interpreter": str(python)})

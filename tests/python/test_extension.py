@@ -1,5 +1,6 @@
 """The extension keeps inkex's conventions, and does what it says when run as Inkscape runs it."""
 
+import json
 import os
 import re
 import subprocess
@@ -425,3 +426,22 @@ def test_long_work_is_stopped_and_says_what_became_of_it(extension):
     env = {**os.environ, "DISPLAY": "", "LANGUAGE": "en"}
     done = subprocess.run([PYTHON, "-c", check], cwd=extension, env=env, capture_output=True)
     assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_without_gtk_the_log_says_so_once_and_the_time_limit_holds(run, extension, tmp_path):
+    (tmp_path / "gi.py").write_text("raise ImportError('there is no gi')")
+    report, log = tmp_path / "report", tmp_path / "cache" / "gradmesh" / "extension.log"
+    path = os.pathsep.join(map(str, (tmp_path, extension.parent, INKEX)))
+    for _ in range(2):
+        done = run(
+            SAMPLES / "photo.svg",
+            "--resolution=4000",
+            "--time_budget=2",
+            PYTHONPATH=path,
+            GRADMESH_REPORT=str(report),
+        )
+        assert done.stderr == "" or "in 2 seconds" in refused(done)
+    ((first,), (second,)) = (json.loads(line)["meshes"] for line in report.read_text().splitlines())
+    assert first["stopped"] == second["stopped"] == "budget"
+    said = log.read_text()
+    assert said.count("gir1.2-gtk-3.0") == said.count("there is no gi") == 1

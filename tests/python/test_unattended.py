@@ -1,0 +1,307 @@
+"""In Inkscape without a person nothing waits for one, and a script learns what became of each document."""
+
+import json
+import os
+import shutil
+import subprocess
+import xml.etree.ElementTree as ET
+
+import pytest
+
+import inkscape_harness
+from bad_documents import BAD
+from built import PYTHON, ROOT, SAMPLES, install_extension
+from extension_runs import extension, run  # noqa: F401
+from inkscape_harness import Inkscape
+from svg_meshes import Document
+
+import gradmesh
+
+ITEMS = sorted(file.stem.removeprefix("gradmesh_") for file in (ROOT / "inx").glob("*.inx"))
+REAL = ROOT.parent / "shared" / "real"
+SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
+
+reason = inkscape_harness.missing()
+pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
+
+
+# Who is there.
+
+ASK = [PYTHON, "-c", "from gradmesh_attended import is_attended; print(is_attended())"]
+
+
+@pytest.mark.parametrize(
+    "words, told, attended",
+    [
+        ([], {}, True),
+        (["--batch-process"], {}, False),
+        (["--batch-process", "in.svg"], {"GRADMESH_UNATTENDED": "0"}, True),
+        (["--", "--batch-process"], {}, True),  # the name of a file
+        (["--actions=x;y", "--export-filename=out.svg"], {}, True),
+        ([], {"GRADMESH_UNATTENDED": "1"}, False),
+        ([], {"GRADMESH_UNATTENDED": "perhaps"}, True),
+    ],
+)
+def test_whoever_reads_what_is_written_tells_by_its_command_line(extension, words, told, attended):
+    read = [PYTHON, "-c", "print(input())", *words]
+    env = {**os.environ, "GRADMESH_UNATTENDED": "", **told}
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(read, text=True, **pipes) as reader:
+        subprocess.run(ASK, cwd=extension, env=env, stdout=reader.stdin, timeout=60)
+        assert reader.communicate(timeout=60)[0] == f"{attended}\n"
+
+
+def test_what_cannot_be_seen_is_a_person(extension, tmp_path):
+    """Where a file is written there is no process that reads."""
+    with open(tmp_path / "said", "w+") as said:
+        subprocess.run(ASK, cwd=extension, stdout=said, timeout=60)
+        said.seek(0)
+        assert said.read() == "True\n"
+
+
+@pytest.mark.parametrize("item", ITEMS)
+def test_no_item_says_anything_where_nobody_is(run, extension, tmp_path, item):
+    """Not even where a module does not load that comes before all others."""
+    report = tmp_path / "report"
+    text = extension / "gradmesh_text.py"
+    sound = text.read_text()
+    text.write_text("raise RuntimeError('broken')")
+    try:
+        env = {"GRADMESH_UNATTENDED": "1", "GRADMESH_REPORT": str(report)}
+        done = run(SAMPLES / "tensor.svg", item=item, **env)
+    finally:
+        text.write_text(sound)
+    assert (done.stdout, done.stderr) == ("", "") and done.returncode != 0
+    (line,) = lines(report)
+    assert (line["outcome"], line["message"]) == ("fault", "RuntimeError: broken")
+    assert line["document"] == "/home/somebody/apple.svg"
+    assert line["action"] == f"org.gradmesh.{item}".replace("_", "-")
+    assert "Traceback" in (tmp_path / "cache" / "gradmesh" / "extension.log").read_text()
+
+
+def test_a_person_is_told_and_the_report_is_written_too(run, tmp_path):
+    report = tmp_path / "report"
+    done = run(SAMPLES / "fruit.svg", "--id=stem", GRADMESH_REPORT=str(report))
+    (line,) = lines(report)
+    assert done.stderr == line["message"] + "\n" and line["outcome"] == "refused"
+    assert line["ids"] == ["stem"]
+
+
+def test_a_report_that_cannot_be_written_stops_nothing(run, tmp_path):
+    done = run(SAMPLES / "fruit.svg", "--id=pear", item="refine", GRADMESH_REPORT=str(tmp_path))
+    assert (done.returncode, done.stderr) == (0, "") and "<svg" in done.stdout
+    log = tmp_path / "cache" / "gradmesh" / "extension.log"
+    assert "GRADMESH_REPORT" in log.read_text()
+
+
+# In Inkscape.
+
+
+def lines(report):
+    """The lines that runs have added to their report."""
+    return [json.loads(line) for line in report.read_text().splitlines()] if report.exists() else []
+
+
+def content(svg):
+    """The document, whatever file it was read from and window it was seen in."""
+    view, name = SODIPODI + "namedview", SODIPODI + "docname"
+    return ET.canonicalize(from_file=svg, exclude_tags=[view], exclude_attrs=[name])
+
+
+def written(path):
+    return [f"export-filename:{path}", "export-do"]
+
+
+def chosen(action, *ids):
+    """The actions that select these objects and run an item."""
+    select = [f"select-by-id:{','.join(ids)}"] if ids else []
+    return ["select-clear", *select, f"org.gradmesh.{action}.noprefs"]
+
+
+@pytest.fixture(scope="module")
+def inkscape(extension):
+    with Inkscape(timeout=100) as running:
+        running.install(extension)
+        yield running
+
+
+@pytest.fixture
+def report(tmp_path, monkeypatch):
+    """The file to which every run in Inkscape adds what became of the document."""
+    report = tmp_path / "report.jsonl"
+    monkeypatch.setenv("GRADMESH_REPORT", str(report))
+    return report
+
+
+@pytest.fixture(scope="module")
+def simple(tmp_path_factory):
+    """The sample "fruit", its pear simplified."""
+    svg = tmp_path_factory.mktemp("simple") / "fruit.svg"
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    gradmesh.simplify(document, "pear", method="grid", epsilon=0.03, resolution=200)
+    gradmesh.save(document, svg)
+    return svg
+
+
+#: What each item says of the simplified fruit where there is nothing that it can do.
+REFUSALS = [
+    ("simplify", ["stem"], "refused", "None of the selected objects"),
+    ("merge", [], "refused", "Select two or more blocks"),
+    ("merge", ["pear"], "refused", "no block of a simplified mesh"),
+    ("refine", [], "refused", "Select one block"),
+    ("refine", ["stem"], "refused", "no block of a simplified mesh"),
+    ("update", ["stem"], "refused", "None of the selected objects"),
+    ("update", ["pear"], "unchanged", "fit together"),
+    ("to-one-mesh", [], "refused", "Select an object"),
+    ("show-analysis", ["stem"], "refused", "None of the selected objects"),
+    ("remove-analysis", [], "unchanged", "There is no analysis"),
+]
+
+
+def test_no_refusal_stops_the_run(inkscape, simple, report, tmp_path):
+    plain, after = tmp_path / "plain.svg", tmp_path / "after.svg"
+    actions = [action for item, ids, *_ in REFUSALS for action in chosen(item, *ids)]
+    inkscape.run_actions(simple, [*written(plain), *actions, *written(after)])
+    found = lines(report)
+    for line, (item, ids, outcome, words) in zip(found, REFUSALS):
+        assert (line["action"], line["ids"]) == (f"org.gradmesh.{item}", ids)
+        assert line["outcome"] == outcome and words in line["message"]
+        assert line["document"] == str(simple)
+    assert len(found) == len(REFUSALS)
+    assert content(after) == content(plain)
+
+
+def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
+    inkscape.set_values({"org.gradmesh.simplify.resolution": "100"})
+    items = ["show-analysis", "remove-analysis", "refine", "to-one-mesh", "simplify"]
+    block = next(iter(Document(simple).blocks()))
+    ids = ["pear", "pear", block, "pear", "pear"]
+    inkscape.run_actions(simple, [action for pair in zip(items, ids) for action in chosen(*pair)])
+    found = lines(report)
+    assert [line["action"] for line in found] == [f"org.gradmesh.{item}" for item in items]
+    assert {line["outcome"] for line in found} == {"done"}
+    assert {line["message"] for line in found} == {""}
+    (refined,), (whole,), (simplified,) = (line["meshes"] for line in found[2:])
+    assert refined["patches_before"] < refined["patches_after"] == whole["patches_before"]
+    assert whole["patches_after"] == simplified["patches_before"] > simplified["patches_after"]
+    assert {mesh["id"] for mesh in (refined, whole, simplified)} == {"pear"}
+    assert 0 < simplified["error"] <= 0.01
+
+
+@pytest.mark.parametrize(
+    "values, outcome, words",
+    [
+        ({"method": "magic"}, "refused", "'magic'"),
+        ({"method": "manual"}, "refused", "needs the edges"),
+        ({"method": "manual", "edges": "100, 120", "preview": "true"}, "unchanged", "34 of 36 patches"),
+        ({"method": "manual", "edges": "100", "amount": "patches"}, "refused", "that are named"),
+        ({"method": "random", "epsilon": 0}, "unchanged", "no patches can be merged within an error"),
+    ],
+)
+def test_settings(inkscape, report, tmp_path, values, outcome, words):
+    plain, after = tmp_path / "plain.svg", tmp_path / "after.svg"
+    values = {"amount": "custom", "resolution": 2000, "visible_only": "false", **values}
+    inkscape.set_values({f"org.gradmesh.simplify.{name}": value for name, value in values.items()})
+    actions = [*written(plain), *chosen("simplify", "stalk"), *written(after)]
+    inkscape.run_actions(SAMPLES / "two.svg", actions)
+    (line,) = lines(report)
+    assert line["outcome"] == outcome and words in line["message"]
+    assert content(after) == content(plain)
+
+
+#: Of the documents that gradmesh refuses those that Inkscape opens.
+OPENED = ["no mesh", "missing stops", "bad colour", "dangling href", "huge", "zero size"]
+
+
+def test_bad_documents_in_one_run(inkscape, report, tmp_path):
+    inkscape.set_values({})
+    files = [tmp_path / f"{name}.svg" for name in OPENED]
+    for file in files:
+        file.write_text(BAD[file.stem].text)
+    done = inkscape.run_actions(files, chosen("simplify", "box"))
+    assert done.returncode == 0
+    found = lines(report)
+    assert [line["document"] for line in found] == list(map(str, files))
+    for line, name in zip(found, OPENED):
+        assert line["outcome"] == "refused"
+        assert all(word in line["message"] for word in BAD[name].words)
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".hemesh"])
+def test_hemesh_files(inkscape, report, tmp_path, suffix):
+    """Refused, Inkscape 1.2.2 writes no file; of a document that it cannot save it ends at once."""
+    inkscape.set_values({})
+    if suffix == ".svg":
+        inkscape.run_actions(SAMPLES / "two.svg", written(tmp_path / "out.hemesh"))
+        action, words = "org.gradmesh.save", "holds one gradient mesh"
+    else:
+        (tmp_path / "bad.hemesh").write_text("HEMESH\nnot a mesh\n")
+        inkscape.run_actions(tmp_path / "bad.hemesh", written(tmp_path / "out.svg"))
+        action, words = "org.gradmesh.open", "is not a whole number"
+    (line,) = lines(report)
+    assert (line["action"], line["outcome"]) == (action, "refused") and words in line["message"]
+    assert not list(tmp_path.glob("out.*"))
+
+
+LOUD = "import os, warnings\nwarnings.warn('a warning')\nos.write(2, b'of a library')\n"
+FAULTS = {
+    "at the start": ("gradmesh_text.py", lambda text: "raise RuntimeError('broken')", "RuntimeError: broken"),
+    "before the report": ("gradmesh_report.py", lambda text: "raise RuntimeError('broken')", None),
+    "in a module beside": ("gradmesh_cache.py", lambda text: "import nothing", "No module named 'nothing'"),
+    "in the package": ("gradmesh/api.py", lambda text: "import nothing", "install gradmesh again"),
+    "in the run": ("gradmesh/api.py", lambda text: text.replace("to_bytes(", "to_nothing("), "AttributeError"),
+    "abort": ("gradmesh/api.py", lambda text: text.replace("edges = list(edges)", "os.abort()"), None),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_faults(report, tmp_path, fault):
+    """Where the report cannot be written either, the log says that there was a run."""
+    plain, after = tmp_path / "plain.svg", tmp_path / "after.svg"
+    file, broken, words = FAULTS[fault]
+    with Inkscape() as inkscape:
+        installed = inkscape.extensions / "gradmesh"
+        inkscape.install(install_extension(tmp_path / "installed"))
+        (installed / file).write_text(broken((installed / file).read_text()))
+        actions = [*written(plain), *chosen("simplify", "silk"), *written(after)]
+        inkscape.run_actions(SAMPLES / "tensor.svg", actions)
+        log = (inkscape.home / "cache" / "gradmesh" / "extension.log").read_text()
+    assert content(after) == content(plain)
+    found = lines(report)
+    if words:
+        (line,) = found
+        assert line["outcome"] == "fault" and words in line["message"]
+        assert words in log or line["message"] in log
+    else:
+        assert found == [] and "gradmesh_simplify.py" in log
+
+
+def test_warnings_and_libraries_are_heard_by_nobody(report, tmp_path):
+    with Inkscape() as inkscape:
+        inkscape.install(install_extension(tmp_path / "installed"))
+        text = inkscape.extensions / "gradmesh" / "gradmesh_text.py"
+        text.write_text(LOUD + text.read_text())
+        inkscape.run_actions(SAMPLES / "tensor.svg", chosen("refine", "silk"))
+        log = (inkscape.home / "cache" / "gradmesh" / "extension.log").read_text()
+    (line,) = lines(report)
+    assert line["outcome"] == "done"
+    assert "a warning" in log and "of a library" in log
+
+
+@pytest.mark.skipif(not REAL.is_dir(), reason=f"there is no {REAL}")
+def test_documents_of_others_do_not_hold_up_the_run(inkscape, report, tmp_path):
+    inkscape.set_values({"org.gradmesh.simplify.resolution": "200"})
+    files = [REAL / "elementary-wallpaper-64.svg", REAL / "nordzy-carla.svg", SAMPLES / "tensor.svg"]
+    copies = [tmp_path / file.name for file in files]
+    for file, copy in zip(files, copies):
+        shutil.copyfile(file, copy)
+    export = ["export-overwrite", "export-do"]
+    inkscape.run_actions(copies, export)
+    plain = list(map(content, copies))
+    inkscape.run_actions(copies, [*chosen("simplify"), *export])
+    found = lines(report)
+    assert [line["document"] for line in found] == list(map(str, copies))
+    for line, copy, before in zip(found, copies, plain):
+        assert line["outcome"] in ("done", "unchanged")
+        assert (content(copy) != before) == (line["outcome"] == "done")
+    assert found[-1]["outcome"] == "done"
