@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <string>
-#include <utility>
 
 #include "io/svg_color_names.h"
 #include "io/svg_scanner.h"
@@ -14,32 +14,27 @@
 namespace gradmesh {
 namespace {
 
-glm::dvec4 from_bytes(std::uint32_t rgba) {
-  return glm::dvec4(rgba >> 24, (rgba >> 16) & 255, (rgba >> 8) & 255, rgba & 255) / 255.0;
+glm::dvec3 from_bytes(std::uint32_t rgb) {
+  return glm::dvec3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255.0;
 }
 
-std::optional<glm::dvec4> parse_name(std::string_view name) {
-  if (name == "transparent") return glm::dvec4(0.0);
+std::optional<glm::dvec3> parse_name(std::string_view text) {
+  const std::string name = lower(text.substr(0, text.find_first_of("; \t\r\n\f")));
   const auto found = std::lower_bound(
       std::begin(named_colors), std::end(named_colors), name,
       [](const NamedColor& color, std::string_view wanted) { return color.name < wanted; });
   if (found == std::end(named_colors) || found->name != name) return std::nullopt;
-  return from_bytes(found->rgb << 8 | 255);
+  return from_bytes(found->rgb);
 }
 
-std::optional<glm::dvec4> parse_hex(std::string_view digits) {
-  std::string full;
-  if (digits.size() == 3 || digits.size() == 4) {
-    for (char digit : digits) full.append(2, digit);
-  } else {
-    full = digits;
-  }
-  if (full.size() == 6) full += "ff";
-  std::uint32_t rgba = 0;
-  const auto [end, error] = std::from_chars(full.data(), full.data() + full.size(), rgba, 16);
-  if (full.size() != 8 || error != std::errc() || end != full.data() + full.size())
-    return std::nullopt;
-  return from_bytes(rgba);
+std::optional<glm::dvec3> parse_hex(std::string_view text) {
+  const std::size_t count = std::min(text.find_first_not_of("0123456789abcdefABCDEF"), text.size());
+  if (count != 3 && count != 6) return std::nullopt;
+  std::uint32_t rgb = 0;
+  std::from_chars(text.data(), text.data() + count, rgb, 16);
+  // Each of three digits stands for two.
+  if (count == 3) rgb = 0x11 * ((rgb & 0xf00) << 8 | (rgb & 0x0f0) << 4 | (rgb & 0x00f));
+  return from_bytes(rgb);
 }
 
 /// An argument of a colour function; `percent` says that '%' followed it.
@@ -48,21 +43,16 @@ struct Argument {
   bool percent = false;
 };
 
-/// Three or four arguments between parentheses, apart by commas or blanks, the fourth also by '/'.
-std::optional<std::pair<std::array<Argument, 4>, int>> parse_arguments(Scanner& scanner) {
-  std::array<Argument, 4> arguments;
-  int count = 0;
-  if (!scanner.accept('(')) return std::nullopt;
-  while (!scanner.accept(')')) {
-    if (count == 4) return std::nullopt;
-    if (count > 0 && !scanner.accept(',') && count == 3) scanner.accept('/');
+/// Three arguments apart by commas, up to the closing parenthesis.
+std::optional<std::array<Argument, 3>> parse_arguments(Scanner scanner) {
+  std::array<Argument, 3> arguments;
+  for (Argument& argument : arguments) {
+    if (&argument != &arguments.front() && !scanner.accept(',')) return std::nullopt;
     const auto value = scanner.number();
     if (!value) return std::nullopt;
-    if (count == 0 && scanner.peek() == 'd' && scanner.word() != "deg") return std::nullopt;
-    arguments[std::size_t(count++)] = {*value, scanner.accept('%')};
+    argument = {*value, scanner.accept('%')};
   }
-  if (count < 3 || !scanner.at_end()) return std::nullopt;
-  return std::pair(arguments, count);
+  return scanner.accept(')') ? std::optional(arguments) : std::nullopt;
 }
 
 /// CSS Color 4, section 7.1; `hue` in degrees.
@@ -76,32 +66,31 @@ glm::dvec3 hsl_to_rgb(double hue, double saturation, double lightness) {
   return {channel(0), channel(8), channel(4)};
 }
 
-std::optional<glm::dvec4> parse_function(std::string_view text) {
-  Scanner scanner(text);
-  const std::string_view name = scanner.word();
-  const bool is_rgb = name == "rgb" || name == "rgba";
-  if (!is_rgb && name != "hsl" && name != "hsla") return std::nullopt;
-  const auto parsed = parse_arguments(scanner);
-  if (!parsed) return std::nullopt;
-  const std::array<Argument, 4>& arguments = parsed->first;
-  const int count = parsed->second;
-  const auto fraction = [&](int i, double whole) {
-    const Argument& argument = arguments[std::size_t(i)];
-    return std::clamp(argument.value / (argument.percent ? 100.0 : whole), 0.0, 1.0);
-  };
-  const double alpha = count == 4 ? fraction(3, 1) : 1.0;
-  if (is_rgb) return glm::dvec4(fraction(0, 255), fraction(1, 255), fraction(2, 255), alpha);
-  return glm::dvec4(hsl_to_rgb(arguments[0].value, fraction(1, 100), fraction(2, 100)), alpha);
+std::optional<glm::dvec3> parse_rgb(std::string_view text) {
+  const auto arguments = parse_arguments(Scanner(text));
+  if (!arguments) return std::nullopt;
+  const auto& [r, g, b] = *arguments;
+  if (r.percent != g.percent || g.percent != b.percent) return std::nullopt;
+  const glm::dvec3 values(r.value, g.value, b.value);
+  return glm::clamp(values / (r.percent ? 100.0 : 255.0), 0.0, 1.0);
+}
+
+std::optional<glm::dvec3> parse_hsl(std::string_view text) {
+  const auto arguments = parse_arguments(Scanner(text));
+  if (!arguments) return std::nullopt;
+  const auto& [hue, saturation, lightness] = *arguments;
+  if (hue.percent || !saturation.percent || !lightness.percent) return std::nullopt;
+  return hsl_to_rgb(hue.value, std::clamp(saturation.value / 100, 0.0, 1.0),
+                    std::clamp(lightness.value / 100, 0.0, 1.0));
 }
 
 }  // namespace
 
-std::optional<glm::dvec4> parse_color(std::string_view text) {
-  std::string color = lower(text);
-  color.resize(std::min(color.size(), color.find("icc-color(")));
-  const std::string_view value = trimmed(color);
+std::optional<glm::dvec3> parse_color(std::string_view text) {
+  const std::string_view value = trimmed(text);
   if (value.starts_with('#')) return parse_hex(value.substr(1));
-  if (value.ends_with(')')) return parse_function(value);
+  if (value.starts_with("rgb(")) return parse_rgb(value.substr(4));
+  if (value.starts_with("hsl(")) return parse_hsl(value.substr(4));
   return parse_name(value);
 }
 

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "geom/written.h"
+#include "io/svg_mesh_names.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
 
@@ -23,9 +24,9 @@ class GradientWriter {
     set_attribute(gradient, "x", coordinate(placed.x));
     set_attribute(gradient, "y", coordinate(placed.y));
     for (int row = 0; row < block_.rows; ++row) {
-      xmlNode* meshrow = add_child(gradient, "meshrow");
+      xmlNode* meshrow = add_child(gradient, mesh_row_name);
       for (int column = 0; column < block_.columns; ++column)
-        write_patch(add_child(meshrow, "meshpatch"), row, column);
+        write_patch(add_child(meshrow, mesh_patch_name), row, column);
     }
   }
 
@@ -108,7 +109,7 @@ void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
                                  const Block& block, const GradientFormat& format,
                                  const std::string& prefix) {
-  xmlNode* gradient = add_child(defs, "meshgradient");
+  xmlNode* gradient = add_child(defs, mesh_gradient_name);
   std::string id = document.give_id(gradient, prefix);
   set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
   write_block_rows(gradient, mesh, block, format);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "base/limits.h"
 #include "io/svg_color.h"
 #include "io/svg_length.h"
+#include "io/svg_mesh_names.h"
 #include "io/svg_scanner.h"
 #include "io/svg_shape.h"
 #include "io/svg_transform.h"
@@ -18,212 +20,233 @@ namespace gradmesh {
 namespace {
 
 /// The gradient and those that its href leads to, in this order.
-std::vector<const xmlNode*> href_chain(const SvgDocument& document, const xmlNode* gradient) {
-  std::vector<const xmlNode*> chain;
+struct HrefChain {
+  std::vector<const xmlNode*> gradients;
+  /// Why the last href leads to no gradient, where there is one. Inkscape does without.
+  std::optional<Message> broken;
+};
+
+HrefChain href_chain(const SvgDocument& document, const xmlNode* gradient) {
+  HrefChain chain;
   std::set<const xmlNode*> seen;
   for (const xmlNode* node = gradient; node;) {
-    if (!seen.insert(node).second) fail(gradient, Message("its href leads back to itself"));
-    chain.push_back(node);
+    if (!seen.insert(node).second) {
+      chain.broken = Message("its href leads back to itself");
+      break;
+    }
+    chain.gradients.push_back(node);
     auto href = attribute(node, "href");
     if (!href) href = attribute(node, "href", xlink_namespace);
     const std::string_view target = trimmed(href ? std::string_view(*href) : "");
     if (target.empty()) break;
-    const xmlNode* next = target.starts_with('#') ? document.find(target.substr(1)) : nullptr;
-    if (!next) fail(node, Message("its href {0} leads nowhere in this document", excerpt(target)));
-    if (svg_name(next) != "meshgradient")
-      fail(node, Message("its href {0} does not lead to a meshgradient", excerpt(target)));
-    node = next;
+    node = target.starts_with('#') ? document.find(target.substr(1)) : nullptr;
+    if (!node)
+      chain.broken = Message("its href {0} leads nowhere in this document", excerpt(target));
+    else if (!is_gradient(node))
+      chain.broken = Message("its href {0} does not lead to a gradient", excerpt(target));
+    if (chain.broken) break;
   }
-  if (const std::size_t most = limits().links; chain.size() > most)
-    fail(gradient, Message("{0} gradients refer to one another, {1}", chain.size(),
-                           beyond_limit("links", most, chain.size())));
+  const std::size_t most = limits().links, count = chain.gradients.size();
+  if (count > most)
+    fail(gradient, Message("{0} gradients refer to one another, {1}", count,
+                           beyond_limit("links", most, count)));
   return chain;
 }
 
-bool uses_bounding_box(const std::vector<const xmlNode*>& chain) {
-  for (const xmlNode* node : chain)
-    if (const auto units = attribute(node, "gradientUnits"))
-      return trimmed(*units) != "userSpaceOnUse";
+bool uses_bounding_box(const HrefChain& chain) {
+  for (const xmlNode* node : chain.gradients)
+    if (const auto units = attribute(node, "gradientUnits")) return *units != "userSpaceOnUse";
   return true;
 }
 
-/// Value of a property that is not inherited unless it says so.
-std::optional<std::string> own_value(const StyleSheet& styles, const xmlNode* node,
-                                     std::string_view property) {
-  for (; node; node = parent_element(node)) {
-    auto value = styles.declared(node, property);
-    if (!value || lower(*value) != "inherit") return value;
-  }
-  return std::nullopt;
+/// What Inkscape takes for a colour; all else is as if it were not there.
+bool is_color(std::string_view value) {
+  return value == "inherit" || value == "currentColor" || parse_color(value).has_value();
 }
 
-/// What `currentColor` stands for at a stop.
-std::string current_color(const StyleSheet& styles, const xmlNode* node) {
-  for (; node; node = parent_element(node)) {
-    const auto value = styles.inherited(node, "color");
-    if (!value) break;
-    if (lower(*value) != "currentcolor") return *value;
-  }
-  return "black";
+bool is_opacity(std::string_view value) {
+  return value == "inherit" || parse_opacity(value).has_value();
+}
+
+/// A property of a stop that is a colour. Stops inherit nothing in Inkscape: what would be the
+/// value of another element is black.
+glm::dvec3 own_color(const StyleSheet& styles, const xmlNode* stop, std::string_view property) {
+  const std::string text = styles.declared(stop, property, is_color).value_or("black");
+  if (text == "currentColor" && property != "color") return own_color(styles, stop, "color");
+  return parse_color(text).value_or(glm::dvec3(0.0));
+}
+
+glm::dvec4 stop_color(const StyleSheet& styles, const xmlNode* stop) {
+  const std::string opacity = styles.declared(stop, "stop-opacity", is_opacity).value_or("1");
+  return {own_color(styles, stop, "stop-color"), parse_opacity(opacity).value_or(1.0)};
 }
 
 Message place_name(int row, int column) {
   return Message("row {0}, patch {1}", row + 1, column + 1);
 }
 
-/// Reads the rows below one meshgradient, from left to right and from top to bottom, since each
-/// patch takes its top and left sides from the patches before.
+/// Reads the rows below one meshgradient into the net of the whole mesh, 3 rows + 1 times
+/// 3 columns + 1 points, in the order in which Inkscape does: what two patches share is what was
+/// read last.
 class GridReader {
  public:
   GridReader(const StyleSheet& styles, const xmlNode* holder, glm::dvec2 start)
       : styles_(styles), holder_(holder), start_(start) {}
 
   MeshGrid read() {
-    const auto rows = child_elements(holder_, "meshrow");
-    for (rows_ = 0; rows_ < int(rows.size()); ++rows_) {
-      const auto patches = child_elements(rows[std::size_t(rows_)], "meshpatch");
-      const int count = int(patches.size());
-      if (rows_ == 0) columns_ = count;
-      if (columns_ == 0) fail(holder_, Message("row 1 has no patches"));
-      if (count != columns_)
+    std::vector<std::vector<xmlNode*>> patches;
+    for (const xmlNode* row : mesh_rows(holder_)) patches.push_back(mesh_patches(row));
+    while (patches.size() > 1 && patches.back().empty()) patches.pop_back();
+    rows_ = int(patches.size());
+    columns_ = int(patches.front().size());
+    if (columns_ == 0) fail(holder_, Message("row 1 has no patches"));
+    for (int row = 1; row < rows_; ++row)
+      if (const int count = int(patches[std::size_t(row)].size()); count != columns_)
         fail(holder_, Message("row {0} does not have as many patches as row 1: {1}, not {2}",
-                              rows_ + 1, count, columns_));
+                              row + 1, count, columns_));
+    nodes_.resize(std::size_t(3 * rows_ + 1) * std::size_t(3 * columns_ + 1));
+    node(0, 0).value.position = start_;
+    for (int row = 0; row < rows_; ++row)
       for (int column = 0; column < columns_; ++column)
-        read_patch(patches[std::size_t(column)], rows_, column);
-    }
+        read_patch({row, column}, patches[std::size_t(row)][std::size_t(column)]);
     return finish();
   }
 
  private:
-  BezierNet& net(int row, int column) {
-    return nets_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
+  struct Node {
+    Value value{glm::dvec2(0.0), glm::dvec4(0.0)};
+    /// Of the first handle of a side: whether the side is a line, with handles at its thirds.
+    bool is_line = false;
+    /// Of an interior point: whether `tensor` gives it.
+    bool is_given = false;
+  };
+
+  struct Place {
+    int row, column;
+    Message name() const { return place_name(row, column); }
+  };
+
+  Node& node(int i, int j) {
+    return nodes_[std::size_t(i) * std::size_t(3 * columns_ + 1) + std::size_t(j)];
   }
+  /// Point (i, j), 0..3, of a patch.
+  Node& node(Place place, int i, int j) { return node(3 * place.row + i, 3 * place.column + j); }
 
   /// Point j, 0..3, of side `side` in the side's direction (clockwise).
-  static Value& side_point(BezierNet& net, int side, int j) {
+  Node& side_node(Place place, int side, int j) {
     switch (side) {
       case 0:
-        return net[0][std::size_t(j)];
+        return node(place, 0, j);
       case 1:
-        return net[std::size_t(j)][3];
+        return node(place, j, 3);
       case 2:
-        return net[3][std::size_t(3 - j)];
+        return node(place, 3, 3 - j);
       default:
-        return net[std::size_t(3 - j)][0];
+        return node(place, 3 - j, 0);
     }
   }
+  /// Where the side's Node::is_line is kept, whichever of the two patches asks.
+  bool& is_line(Place place, int side) { return side_node(place, side, side < 2 ? 1 : 2).is_line; }
 
-  void read_patch(const xmlNode* patch, int row, int column) {
-    BezierNet& points = nets_.emplace_back();
-    points[0][0].position = start_;
-    if (row > 0) points[0] = net(row - 1, column)[3];
-    if (column > 0)
-      for (std::size_t i = 0; i < 4; ++i) points[i][0] = net(row, column - 1)[i][3];
-
-    const int first = row == 0 ? 0 : 1, last = column == 0 ? 3 : 2;
+  void read_patch(Place place, const xmlNode* patch) {
+    const int first = place.row == 0 ? 0 : 1, last = place.column == 0 ? 3 : 2;
     const auto stops = child_elements(patch, "stop");
-    if (int(stops.size()) != last - first + 1)
+    // Without a stop the left side is a line to a corner without a colour.
+    const int most = int(stops.size()), least = last - first + 1 - (last == 3 ? 1 : 0);
+    if (most < least)
       fail(holder_, Message("{0} does not have as many stops as it needs: {1}, not {2}",
-                            place_name(row, column), stops.size(), last - first + 1));
-    for (int side = first; side <= last; ++side) {
+                            place.name(), most, last - first + 1));
+    is_line(place, last) = true;
+    for (int side = first; side <= 3 && side - first < most; ++side) {
       const xmlNode* stop = stops[std::size_t(side - first)];
-      const auto place = Message("{0}, stop {1}", place_name(row, column), side - first + 1);
       const std::string path = attribute(stop, "path").value_or("");
-      if (!read_side(points, side, side == last, path))
-        fail(
-            holder_,
-            Message(
-                "{0}: the path {1} is not one c, C, l or L segment of numbers between -1e9 and 1e9",
-                place, excerpt(path)));
-      const bool is_known = (side == 0 && column > 0) || (side == 1 && row > 0);
-      if (!is_known) side_point(points, side, 0).color = read_color(stop, place);
+      if (!read_side(place, side, side == last, path))
+        fail(holder_,
+             Message("{0}: the path {1} is not one c, C, l or L segment of numbers between "
+                     "-1e9 and 1e9",
+                     Message("{0}, stop {1}", place.name(), side - first + 1), excerpt(path)));
+      const bool is_known = (side == 0 && place.column > 0) || (side == 1 && place.row > 0);
+      if (!is_known) side_node(place, side, 0).value.color = stop_color(styles_, stop);
     }
-    read_interior(points, patch, row, column);
-    check_size(points, row, column);
+    if (const auto tensor = attribute(patch, "tensor")) read_interior(place, *tensor);
   }
 
-  /// One segment from the side's known start. Where the side closes the patch its end is known
-  /// too: it may be left out and is ignored.
-  static bool read_side(BezierNet& net, int side, bool closes, const std::string& path) {
+  /// One segment from the side's known start; what follows it does not count. Where the side
+  /// closes the patch its end is known too, and is ignored where it is there.
+  bool read_side(Place place, int side, bool closes, std::string path) {
+    std::ranges::replace(path, ',', ' ');
     Scanner scanner(path);
     const char command = scanner.peek();
-    const bool is_curve = command == 'c' || command == 'C';
-    if (!is_curve && command != 'l' && command != 'L') return false;
     scanner.accept(command);
+    const bool is_curve = command == 'c' || command == 'C';
+    const bool ends = closes && (command == 'z' || command == 'Z');
+    if (!is_curve && !ends && command != 'l' && command != 'L') return false;
 
-    const glm::dvec2 start = side_point(net, side, 0).position;
-    const glm::dvec2 base = command == 'c' || command == 'l' ? start : glm::dvec2(0.0);
-    const int complete = is_curve ? 3 : 1;
-    glm::dvec2 points[3] = {};
-    int count = 0;
-    for (; !scanner.at_end() && count < complete; ++count) {
-      if (count > 0) scanner.skip_comma();
-      const auto x = scanner.number();
-      scanner.skip_comma();
-      const auto y = scanner.number();
+    const bool is_relative = command == 'c' || command == 'l';
+    const glm::dvec2 start = side_node(place, side, 0).value.position;
+    const glm::dvec2 base = is_relative ? start : glm::dvec2(0.0);
+    is_line(place, side) = !is_curve;
+    for (int j = is_curve ? 1 : 3; j <= (closes ? 2 : 3); ++j) {
+      const auto x = scanner.number(), y = scanner.number();
       if (!x || !y) return false;
-      points[count] = base + glm::dvec2(*x, *y);
+      side_node(place, side, j).value.position = base + glm::dvec2(*x, *y);
     }
-    if (!scanner.at_end() || count < complete - (closes ? 1 : 0)) return false;
-
-    glm::dvec2& end = side_point(net, side, 3).position;
-    if (!closes) end = points[complete - 1];
-    side_point(net, side, 1).position = is_curve ? points[0] : start + (end - start) / 3.0;
-    side_point(net, side, 2).position = is_curve ? points[1] : start + (end - start) * (2.0 / 3.0);
     return true;
   }
 
-  /// `tensor` is Inkscape's own: the interior points, each relative to its corner, clockwise.
-  void read_interior(BezierNet& net, const xmlNode* patch, int row, int column) const {
-    const auto tensor = attribute(patch, "tensor");
-    if (!tensor) {
-      const auto interior = coons_interior(net);
-      for (std::size_t i = 0; i < 2; ++i)
-        for (std::size_t j = 0; j < 2; ++j) net[i + 1][j + 1].position = interior[i][j];
-      return;
-    }
-    Value* const interior[4] = {&net[1][1], &net[1][2], &net[2][2], &net[2][1]};
-    Scanner scanner(*tensor);
+  /// `tensor` is Inkscape's own: the interior points, each relative to its corner, clockwise. Those
+  /// after the first that is no point are as if there were no tensor.
+  void read_interior(Place place, std::string tensor) {
+    std::ranges::replace(tensor, ',', ' ');
+    Scanner scanner(tensor);
+    constexpr int interior[4][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
     for (int corner = 0; corner < 4; ++corner) {
-      if (corner > 0) scanner.skip_comma();
-      const auto x = scanner.number();
-      scanner.skip_comma();
-      const auto y = scanner.number();
-      if (!x || !y || (corner == 3 && !scanner.at_end()))
-        fail(holder_,
-             Message("{0}: the tensor {1} is not four points of numbers between -1e9 and 1e9",
-                     place_name(row, column), excerpt(*tensor)));
-      interior[corner]->position = side_point(net, corner, 0).position + glm::dvec2(*x, *y);
+      const auto x = scanner.number(), y = scanner.number();
+      if (!x || !y) return;
+      Node& inner = node(place, interior[corner][0], interior[corner][1]);
+      inner.value.position = side_node(place, corner, 0).value.position + glm::dvec2(*x, *y);
+      inner.is_given = true;
     }
   }
 
-  glm::dvec4 read_color(const xmlNode* stop, const Message& place) const {
-    std::string text = own_value(styles_, stop, "stop-color").value_or("black");
-    if (lower(text) == "currentcolor") text = current_color(styles_, stop);
-    const auto color = parse_color(text);
-    if (!color) fail(holder_, Message("{0}: {1} is not a known colour", place, excerpt(text)));
-    const std::string opacity = own_value(styles_, stop, "stop-opacity").value_or("1");
-    const auto alpha = parse_fraction(opacity);
-    if (!alpha) fail(holder_, Message("{0}: {1} is not an opacity", place, excerpt(opacity)));
-    return {glm::dvec3(*color), color->a * *alpha};
+  /// The points of a patch, with those that follow from others.
+  BezierNet net(Place place) {
+    for (int side = 0; side < 4; ++side) {
+      if (!is_line(place, side)) continue;
+      const glm::dvec2 start = side_node(place, side, 0).value.position;
+      const glm::dvec2 end = side_node(place, side, 3).value.position;
+      side_node(place, side, 1).value.position = start + (end - start) / 3.0;
+      side_node(place, side, 2).value.position = start + (end - start) * (2.0 / 3.0);
+    }
+    BezierNet points;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) points[std::size_t(i)][std::size_t(j)] = node(place, i, j).value;
+    const auto interior = coons_interior(points);
+    for (int i = 1; i < 3; ++i)
+      for (int j = 1; j < 3; ++j)
+        if (!node(place, i, j).is_given)
+          points[std::size_t(i)][std::size_t(j)].position =
+              interior[std::size_t(i - 1)][std::size_t(j - 1)];
+    return points;
   }
 
-  void check_size(BezierNet& net, int row, int column) const {
-    bool is_point = true;
+  void check_size(Place place, const BezierNet& points) {
+    const glm::dvec2 first = points[0][0].position;
     for (int side = 0; side < 4; ++side)
       for (int j = 0; j < 3; ++j)
-        is_point = is_point && side_point(net, side, j).position == net[0][0].position;
-    if (is_point)
-      fail(holder_, Message("{0} is degenerate: all its points coincide", place_name(row, column)));
+        if (side_node(place, side, j).value.position != first) return;
+    fail(holder_, Message("{0} is degenerate: all its points coincide", place.name()));
   }
 
-  MeshGrid finish() const {
+  MeshGrid finish() {
     MeshGrid grid{rows_, columns_, {}};
-    grid.patches.reserve(nets_.size());
-    for (const BezierNet& points : nets_) {
-      grid.patches.push_back(patch_from_bezier(points));
-      make_color_bilinear(grid.patches.back());
-    }
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column) {
+        const BezierNet points = net({row, column});
+        check_size({row, column}, points);
+        grid.patches.push_back(patch_from_bezier(points));
+        make_color_bilinear(grid.patches.back());
+      }
     return grid;
   }
 
@@ -231,7 +254,7 @@ class GridReader {
   const xmlNode* holder_;
   glm::dvec2 start_;
   int rows_ = 0, columns_ = 0;
-  std::vector<BezierNet> nets_;
+  std::vector<Node> nodes_;
 };
 
 void check_limits(const MeshGrid& grid, const xmlNode* node) {
@@ -241,9 +264,7 @@ void check_limits(const MeshGrid& grid, const xmlNode* node) {
                          place_name(int(i) / grid.columns, int(i) % grid.columns)));
 }
 
-bool is_smooth(const xmlNode* gradient) {
-  return trimmed(attribute(gradient, "type").value_or("")) == "bicubic";
-}
+bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
 
 /// From the gradient's coordinates to the object's user space.
 Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
@@ -272,16 +293,16 @@ Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
 }
 
 MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
-  const auto chain = href_chain(document, gradient);
-  const auto holder = std::find_if(chain.begin(), chain.end(), [](const xmlNode* node) {
-    return !child_elements(node, "meshrow").empty();
+  const HrefChain chain = href_chain(document, gradient);
+  const auto holder = std::ranges::find_if(chain.gradients, [](const xmlNode* node) {
+    return is_mesh_gradient(node) && !mesh_rows(node).empty();
   });
-  if (holder == chain.end()) fail(gradient, Message("it has no meshrow"));
-  const glm::dvec2 start =
-      uses_bounding_box(chain)
-          ? glm::dvec2(read_box_length(gradient, "x"), read_box_length(gradient, "y"))
-          : glm::dvec2(read_length(gradient, "x", LengthAxis::x),
-                       read_length(gradient, "y", LengthAxis::y));
+  if (holder == chain.gradients.end()) {
+    if (chain.broken) fail(gradient, *chain.broken);
+    fail(gradient, Message("it has no meshrow"));
+  }
+  // Inkscape takes a percentage for a fraction of one unit, whatever the units are.
+  const glm::dvec2 start(read_box_length(gradient, "x"), read_box_length(gradient, "y"));
   MeshGrid grid = GridReader(document.styles(), *holder, start).read();
   check_limits(grid, *holder);
   return grid;

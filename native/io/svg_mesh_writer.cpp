@@ -6,6 +6,7 @@
 #include "io/blocks.h"
 #include "io/svg_gradient_writer.h"
 #include "io/svg_mesh.h"
+#include "io/svg_mesh_names.h"
 #include "io/svg_paint.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
@@ -30,6 +31,7 @@ xmlNode* add_gradient(SvgDocument& document, const MeshObject& object) {
   xmlNode* old = object.gradient;
   xmlNode* gradient = add_copy(parent_element(old), old);
   while (gradient->children) remove_node(gradient->children);
+  set_name(gradient, mesh_gradient_name);
   xmlAddNextSibling(old, gradient);
   document.give_id(gradient, object.id + "-mesh");
   remove_attribute(gradient, "href");

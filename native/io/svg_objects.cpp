@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/svg_group.h"
+#include "io/svg_mesh_names.h"
 #include "io/svg_scanner.h"
 #include "io/svg_transform.h"
 #include "io/xml_node.h"
@@ -106,7 +107,7 @@ std::string object_id(xmlNode* node) { return attribute(whole_object(node), "id"
 xmlNode* referenced_mesh(const SvgDocument& document, std::string_view paint) {
   const auto id = referenced_id(paint);
   xmlNode* found = id ? document.find(*id) : nullptr;
-  return found && svg_name(found) == "meshgradient" ? found : nullptr;
+  return found && is_mesh_gradient(found) ? found : nullptr;
 }
 
 std::vector<MeshObject> mesh_objects(SvgDocument& document) {

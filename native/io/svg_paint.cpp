@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "io/svg_group.h"
+#include "io/svg_mesh_names.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
 
@@ -225,7 +226,8 @@ void remove_if_unused(SvgDocument& document, const std::string& id) {
   auto href = attribute(node, "href");
   if (!href) href = attribute(node, "href", xlink_namespace);
   remove_node(node);
-  if (href && href->starts_with('#')) remove_if_unused(document, href->substr(1));
+  const xmlNode* next = href && href->starts_with('#') ? document.find(href->substr(1)) : nullptr;
+  if (next && is_mesh_gradient(next)) remove_if_unused(document, href->substr(1));
 }
 
 }  // namespace gradmesh

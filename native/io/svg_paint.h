@@ -44,8 +44,8 @@ bool is_used(const SvgDocument& document, const std::string& id);
 /// Takes one property out of the style attribute; its value, empty where there is none.
 std::string take_style(xmlNode* node, const std::string& property);
 
-/// Removes the element with this id, and then what it alone used by href, if no attribute and no
-/// rule of the document names it.
+/// Removes the element with this id, and then the mesh gradient that it alone used by href, if no
+/// attribute and no rule of the document names it.
 void remove_if_unused(SvgDocument& document, const std::string& id);
 
 }  // namespace gradmesh

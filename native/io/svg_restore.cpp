@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/svg_group.h"
+#include "io/svg_mesh_names.h"
 #include "io/svg_paint.h"
 #include "io/xml_edit.h"
 #include "io/xml_node.h"
@@ -48,7 +49,8 @@ class ShapeRestorer {
     const std::string fallback = collect_gradients();
     give_group_attributes(shape);
 
-    xmlNode* gradient = add_child(child_elements(document_.root(), "defs").front(), "meshgradient");
+    xmlNode* gradient =
+        add_child(child_elements(document_.root(), "defs").front(), mesh_gradient_name);
     set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
     const std::string name = document_.give_id(gradient, id_ + "-mesh");
     const std::string paint = "url(#" + name + ")" + (fallback.empty() ? "" : " " + fallback);

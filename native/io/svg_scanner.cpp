@@ -100,12 +100,9 @@ std::optional<double> parse_number(std::string_view text) {
   return scanner.at_end() ? value : std::nullopt;
 }
 
-std::optional<double> parse_fraction(std::string_view text) {
-  Scanner scanner(text);
-  auto value = scanner.number();
-  if (value && scanner.accept('%')) *value /= 100.0;
-  if (!value || !scanner.at_end()) return std::nullopt;
-  return std::clamp(*value, 0.0, 1.0);
+std::optional<double> parse_opacity(std::string_view text) {
+  const auto value = Scanner(text).number();
+  return value ? std::optional(std::clamp(*value, 0.0, 1.0)) : std::nullopt;
 }
 
 std::optional<double> parse_length(std::string_view text, std::optional<double> whole) {

@@ -46,8 +46,9 @@ std::string lower(std::string_view text);
 
 /// All of `text` as one number in the sense of Scanner::number.
 std::optional<double> parse_number(std::string_view text);
-/// Number from 0 to 1 or percentage, clamped to [0, 1], such as an opacity.
-std::optional<double> parse_fraction(std::string_view text);
+/// An opacity as Inkscape 1.2 reads it: the number that the text begins with, clamped to [0, 1]. It
+/// knows no percentages: 50% are 50, and so 1.
+std::optional<double> parse_opacity(std::string_view text);
 /// Number with an optional absolute unit (px, in, cm, mm, pt, pc) in user units, or a percentage
 /// of `whole`; a percentage of nothing has no value.
 std::optional<double> parse_length(std::string_view text, std::optional<double> whole);

@@ -1,6 +1,8 @@
 #include "io/svg_style.h"
 
 #include <algorithm>
+#include <ranges>
+#include <utility>
 #include <vector>
 
 #include "io/svg_scanner.h"
@@ -119,21 +121,29 @@ std::vector<std::string> split_words(std::string_view text) {
   return words;
 }
 
-}  // namespace
-
-Declarations parse_declarations(std::string_view text) {
+/// All declarations in their order, also of equal names.
+std::vector<std::pair<std::string, std::string>> declaration_list(std::string_view text) {
   const std::string clean = without_comments(text);
   const std::string_view view = clean;
-  Declarations declarations;
+  std::vector<std::pair<std::string, std::string>> declarations;
   for (std::size_t start = 0; start < view.size();) {
     const std::size_t end = find_outside(view, ";", start);
     const std::string_view declaration = view.substr(start, end - start);
     const std::size_t colon = declaration.find(':');
-    const std::string name = lower(trimmed(declaration.substr(0, colon)));
+    std::string name = lower(trimmed(declaration.substr(0, colon)));
     if (colon != declaration.npos && is_name(name))
-      declarations[name] = closed(without_important(declaration.substr(colon + 1)));
+      declarations.emplace_back(std::move(name),
+                                closed(without_important(declaration.substr(colon + 1))));
     start = end + 1;
   }
+  return declarations;
+}
+
+}  // namespace
+
+Declarations parse_declarations(std::string_view text) {
+  Declarations declarations;
+  for (auto& [name, value] : declaration_list(text)) declarations[name] = std::move(value);
   return declarations;
 }
 
@@ -201,16 +211,15 @@ std::optional<std::string> StyleSheet::from_rules(const xmlNode* node,
   return best ? std::optional(best->value) : std::nullopt;
 }
 
-std::optional<std::string> StyleSheet::declared(const xmlNode* node,
-                                                std::string_view property) const {
-  if (const auto style = attribute(node, "style")) {
-    const Declarations declarations = parse_declarations(*style);
-    const auto found = declarations.find(property);
-    if (found != declarations.end()) return found->second;
-  }
-  if (auto value = from_rules(node, property)) return value;
+std::optional<std::string> StyleSheet::declared(const xmlNode* node, std::string_view property,
+                                                Accepts accepts) const {
+  const auto counts = [&](std::string_view value) { return !accepts || accepts(value); };
+  if (const auto style = attribute(node, "style"))
+    for (const auto& [name, value] : declaration_list(*style) | std::views::reverse)
+      if (name == property && counts(value)) return value;
+  if (auto value = from_rules(node, property); value && counts(*value)) return value;
   if (const auto value = attribute(node, std::string(property).c_str()))
-    return std::string(trimmed(*value));
+    if (const std::string_view text = trimmed(*value); counts(text)) return std::string(text);
   return std::nullopt;
 }
 

@@ -23,8 +23,12 @@ class StyleSheet {
   explicit StyleSheet(const xmlNode* root);
 
   /// The property's value on this element alone: from the `style` attribute, else from a rule,
-  /// else from the presentation attribute. `inherit` is returned as such.
-  std::optional<std::string> declared(const xmlNode* node, std::string_view property) const;
+  /// else from the presentation attribute. `inherit` is returned as such. As in Inkscape a value
+  /// that `accepts` refuses is as if it were not there: in the `style` attribute the one before it
+  /// counts, but of rules only the last is asked.
+  using Accepts = bool (*)(std::string_view value);
+  std::optional<std::string> declared(const xmlNode* node, std::string_view property,
+                                      Accepts accepts = nullptr) const;
 
   /// The same, but from the nearest ancestor where the element itself says nothing or `inherit`:
   /// for properties that CSS inherits, such as `fill` and `color`.

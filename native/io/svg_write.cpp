@@ -117,10 +117,10 @@ class MeshWriter {
 
   /// The opacity of the fill, which must not act on each block by itself.
   void multiply_opacity(xmlNode* group, const std::string& by) {
-    const auto factor = parse_fraction(by);
+    const auto factor = parse_opacity(by);
     if (!factor || *factor == 1) return;
     const std::string own = document_.styles().declared(group, "opacity").value_or("1");
-    set_style(group, "opacity", format_number(parse_fraction(own).value_or(1) * *factor, 6));
+    set_style(group, "opacity", format_number(parse_opacity(own).value_or(1) * *factor, 6));
   }
 
   bool is_stroke() const { return object_.role == PaintRole::stroke; }

@@ -62,6 +62,8 @@ void set_attribute(xmlNode* node, const char* name, const std::string& value,
   xmlSetNsProp(node, declare_namespace(node, space, prefix), chars(name), chars(value));
 }
 
+void set_name(xmlNode* node, const char* name) { xmlNodeSetName(node, chars(name)); }
+
 void remove_attribute(xmlNode* node, const char* name) {
   xmlUnsetNsProp(node, nullptr, chars(name));
 }

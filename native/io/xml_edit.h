@@ -13,6 +13,9 @@ xmlNode* add_child(xmlNode* parent, const char* name);
 /// A copy of the element and all below it, ids too, as the last child of `parent`.
 xmlNode* add_copy(xmlNode* parent, const xmlNode* node);
 
+/// Gives the element another name in its namespace.
+void set_name(xmlNode* node, const char* name);
+
 /// Sets an attribute in no namespace.
 void set_attribute(xmlNode* node, const char* name, const std::string& value);
 /// Sets an attribute in the namespace `space`, which is declared on the root with the given prefix

@@ -23,9 +23,9 @@ void check_number(std::string_view text) {
           "the number reads back, rounded");
 }
 
-void check_fraction(std::string_view text) {
-  const auto fraction = parse_fraction(text);
-  require(!fraction || (*fraction >= 0 && *fraction <= 1), "the fraction is between 0 and 1");
+void check_opacity(std::string_view text) {
+  const auto opacity = parse_opacity(text);
+  require(!opacity || (*opacity >= 0 && *opacity <= 1), "the opacity is between 0 and 1");
 }
 
 /// As an attribute, and as the size that percentages are taken of.
@@ -47,7 +47,7 @@ void check_length(const std::string& text) {
 
 void check(std::string_view text) {
   check_number(text);
-  check_fraction(text);
+  check_opacity(text);
   check_length(std::string(text));
   parse_transform(text);
 }

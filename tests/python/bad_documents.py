@@ -70,14 +70,14 @@ BAD = {
     "overflow": Bad(document(row(patch(stop("l 1e999,0"), RIGHT, BOTTOM, LEFT))), (MESH, "1e999")),
     "huge": Bad(document(row(FIRST), x="1e30"), (MESH,)),
     "huge corner": Bad(document(row(patch(stop("L 1e30,0"), RIGHT, BOTTOM, LEFT))), (MESH,)),
-    "missing stops": Bad(document(row(patch(TOP, RIGHT, BOTTOM))), (MESH, "stop")),
+    "missing stops": Bad(document(row(patch(TOP, RIGHT))), (MESH, "stop")),
     "ragged rows": Bad(document(row(FIRST, NEXT), row(BELOW)), (MESH, "row 2")),
     "empty first row": Bad(document(row(), row(BELOW)), (MESH, "row 1")),
     "no rows": Bad(document(), (MESH, "meshrow")),
     "dangling href": Bad(linked(("m", "gone")), (MESH, "gone")),
     "circular href": Bad(linked(("m", "n"), ("n", "m")), (MESH, "itself")),
     "zero size": Bad(document(row(patch(*[stop("l 0,0")] * 4))), (MESH, "degenerate")),
-    "bad colour": Bad(document(row(patch(stop("l 20,0", "ham"), RIGHT, BOTTOM, LEFT))), (MESH, "ham")),
+    "no path": Bad(document(row(patch("<stop/>", RIGHT, BOTTOM, LEFT))), (MESH, "path")),
     "external entity": Bad(
         with_entity('<!DOCTYPE svg [<!ENTITY e SYSTEM "SECRET">]>', "&e;"), ("external entity",)
     ),

@@ -96,10 +96,11 @@ def test_a_translation_has_the_places_of_its_message():
             'meshgradient "m": Zeile 2 hat nicht so viele Felder wie Zeile 1: 1, nicht 2.',
         ),
         (
-            "bad colour",
+            "no path",
             "simplify",
             [],
-            'meshgradient "m": Zeile 1, Feld 1, Farbstopp 1: "ham" ist keine bekannte Farbe.',
+            'meshgradient "m": Zeile 1, Feld 1, Farbstopp 1: der Pfad "" ist nicht ein Abschnitt c, C, l '
+            "oder L aus Zahlen zwischen -1e9 und 1e9.",
         ),
     ],
 )
