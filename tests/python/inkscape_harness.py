@@ -64,6 +64,24 @@ def kill_group(process: subprocess.Popen) -> None:
             pass
 
 
+def is_busy(session: int) -> bool:
+    """Whether a process that was started with `start_new_session` works, or waits for a processor or
+    a disk, or has started others that have not ended."""
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, _parent, _group, its_session = stat.read_text().rpartition(")")[2].split()[:4]
+            if int(its_session) != session or state == "Z":
+                continue
+            if stat.parent.name != str(session):
+                return True
+            threads = [task.read_text() for task in stat.parent.glob("task/*/stat")]
+        except OSError:  # it has ended meanwhile
+            continue
+        if any(thread.rpartition(")")[2].split()[0] in "RD" for thread in threads):
+            return True
+    return False
+
+
 def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> Finished:
     """Runs a command in its own process group; past `timeout` seconds the whole group is killed."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
@@ -156,10 +174,12 @@ class Inkscape:
         self.extensions = self.home / "profile" / "extensions"
         self.extensions.mkdir(parents=True)
         self.set_values(self._values)
-        # A blinking cursor or an animation would keep a window from ever looking settled.
+        # A blinking cursor or an animation would keep a window from ever looking settled. On a busy
+        # machine the two clicks of one double click are far apart, others more than two seconds.
         gtk = self.home / "config" / "gtk-3.0" / "settings.ini"
         gtk.parent.mkdir(parents=True)
-        gtk.write_text("[Settings]\ngtk-cursor-blink=false\ngtk-enable-animations=false\n")
+        settings = ("cursor-blink=false", "enable-animations=false", "double-click-time=1500")
+        gtk.write_text("\n".join(["[Settings]", *(f"gtk-{setting}" for setting in settings)]))
         if self._display:
             try:
                 self._display_name = self._display.__enter__().name
@@ -340,15 +360,16 @@ class InkscapeWindow:
             return Path(shot.name).read_bytes()
 
     def settle(self) -> None:
-        """Waits until the screen has stayed the same for about three seconds."""
+        """Waits until Inkscape, and all that it has started, has nothing left to do and the screen
+        stays the same. A screen that stays the same alone may be of an Inkscape that is busy."""
         end = time.monotonic() + self._timeout
-        before, same = b"", 0
+        before, same = None, 0
         while same < 3:
             if time.monotonic() > end:
                 raise Timeout(f"the window of {self._svg} keeps changing")
-            time.sleep(1)
-            now = self._pixels()
-            same = same + 1 if now == before else 0
+            time.sleep(0.7)
+            now = None if is_busy(self._process.pid) else self._pixels()
+            same = same + 1 if now and now == before else 0
             before = now
 
     def key(self, *keys: str) -> None:
