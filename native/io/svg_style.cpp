@@ -1,7 +1,6 @@
 #include "io/svg_style.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -214,9 +213,13 @@ std::optional<std::string> StyleSheet::from_rules(const xmlNode* node,
 std::optional<std::string> StyleSheet::declared(const xmlNode* node, std::string_view property,
                                                 Accepts accepts) const {
   const auto counts = [&](std::string_view value) { return !accepts || accepts(value); };
-  if (const auto style = attribute(node, "style"))
-    for (const auto& [name, value] : declaration_list(*style) | std::views::reverse)
-      if (name == property && counts(value)) return value;
+  if (const auto style = attribute(node, "style")) {
+    const auto list = declaration_list(*style);
+    const auto last = std::find_if(list.rbegin(), list.rend(), [&](const auto& declaration) {
+      return declaration.first == property && counts(declaration.second);
+    });
+    if (last != list.rend()) return last->second;
+  }
   if (auto value = from_rules(node, property); value && counts(*value)) return value;
   if (const auto value = attribute(node, std::string(property).c_str()))
     if (const std::string_view text = trimmed(*value); counts(text)) return std::string(text);
