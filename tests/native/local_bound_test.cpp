@@ -186,7 +186,11 @@ std::vector<Case> cases() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Results, ::testing::ValuesIn(cases()));
+INSTANTIATE_TEST_SUITE_P(All, Results, ::testing::ValuesIn(cases()), [](const auto& c) {
+  std::string text = std::string(name(c.param.method)) + "_" + c.param.file.stem().string();
+  std::ranges::replace(text, '-', '_');
+  return text;
+});
 
 TEST(LocalBound, may_keep_a_target_from_being_reached) {
   const Mesh original =

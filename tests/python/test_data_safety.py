@@ -45,7 +45,8 @@ def leftovers(folder, *expected):
     return [path.name for path in folder.iterdir() if path.name not in expected]
 
 
-def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path):
+@pytest.mark.parametrize("times", [40, pytest.param(200, marks=pytest.mark.long)])
+def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path, times):
     document, arguments = tmp_path / "drawing.svg", [PROGRAM, "simplify"]
     before = with_photo(8).encode()
     document.write_bytes(before)
@@ -58,7 +59,7 @@ def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path):
 
     moments = random.Random(1)
     killed = finished = 0
-    for _ in range(200):
+    for _ in range(times):
         document.write_bytes(before)
         with subprocess.Popen(list(map(str, arguments))) as child:
             time.sleep(moments.uniform(0, 1.2 * usual))
@@ -67,7 +68,7 @@ def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path):
         found = document.read_bytes()
         finished += found == after
         assert found in (before, after)
-    assert killed > 50 and finished > 0
+    assert killed > times / 4 and finished > 0
     # What a killed program was writing has a name of its own.
     assert all(name.startswith(".gradmesh-") for name in leftovers(tmp_path, "drawing.svg"))
 

@@ -11,6 +11,7 @@ METHODS = ("random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best", "
 OPTIONS = {"resolution": 48, "seed": 5, "epsilon": 0.02}
 
 
+LARGE = ("bubble", "cap", "photo")
 PRICED = ("motorcycle", "gqe", "gqe1", "best")
 
 
@@ -24,11 +25,13 @@ def simplified(sample, painted, method, threads, **more):
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("sample, painted", OBJECTS)
+@pytest.mark.parametrize(
+    "sample, painted",
+    [pytest.param(*pair, marks=pytest.mark.long) if pair[1] in LARGE else pair for pair in OBJECTS],
+)
 def test_the_same_bytes_on_any_number_of_threads(sample, painted, method):
-    numbers = (4,) if sample == "photo" else (2, 4)  # the largest takes its time
     alone = simplified(sample, painted, method, 1)
-    for threads in numbers:
+    for threads in (2, 4):
         assert simplified(sample, painted, method, threads) == alone
 
 
