@@ -107,7 +107,21 @@ class _GradmeshDocument(Gradmesh):
             raise AbortExtension(
                 _("None of the selected objects is painted by a gradient mesh; select one that is.")
             )
-        return found
+        return self.readable(found)
+
+    def readable(self, ids):
+        """Those of the meshes that can be read. Says why the others are left alone; where there are
+        no others, that ends the run."""
+        meshes = [mesh for mesh in self.meshes.meshes if mesh.id in ids]
+        refused = [mesh for mesh in meshes if mesh.refused]
+        why = [sentence(translated(mesh.refused.message)) for mesh in refused]
+        if len(refused) == len(meshes):
+            raise AbortExtension(why[0])
+        for reason in why:
+            say(_("Left as it was: {reason}").format(reason=reason))
+        report.refused = refused
+        readable = {mesh.id for mesh in meshes if not mesh.refused}
+        return [name for name in ids if name in readable]
 
     def chosen_elements(self):
         elements = self.elements_by_id()

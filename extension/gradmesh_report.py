@@ -22,6 +22,7 @@ class Report:
         self.outcome = None  #: "done", "unchanged", "refused"; None is a fault
         self.messages = []  #: what a person was told, or would have been
         self.meshes = []  #: the results of gradmesh.simplify() and others
+        self.refused = []  #: the meshes that were left alone as they cannot be read
 
     def write(self):
         """Adds the line."""
@@ -43,7 +44,10 @@ class Report:
             "ids": self.ids,
             "outcome": self.outcome or "fault",
             "message": "\n".join(self.messages) or (f"{type(fault).__name__}: {fault}" if fault else ""),
-            "meshes": [dataclasses.asdict(result) for result in self.meshes],
+            "meshes": [
+                *({**dataclasses.asdict(result), "refused": None} for result in self.meshes),
+                *({"id": mesh.id, "refused": str(mesh.refused)} for mesh in self.refused),
+            ],
         }
 
 

@@ -11,7 +11,9 @@ class Save(GradmeshOutput):
     """Writes the only gradient mesh of the document, or the selected one, as a .hemesh file."""
 
     def save(self, stream):
-        ids = self.selected_meshes() if self.options.ids else self.meshes.ids
+        ids = self.meshes.ids
+        if ids:
+            ids = self.selected_meshes() if self.options.ids else self.readable(ids)
         if len(ids) != 1:
             raise AbortExtension(
                 _("A .hemesh file holds one gradient mesh, but the document has {count}.").format(

@@ -66,7 +66,7 @@ class Simplify(GradmeshEffect):
     def all_meshes(self):
         if not self.meshes.ids:
             raise AbortExtension(_("There is no gradient mesh in the document."))
-        return [mesh.id for mesh in self.meshes.meshes]
+        return self.readable([mesh.id for mesh in self.meshes.meshes])
 
     def title(self, ids):
         if not self.options.ids:

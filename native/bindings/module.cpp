@@ -19,18 +19,30 @@ namespace py = pybind11;
 namespace gradmesh {
 namespace {
 
+py::object input_error(const Message& message);
+
 py::dict mesh_dict(const Document& document, const MeshEntry& entry) {
   py::object role = py::none();
   if (entry.role) role = py::str(*entry.role == PaintRole::fill ? "fill" : "stroke");
-  const Mesh mesh = document.mesh(entry);
-  return py::dict(py::arg("id") = entry.id, py::arg("role") = role,
-                  py::arg("simplified") = entry.simplified, py::arg("smooth") = mesh.is_smooth(),
-                  py::arg("patches") = mesh.face_count());
+  py::dict dict(py::arg("id") = entry.id, py::arg("role") = role,
+                py::arg("simplified") = entry.simplified, py::arg("smooth") = false,
+                py::arg("patches") = 0, py::arg("refused") = py::none());
+  if (entry.refused) {
+    dict["refused"] = input_error(*entry.refused);
+  } else {
+    const Mesh mesh = document.mesh(entry);
+    dict["smooth"] = mesh.is_smooth();
+    dict["patches"] = mesh.face_count();
+  }
+  return dict;
 }
 
-py::list meshes(const Document& document, const std::vector<std::string>& ids) {
+py::list meshes(const Document& document) {
   py::list list;
-  for (const MeshEntry& entry : document.selected(ids)) list.append(mesh_dict(document, entry));
+  for (const MeshEntry& entry : document.meshes())
+    if (!entry.kept) list.append(mesh_dict(document, entry));
+  // Says that there is none.
+  if (list.empty()) document.selected({});
   return list;
 }
 
@@ -47,8 +59,10 @@ py::dict report_dict(const MeshReport& report) {
                   py::arg("patches_before") = r.patches_before,
                   py::arg("patches_after") = r.patches_after, py::arg("error") = r.error,
                   py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
-                  py::arg("renderer") = r.renderer, py::arg("stopped") = name(r.stopped),
-                  py::arg("seconds") = r.seconds.total);
+                  py::arg("renderer") = r.renderer,
+                  py::arg("stopped") = report.refused ? "refused" : name(r.stopped),
+                  py::arg("seconds") = r.seconds.total,
+                  py::arg("refused") = report.refused ? input_error(*report.refused) : py::none());
 }
 
 /// Called and copied without the GIL; the last copy is dropped with it. Ctrl+C in Python and an
@@ -195,18 +209,26 @@ py::tuple message_tuple(const Message& message) {
   return py::make_tuple(message.text(), py::tuple(arguments));
 }
 
-/// Raises InputError of the Python module, which also says its message so that it can be
-/// translated.
+/// InputError of the Python module.
+py::handle& input_error_type() {
+  static py::handle type;
+  return type;
+}
+
+/// An InputError, which also says its message so that it can be translated.
+py::object input_error(const Message& message) {
+  py::object error = input_error_type()(message.english());
+  error.attr("message") = message_tuple(message);
+  return error;
+}
+
 void bind_errors(py::module_& m) {
-  static const py::handle type =
-      py::exception<InputError>(m, "InputError", PyExc_ValueError).release();
+  input_error_type() = py::exception<InputError>(m, "InputError", PyExc_ValueError).release();
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(std::move(thrown));
     } catch (const InputError& error) {
-      py::object raised = type(error.what());
-      raised.attr("message") = message_tuple(error.message());
-      PyErr_SetObject(type.ptr(), raised.ptr());
+      PyErr_SetObject(input_error_type().ptr(), input_error(error.message()).ptr());
     }
   });
 }
@@ -304,7 +326,7 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly("name", &Document::name)
       .def("set_translation", &Document::set_translation)
       .def("ids", &ids)
-      .def("meshes", &meshes, py::arg("ids"))
+      .def("meshes", &meshes)
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("remember_original"), py::arg("keep_original"),
            py::arg("preview"), py::arg("progress"))

@@ -23,11 +23,19 @@ void run_info(const InfoArguments& a) {
   for (const auto& mesh : info["meshes"]) {
     const std::string role =
         mesh["role"].is_null() ? "" : " (" + mesh["role"].get<std::string>() + ")";
+    if (mesh.contains("refused")) {
+      std::printf("%s%s: cannot be read: %s\n", mesh["id"].get<std::string>().c_str(), role.c_str(),
+                  mesh["refused"].get<std::string>().c_str());
+      continue;
+    }
     std::printf("%s%s: %d patches, %d points, %d T-junctions%s\n",
                 mesh["id"].get<std::string>().c_str(), role.c_str(), mesh["patches"].get<int>(),
                 mesh["points"].get<int>(), mesh["t_junctions"].get<int>(),
                 mesh["simplified"] ? ", simplified" : "");
   }
+  for (const auto& mesh : info["unused"])
+    std::printf("%s: %d patches, unused: no object is painted by it\n",
+                mesh["id"].get<std::string>().c_str(), mesh["patches"].get<int>());
 }
 
 }  // namespace

@@ -7,7 +7,11 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
   nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
   const auto bound = options.max_local_error ? nlohmann::ordered_json(*options.max_local_error)
                                              : nlohmann::ordered_json();
-  for (const auto& [id, result] : reports)
+  for (const auto& [id, result, refused] : reports) {
+    if (refused) {
+      meshes.push_back({{"id", id}, {"refused", refused->english()}});
+      continue;
+    }
     meshes.push_back({{"id", id},
                       {"method", name(result.method)},
                       {"color_model", name(*options.color_model)},
@@ -30,6 +34,7 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                         {"select", result.seconds.select},
                         {"verify", result.seconds.verify}}},
                       {"stopped", name(result.stopped)}});
+  }
   return {{"meshes", meshes}};
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 struct SimplifyArguments {
   std::string in, out, report, method = name(SimplifyOptions().method), metric = "flip",
-              renderer = name(Renderer::automatic);
+                               renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;
@@ -60,13 +60,20 @@ std::unique_ptr<Document> read_document(SimplifyArguments& a) {
 }
 
 void print_results(const std::vector<MeshReport>& reports, const SimplifyOptions& options) {
-  for (const auto& [id, r] : reports) {
+  for (const auto& [id, r, refused] : reports) {
+    if (refused) continue;
     std::printf("%s: %d of %d patches left, %s %.5f, ", id.c_str(), r.patches_after,
                 r.patches_before, options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM",
                 r.error);
     if (options.max_local_error) std::printf("in small parts up to %.5f, ", r.local_error);
     std::printf("%.2f s (%s)\n", r.seconds.total, name(r.stopped));
   }
+}
+
+void tell_refused(const std::vector<MeshReport>& reports) {
+  for (const MeshReport& report : reports)
+    if (report.refused)
+      std::fprintf(stderr, "gradmesh: left as it was: %s\n", report.refused->english().c_str());
 }
 
 void run_simplify(SimplifyArguments& a) {
@@ -85,6 +92,7 @@ void run_simplify(SimplifyArguments& a) {
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
   if (!a.preview) document->write_file(a.out);
+  tell_refused(reports);
   if (!a.quiet) print_results(reports, a.options);
 }
 

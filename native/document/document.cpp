@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "base/limits.h"
 #include "document/hemesh_document.h"
 #include "document/renderer.h"
 #include "document/svg_meshes.h"
 #include "io/atomic_file.h"
 #include "io/svg_scanner.h"
+#include "io/zip.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "mesh/subdivide.h"
@@ -42,16 +44,30 @@ SimplifyOptions in_color_model(SimplifyOptions options, Mesh& mesh) {
   return options;
 }
 
+constexpr const char* compressed_extension = ".svgz";
+
 /// Where the content is no XML either, the name says as what it is to be refused.
 bool is_hemesh(std::string_view bytes, const std::string& name) {
   const bool xml = trimmed(bytes).starts_with('<');
   return bytes.starts_with("HEMESH") || (!xml && kind_of(name) == DocumentKind::hemesh);
 }
 
+/// What gzip has compressed. The limit on documents is one on what it unpacks to.
+std::string unpacked(std::string_view bytes, const std::string& name) {
+  const std::uint64_t most = limits().document, needed = gunzipped_size(bytes);
+  if (needed > most)
+    throw InputError("{0} unpacks to {1} bytes, {2}.", name, needed,
+                     beyond_limit("document", most, needed));
+  auto text = gunzip(bytes);
+  if (!text) throw InputError("{0} cannot be unpacked: it is damaged.", name);
+  return std::move(*text);
+}
+
 }  // namespace
 
 std::optional<DocumentKind> kind_of(const std::filesystem::path& path) {
-  if (path.extension() == ".svg") return DocumentKind::svg;
+  if (path.extension() == ".svg" || path.extension() == compressed_extension)
+    return DocumentKind::svg;
   if (path.extension() == ".hemesh") return DocumentKind::hemesh;
   return std::nullopt;
 }
@@ -61,6 +77,11 @@ std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path)
 }
 
 std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::string& name) {
+  if (is_gzip(bytes)) {
+    std::unique_ptr<Document> document = parse(unpacked(bytes, name), name);
+    document->compressed_ = bytes;
+    return document;
+  }
   if (is_hemesh(bytes, name)) return std::make_unique<HemeshDocument>(bytes, name);
   return std::make_unique<SvgMeshes>(bytes, name);
 }
@@ -83,9 +104,11 @@ Image Document::render_like_inkscape(const MeshEntry& entry, int resolution) con
   return render(entry, resolution, *make_cairo_like_rasterizer());
 }
 
-std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& meshes) {
+std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& meshes,
+                                             const std::vector<MeshEntry>& refused) {
   std::vector<MeshReport> reports;
   for (const SimplifiedMesh& m : meshes) reports.push_back({m.entry.id, m.result});
+  for (const MeshEntry& entry : refused) reports.push_back({entry.id, {}, entry.refused});
   return reports;
 }
 
@@ -106,9 +129,8 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   };
   const AnalysisKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   if (options.device_if_faster && !start.mesh.is_smooth())
-    start.options.device =
-        automatic_device(start.mesh, frame(entry, start.mesh, options.resolution), options.metric,
-                         options.threads);
+    start.options.device = automatic_device(
+        start.mesh, frame(entry, start.mesh, options.resolution), options.metric, options.threads);
   start.options.analysis = &files.start(key, start.mesh);
   return start;
 }
@@ -168,7 +190,7 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
     throw InputError("{0}: a .hemesh file holds one mesh, so no original can be kept in it.",
                      name_);
   std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
-  std::vector<MeshReport> reports = reports_of(meshes);
+  const std::vector<MeshReport> reports = reports_of(meshes, refused(ids));
   std::erase_if(meshes, [](const SimplifiedMesh& m) {
     return m.result.patches_after == m.result.patches_before;
   });
@@ -186,7 +208,7 @@ std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
     options.epsilon = 1;
     options.max_local_error.reset();
   }
-  return reports_of(simplified(ids, options, analyses));
+  return reports_of(simplified(ids, options, analyses), refused(ids));
 }
 
 std::vector<UpdateReport> Document::update(const std::vector<std::string>& ids) {
@@ -218,7 +240,10 @@ void Document::check_target(const std::filesystem::path& path) const {
 
 void Document::write_file(const std::filesystem::path& path) const {
   check_target(path);
-  write_bytes(path, bytes());
+  if (path.extension() != compressed_extension)
+    write_bytes(path, bytes());
+  else
+    write_bytes(path, changed_ || compressed_.empty() ? gzip(bytes()) : compressed_);
 }
 
 Message mesh_label(int patches) { return Message("Gradient mesh: {0} patches", patches); }

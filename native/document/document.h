@@ -35,11 +35,21 @@ struct MeshEntry {
   bool simplified = false;
   /// Whether it is the hidden original of another one, chosen only by its own id.
   bool kept = false;
+  /// Why its mesh cannot be read, a sentence; nothing where it can.
+  std::optional<Message> refused = std::nullopt;
+};
+
+/// A mesh gradient that paints nothing.
+struct UnusedMesh {
+  std::string id;
+  int patches = 0;
 };
 
 struct MeshReport {
   std::string id;
   SimplifyResult result;
+  /// MeshEntry::refused; then there is no result.
+  std::optional<Message> refused = std::nullopt;
 };
 
 /// What an update has found.
@@ -84,8 +94,13 @@ class Document {
   /// All meshes; there may be none.
   const std::vector<MeshEntry>& meshes() const { return entries_; }
   /// The meshes of the objects with these ids, or inside elements with these ids; all where there
-  /// are no ids. Hidden originals are left out unless they are named themselves. Never empty.
+  /// are no ids. Hidden originals are left out unless they are named themselves, and so are those
+  /// that cannot be read, where an id names another one as well. Never empty.
   virtual std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const = 0;
+  /// Those that selected() leaves out because they cannot be read. Throws as that does.
+  virtual std::vector<MeshEntry> refused(const std::vector<std::string>&) const { return {}; }
+  /// Mesh gradients that paint none of the meshes.
+  virtual std::vector<UnusedMesh> unused() const { return {}; }
 
   virtual Mesh mesh(const MeshEntry& entry) const = 0;
   /// From mesh units to what the person sees (y down), up to scale.
@@ -109,7 +124,8 @@ class Document {
   Start start(const MeshEntry& entry, const SimplifyOptions& options, AnalysisFiles& files) const;
 
   /// Simplifies the selected meshes in place, each against `options.original`, the original that it
-  /// remembers, unless a person has edited it since, or itself as it was. A mesh that does not come
+  /// remembers, unless a person has edited it since, or itself as it was. Those that cannot be read
+  /// are only reported. A mesh that does not come
   /// out with fewer patches stays as it is. In another colour model than
   /// its own it is converted first, which counts towards the error. Where an analysis is loaded,
   /// there must be one for each of the meshes. Where this throws, the document is as it was. Throws
@@ -144,11 +160,12 @@ class Document {
     }
   }
 
-  /// The document; the very bytes that were read where nothing was changed.
+  /// The document; the very bytes that were read where nothing was changed, unpacked.
   std::string bytes() const { return changed_ ? changed_bytes() : original_; }
   /// Throws InputError where the path's extension is that of the other kind.
   void check_target(const std::filesystem::path& path) const;
-  /// Throws as check_target does, and where the file cannot be written.
+  /// Compressed by gzip where the path's extension is .svgz, otherwise as bytes() has it. Throws as
+  /// check_target does, and where the file cannot be written.
   void write_file(const std::filesystem::path& path) const;
 
  protected:
@@ -195,9 +212,12 @@ class Document {
   void check_color_model(const SimplifyOptions& options) const;
   /// Throws where a mesh was above epsilon from the start, in another colour model or document.
   void check_start(const SimplifiedMesh& mesh, const SimplifyOptions& options) const;
-  static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes);
+  static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes,
+                                            const std::vector<MeshEntry>& refused);
 
   std::string name_, original_;
+  /// What was read, where that was compressed.
+  std::string compressed_;
   Translation translation_ = [](const std::string& text) { return text; };
   bool changed_ = false;
 };

@@ -12,10 +12,15 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
-  const Mesh mesh = document.mesh(entry);
-  const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
   ordered_json role = nullptr;
   if (entry.role) role = *entry.role == PaintRole::fill ? "fill" : "stroke";
+  if (entry.refused)
+    return {{"id", entry.id},
+            {"role", role},
+            {"simplified", entry.simplified},
+            {"refused", entry.refused->english()}};
+  const Mesh mesh = document.mesh(entry);
+  const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
   return {{"id", entry.id},
           {"role", role},
           {"simplified", entry.simplified},
@@ -49,11 +54,17 @@ void append_text(const ordered_json& value, int depth, const std::string& indent
 }  // namespace
 
 ordered_json info_json(const Document& document) {
-  ordered_json meshes = ordered_json::array();
-  for (const MeshEntry& entry : document.selected({})) meshes.push_back(mesh_json(document, entry));
+  ordered_json meshes = ordered_json::array(), unused = ordered_json::array();
+  for (const MeshEntry& entry : document.meshes())
+    if (!entry.kept) meshes.push_back(mesh_json(document, entry));
+  for (const UnusedMesh& mesh : document.unused())
+    unused.push_back({{"id", mesh.id}, {"patches", mesh.patches}});
+  // Says that there is none.
+  if (meshes.empty() && unused.empty()) document.selected({});
   return {{"file", document.name()},
           {"kind", document.kind() == DocumentKind::svg ? "svg" : "hemesh"},
-          {"meshes", meshes}};
+          {"meshes", meshes},
+          {"unused", unused}};
 }
 
 std::string info_text(const Document& document) {

@@ -10,8 +10,11 @@ namespace gradmesh {
 /// What is in a document:
 ///   {"file", "kind": "svg" or "hemesh",
 ///    "meshes": [{"id", "role": "fill", "stroke" or null, "simplified", "color_model",
-///                "patches", "points", "t_junctions", "elements"}]}
-/// with counts in "points" and "t_junctions", and "elements" as of elements_json (io/mesh_json.h).
+///                "patches", "points", "t_junctions", "elements"}],
+///    "unused": [{"id", "patches"}]}
+/// where a mesh that cannot be read has "refused", the reason, in the place of all from
+/// "color_model" on, and "unused" are mesh gradients that paint nothing; with counts in "points"
+/// and "t_junctions", and "elements" as of elements_json (io/mesh_json.h).
 nlohmann::ordered_json info_json(const Document& document);
 
 /// The same as text, an element a line.

@@ -9,6 +9,7 @@
 #include "io/svg_kept.h"
 #include "io/svg_memory.h"
 #include "io/svg_mesh.h"
+#include "io/svg_mesh_names.h"
 #include "io/svg_mesh_writer.h"
 #include "io/svg_restore.h"
 #include "io/svg_visible.h"
@@ -29,6 +30,14 @@ bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
 /// count where something around it was.
 bool is_named_by(const xmlNode* named, const MeshObject& object) {
   return is_inside(object.node, named) && (!object.kept || is_inside(named, object.kept));
+}
+
+/// Why an element is no mesh and holds none.
+Message why_unpainted(const xmlNode* node) {
+  for (const xmlNode* outer = node; outer; outer = parent_element(outer))
+    if (svg_name(outer) == "clipPath")
+      return Message("it is in a clipPath, of which nothing is painted");
+  return Message("it is not painted by a mesh gradient");
 }
 
 /// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
@@ -56,28 +65,67 @@ void SvgMeshes::list_meshes() {
   for (const MeshObject& o : objects_)
     entries_.push_back(
         {int(entries_.size()), o.id, o.role, o.gradient == nullptr, o.kept != nullptr});
+  for (MeshEntry& entry : entries_) entry.refused = refusal(entry);
 }
 
-std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) const {
-  const auto nothing =
-      InputError("{0}: no object in this document is painted by a mesh gradient.", name());
-  if (entries_.empty()) throw nothing;
-  std::vector<const xmlNode*> places;
+std::optional<Message> SvgMeshes::refusal(const MeshEntry& entry) const {
+  try {
+    frame(entry, mesh(entry), 1);
+    return std::nullopt;
+  } catch (const InputError& error) {
+    return error.message();
+  }
+}
+
+std::vector<MeshEntry> SvgMeshes::named(const std::vector<std::string>& ids) const {
+  std::vector<bool> found(entries_.size());
+  const auto find_below = [&](const xmlNode* place, const InputError& otherwise) {
+    const MeshEntry* unread = nullptr;
+    bool reads = false;
+    for (const MeshEntry& entry : entries_) {
+      if (!is_named_by(place, object(entry))) continue;
+      found[std::size_t(entry.index)] = true;
+      reads = reads || !entry.refused;
+      if (!unread && entry.refused) unread = &entry;
+    }
+    if (!reads) throw unread ? InputError(*unread->refused) : otherwise;
+  };
   for (const std::string& id : ids) {
     const xmlNode* place = svg_.find(id);
     if (!place) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
-    if (std::ranges::none_of(objects_, [&](const MeshObject& o) { return is_named_by(place, o); }))
-      fail(place, Message("it is not painted by a mesh gradient"));
-    places.push_back(place);
+    find_below(place, InputError("{0}: {1}: {2}.", name(), gradmesh::describe(place),
+                                 why_unpainted(place)));
   }
-  if (ids.empty()) places.push_back(svg_.root());
-  std::vector<MeshEntry> found;
+  if (ids.empty())
+    find_below(
+        svg_.root(),
+        InputError("{0}: no object in this document is painted by a mesh gradient.", name()));
+  std::vector<MeshEntry> chosen;
   for (const MeshEntry& entry : entries_)
-    if (std::ranges::any_of(places,
-                            [&](const xmlNode* p) { return is_named_by(p, object(entry)); }))
-      found.push_back(entry);
-  if (found.empty()) throw nothing;
-  return found;
+    if (found[std::size_t(entry.index)]) chosen.push_back(entry);
+  return chosen;
+}
+
+std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) const {
+  std::vector<MeshEntry> entries = named(ids);
+  std::erase_if(entries, [](const MeshEntry& entry) { return entry.refused.has_value(); });
+  return entries;
+}
+
+std::vector<MeshEntry> SvgMeshes::refused(const std::vector<std::string>& ids) const {
+  std::vector<MeshEntry> entries = named(ids);
+  std::erase_if(entries, [](const MeshEntry& entry) { return !entry.refused; });
+  return entries;
+}
+
+std::vector<UnusedMesh> SvgMeshes::unused() const {
+  std::vector<UnusedMesh> meshes;
+  for (const xmlNode* gradient : unused_mesh_gradients(svg_, objects_)) {
+    UnusedMesh mesh{attribute(gradient, "id").value_or("")};
+    for (const xmlNode* row : mesh_rows(gradient)) mesh.patches += int(mesh_patches(row).size());
+    meshes.push_back(std::move(mesh));
+  }
+  return meshes;
 }
 
 Mesh SvgMeshes::mesh(const MeshEntry& entry) const {

@@ -20,6 +20,8 @@ class SvgMeshes : public Document {
 
   DocumentKind kind() const override { return DocumentKind::svg; }
   std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
+  std::vector<MeshEntry> refused(const std::vector<std::string>& ids) const override;
+  std::vector<UnusedMesh> unused() const override;
   Mesh mesh(const MeshEntry& entry) const override;
   Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
@@ -62,6 +64,10 @@ class SvgMeshes : public Document {
   /// Of a group that was edited, as it will be written: how far it is from what it remembers.
   Message updated_label(const MeshEntry& group, const Mesh& written) const;
   void list_meshes();
+  /// MeshEntry::refused, found by reading the mesh and placing it.
+  std::optional<Message> refusal(const MeshEntry& entry) const;
+  /// The meshes that ids name, readable or not. Throws where one names none that can be read.
+  std::vector<MeshEntry> named(const std::vector<std::string>& ids) const;
 
   SvgDocument svg_;
   std::vector<MeshObject> objects_;

@@ -160,7 +160,6 @@ SvgDocument SvgDocument::parse(std::string_view bytes, const std::string& name) 
   const auto refuse = [&](const Message& reason) {
     throw InputError("{0} is not a readable SVG document: {1}.", name, reason);
   };
-  if (bytes.starts_with("\x1f\x8b")) refuse(Message("it is compressed, save it as plain SVG"));
   if (bytes.empty()) refuse(Message("it is empty"));
   const std::size_t most = std::min<std::uint64_t>(limits().document, INT_MAX);
   if (bytes.size() > most)

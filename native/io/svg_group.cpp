@@ -159,11 +159,15 @@ int patches_before(const xmlNode* group) {
   return *count;
 }
 
+bool is_opacity_mask(const xmlNode* node) {
+  return svg_name(node) == "mask" && own_attribute(node, "opacity");
+}
+
 xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group) {
   const auto reference = attribute(group, "mask");
   const auto id = reference ? referenced_id(*reference) : std::nullopt;
   xmlNode* mask = id ? document.find(*id) : nullptr;
-  return mask && own_attribute(mask, "opacity") ? mask : nullptr;
+  return mask && is_opacity_mask(mask) ? mask : nullptr;
 }
 
 std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode* path) {

@@ -38,6 +38,8 @@ bool is_mesh_group(const xmlNode* node);
 PaintRole group_role(const xmlNode* group);
 int patches_before(const xmlNode* group);
 
+/// Whether the element is the mask that holds the opacities of some group's mesh.
+bool is_opacity_mask(const xmlNode* node);
 /// The mask that holds the opacities of the group's mesh; null where the mesh is opaque.
 xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group);
 

@@ -9,6 +9,7 @@
 
 #include "base/limits.h"
 #include "io/svg_color.h"
+#include "io/svg_group.h"
 #include "io/svg_length.h"
 #include "io/svg_mesh_names.h"
 #include "io/svg_scanner.h"
@@ -46,10 +47,6 @@ HrefChain href_chain(const SvgDocument& document, const xmlNode* gradient) {
       chain.broken = Message("its href {0} does not lead to a gradient", excerpt(target));
     if (chain.broken) break;
   }
-  const std::size_t most = limits().links, count = chain.gradients.size();
-  if (count > most)
-    fail(gradient, Message("{0} gradients refer to one another, {1}", count,
-                           beyond_limit("links", most, count)));
   return chain;
 }
 
@@ -294,6 +291,10 @@ Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
 
 MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
   const HrefChain chain = href_chain(document, gradient);
+  const std::size_t most = limits().links, count = chain.gradients.size();
+  if (count > most)
+    fail(gradient, Message("{0} gradients refer to one another, {1}", count,
+                           beyond_limit("links", most, count)));
   const auto holder = std::ranges::find_if(chain.gradients, [](const xmlNode* node) {
     return is_mesh_gradient(node) && !mesh_rows(node).empty();
   });
@@ -344,6 +345,32 @@ Affine mesh_to_user(const SvgDocument& document, const MeshObject& object) {
 
 Affine mesh_to_gradient(const SvgDocument& document, const MeshObject& object) {
   return is_smooth(object.gradient) ? Affine() : gradient_to_user(document, object).inverse();
+}
+
+std::vector<const xmlNode*> unused_mesh_gradients(const SvgDocument& document,
+                                                  const std::vector<MeshObject>& objects) {
+  std::vector<const xmlNode*> gradients;
+  std::set<const xmlNode*> used;
+  const auto use = [&](const xmlNode* gradient) {
+    if (!gradient) return;
+    for (const xmlNode* node : href_chain(document, gradient).gradients) used.insert(node);
+  };
+  for (const MeshObject& object : objects) use(object.gradient);
+  const auto visit = [&](const auto& self, const xmlNode* node) -> void {
+    if (is_mesh_gradient(node) && !mesh_rows(node).empty()) gradients.push_back(node);
+    // Shapes and texts that are painted are among the objects, but blocks and parts of texts are
+    // not.
+    const bool is_object =
+        can_paint(node, PaintRole::stroke) && !attribute(node, "face", gradmesh_namespace);
+    if (!is_object && !hands_paint_on(node))
+      for (const char* property : {"fill", "stroke"})
+        if (const auto paint = document.styles().declared(node, property))
+          use(referenced_mesh(document, *paint));
+    for (const xmlNode* child : child_elements(node)) self(self, child);
+  };
+  visit(visit, document.root());
+  std::erase_if(gradients, [&](const xmlNode* node) { return used.contains(node); });
+  return gradients;
 }
 
 bool in_bounding_box(const SvgDocument& document, const xmlNode* gradient) {

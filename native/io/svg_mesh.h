@@ -42,6 +42,11 @@ MeshParts read_mesh(const SvgDocument& document, const MeshObject& object);
 Affine mesh_to_user(const SvgDocument& document, const MeshObject& object);
 Affine mesh_to_gradient(const SvgDocument& document, const MeshObject& object);
 
+/// The mesh gradients with rows that paint none of the objects, of which there are all, no block and
+/// no part of a text, and give their rows to none that does.
+std::vector<const xmlNode*> unused_mesh_gradients(const SvgDocument& document,
+                                                  const std::vector<MeshObject>& objects);
+
 /// Whether the meshgradient's units are its object's bounding box, as it says itself or by href.
 bool in_bounding_box(const SvgDocument& document, const xmlNode* gradient);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "io/svg_group.h"
@@ -15,11 +16,24 @@ namespace gradmesh {
 namespace {
 
 constexpr std::array<std::string_view, 4> containers{"svg", "g", "a", "switch"};
+/// What is inside of these is painted where something names them, or in <defs> what is inside.
+constexpr std::array<std::string_view, 5> definitions{"defs", "symbol", "pattern", "mask",
+                                                      "marker"};
 constexpr std::array<std::string_view, 8> paintables{"path", "rect",     "circle",  "ellipse",
                                                      "line", "polyline", "polygon", "text"};
 
 bool contains(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Adds to `ids` what the attributes of the element and of all below it name as `#id`.
+void find_named(const xmlNode* node, std::set<std::string>& ids) {
+  for (const xmlAttr* a = node->properties; a; a = a->next) {
+    const std::string text = text_of(a->children, node);
+    for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1))
+      ids.insert(text.substr(at + 1, text.find_first_of(")'\" ", at + 1) - at - 1));
+  }
+  for (const xmlNode* child : child_elements(node)) find_named(child, ids);
 }
 
 /// What is in force where an element stands.
@@ -29,23 +43,37 @@ struct Context {
   xmlNode* stroke = nullptr;
   /// MeshObject::kept.
   const xmlNode* kept = nullptr;
+  /// Whether it is painted: not where nothing names the definition that it is inside of.
+  bool shown = true;
 };
 
 class Collector {
  public:
-  explicit Collector(SvgDocument& document) : document_(document) {}
+  explicit Collector(SvgDocument& document) : document_(document) {
+    find_named(document.root(), named_);
+  }
 
   void visit(xmlNode* node, Context context) {
     const std::string_view name = svg_name(node);
-    const bool is_container = contains(containers, name);
+    const bool is_definition = contains(definitions, name) && !is_opacity_mask(node);
+    const bool is_container = is_definition || contains(containers, name);
     if (!is_container && !contains(paintables, name)) return;
+    if (is_definition) {
+      // What a <use> shows inherits from there.
+      if (name == "defs" || name == "symbol") context.fill = context.stroke = nullptr;
+      context.shown = false;
+    }
+    if (!context.shown) context.shown = named_.contains(attribute(node, "id").value_or(""));
     if (attribute(node, "kept-for", gradmesh_namespace)) context.kept = node;
-    if (is_mesh_group(node)) return add(node, group_role(node), nullptr, context.kept);
+    if (is_mesh_group(node)) {
+      if (context.shown) add(node, group_role(node), nullptr, context.kept);
+      return;
+    }
     update(node, "fill", context.fill);
     update(node, "stroke", context.stroke);
     if (is_container) {
       for (xmlNode* child : child_elements(node)) visit(child, context);
-    } else {
+    } else if (context.shown) {
       for (const auto& [role, gradient] :
            {std::pair(PaintRole::fill, context.fill), std::pair(PaintRole::stroke, context.stroke)})
         if (gradient && can_paint(node, role)) add(node, role, gradient, context.kept);
@@ -68,9 +96,12 @@ class Collector {
   }
 
   SvgDocument& document_;
+  std::set<std::string> named_;
 };
 
 }  // namespace
+
+bool hands_paint_on(const xmlNode* node) { return contains(containers, svg_name(node)); }
 
 bool can_paint(const xmlNode* node, PaintRole role) {
   const std::string_view name = svg_name(node);

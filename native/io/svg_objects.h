@@ -28,13 +28,17 @@ struct MeshObject {
 };
 
 /// Every object painted by a mesh gradient, in document order, fill before stroke. The paint may
-/// come from a style, a rule, an attribute or a group around the object. What only serves others
-/// (in <defs>, <clipPath>, <mask>, <symbol>, <pattern>, <marker>) is left out, as are lines' fills,
-/// which paint nothing (can_paint). An object without an id gets one.
+/// come from a style, a rule, an attribute or a group around the object. What is defined to be used
+/// (in <mask>, <pattern>, <symbol>, <marker>, <defs>) is among them where something names it. What
+/// is in a <clipPath> is not, as nothing of it is painted, nor are lines' fills (can_paint). An
+/// object without an id gets one.
 std::vector<MeshObject> mesh_objects(SvgDocument& document);
 
 /// Whether the element is a shape or text that a gradient can fill or stroke.
 bool can_paint(const xmlNode* node, PaintRole role);
+
+/// Whether the element paints nothing itself, and what it says of paint is for what is inside.
+bool hands_paint_on(const xmlNode* node);
 
 /// The element that stands for the whole object: itself or, for a group of blocks inside a group
 /// that does, that one.

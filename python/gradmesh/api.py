@@ -30,6 +30,8 @@ class MeshInfo:
     simplified: bool  #: whether it is a group of blocks that gradmesh wrote
     patches: int
     smooth: bool  #: whether its type is "bicubic": then only whole lines can be taken out
+    #: why it cannot be read, which named by its id it raises; then it has no patches
+    refused: Optional[_core.InputError] = None
 
 
 @dataclass(frozen=True)
@@ -42,10 +44,11 @@ class Result:
     error: float  #: of what is written, against the mesh as it was, 0 to 1
     local_error: float  #: the largest mean of the same in any window of 32 x 32 pixels
     evaluations: int  #: merges that were painted and measured
-    stopped: str  #: "done", "budget", "cancelled" or "nothing to merge"
+    stopped: str  #: "done", "budget", "cancelled", "nothing to merge" or "refused"
     seconds: float
     method: str  #: the one asked for, or "lines" where the mesh is smooth
     renderer: str  #: where merges were priced: the device's name, or "software"
+    refused: Optional[_core.InputError] = None  #: why it was left alone: it cannot be read
 
 
 @dataclass(frozen=True)
@@ -91,7 +94,7 @@ class Document:
     @property
     def meshes(self) -> list[MeshInfo]:
         """All meshes; InputError where there is none."""
-        return [MeshInfo(**mesh) for mesh in self._core.meshes([])]
+        return [MeshInfo(**mesh) for mesh in self._core.meshes()]
 
     def to_bytes(self) -> bytes:
         """The document; the bytes that were read where nothing was changed."""
@@ -457,6 +460,7 @@ def _pixels(resolution: int) -> int:
 def _one_id(document: Document, id: Optional[str]) -> str:
     if id is None:
         meshes = document.meshes
+        meshes = [mesh for mesh in meshes if not mesh.refused] or meshes
         if len(meshes) > 1:
             raise ValueError(f"the document has {len(meshes)} meshes: say which one by its id")
         id = meshes[0].id

@@ -15,6 +15,8 @@ void check_packing(const std::string& text) {
   require(unzip(zip(text), text.size()) == text, "zip gives the bytes back");
   // Also as they come from a stranger: packed by nobody.
   unzip(text, 1 << 16);
+  require(gunzip(gzip(text)) == text, "gzip gives the bytes back");
+  if (gunzipped_size(text) < 1 << 20) gunzip(text);
   if (const auto bytes = base64_bytes(text)) unzip(*bytes, 1 << 16);
 }
 

@@ -1,5 +1,6 @@
 """The command line's contract: options, reports, exit codes, silence, and files whole or untouched."""
 
+import gzip
 import json
 import os
 import pty
@@ -8,7 +9,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from bad_documents import BAD, DOCUMENT, TWO_PATCHES
+from bad_documents import BAD, DOCUMENT, FIRST, TWO_PATCHES, document, row
 from built import PROGRAM, SAMPLES, gradmesh
 
 OPTIONS = {
@@ -212,7 +213,11 @@ def test_bad_documents(tmp_path, name):
     assert str(path) in said
     for word in bad.words:
         assert word in said
-    assert refused(gradmesh("info", path)) == said
+    listed = gradmesh("info", path)
+    if listed.returncode == 0:  # the document can be read, but not its mesh
+        assert listed.stdout == f"box (fill): cannot be read: {said.removeprefix('gradmesh: ')}"
+    else:
+        assert refused(listed) == said
     assert refused(gradmesh("simplify", path, "-o", path)) == said
     assert refused(gradmesh("render", path, "-o", tmp_path / "out.png")) == said
     assert files(tmp_path) == before
@@ -262,12 +267,43 @@ def test_files_that_cannot_be_read_or_written(fruit):
     assert files(fruit.parent) == before
 
 
-def test_compressed_documents_are_refused(tmp_path):
-    import gzip
+def test_compressed_documents(tmp_path, fruit):
+    plain, packed = tmp_path / "plain.svg", tmp_path / "packed.svgz"
+    quick = ("--id", "pear", *QUICK)
+    assert gradmesh("simplify", fruit, "-o", plain, *quick).returncode == 0
+    assert gradmesh("simplify", fruit, "-o", packed, *quick).returncode == 0
+    assert gzip.decompress(packed.read_bytes()) == plain.read_bytes()
+    # No time and no name in the header: equal documents are equal files.
+    assert packed.read_bytes()[3:10] == b"\0\0\0\0\0\x02\xff"
 
+    # By its content, whatever its name; written as the name of OUT says.
+    misnamed, again = tmp_path / "misnamed.svg", tmp_path / "again.svg"
+    misnamed.write_bytes(gzip.compress(fruit.read_bytes(), mtime=7))
+    assert gradmesh("info", misnamed).stdout == gradmesh("info", fruit).stdout
+    assert gradmesh("simplify", misnamed, "-o", again, *quick).returncode == 0
+    assert again.read_bytes() == plain.read_bytes()
+    # What is not changed stays as it was, packed or not.
+    one_patch = document(row(FIRST)).encode()
+    misnamed.write_bytes(gzip.compress(one_patch, mtime=7))
+    for out, expected in ((packed, misnamed.read_bytes()), (again, one_patch)):
+        assert gradmesh("simplify", misnamed, "-o", out).returncode == 0
+        assert out.read_bytes() == expected
+
+
+@pytest.mark.parametrize("damage", [lambda b: b[:-9], lambda b: b[:99] + b"x" + b[100:], lambda b: b[:2]])
+def test_damaged_compressed_documents(tmp_path, damage):
     path = tmp_path / "in.svgz"
-    path.write_bytes(gzip.compress(TWO_PATCHES.encode()))
-    assert "compressed" in refused(gradmesh("info", path))
+    path.write_bytes(damage(gzip.compress((SAMPLES / "fruit.svg").read_bytes())))
+    said = refused(gradmesh("info", path))
+    assert str(path) in said and ("damaged" in said or "unpacks to" in said)
+
+
+def test_the_limit_counts_what_is_unpacked(tmp_path, monkeypatch):
+    path = tmp_path / "in.svgz"
+    path.write_bytes(gzip.compress(b"<svg>" + b" " * 10_000_000 + b"</svg>"))
+    monkeypatch.setenv("GRADMESH_LIMITS", "document=9M")
+    said = refused(gradmesh("info", path))
+    assert "unpacks to 10000011 bytes" in said and "GRADMESH_LIMITS=document=10000011" in said
 
 
 def test_render(tmp_path):

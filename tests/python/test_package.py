@@ -177,20 +177,25 @@ def test_bad_documents(name):
 def test_other_bad_input(tmp_path):
     with pytest.raises(gradmesh.InputError, match="gone.svg cannot be read"):
         gradmesh.load(tmp_path / "gone.svg")
-    with pytest.raises(gradmesh.InputError, match="compressed"):
-        gradmesh.loads(gzip.compress(FRUIT.read_bytes()))
+    with pytest.raises(gradmesh.InputError, match="damaged"):
+        gradmesh.loads(gzip.compress(FRUIT.read_bytes())[:-1])
     with pytest.raises(gradmesh.InputError, match="cannot be written"):
         gradmesh.save(gradmesh.load(FRUIT), tmp_path / "gone" / "out.svg")
 
 
-def test_one_broken_mesh_leaves_all_as_they_were():
+def test_one_broken_mesh_leaves_the_others():
     broken = '<rect id="bad" fill="url(#none)"/><meshgradient id="none"/></svg>'
     text = (SAMPLES / "two.svg").read_text().replace("</svg>", broken)
     document = gradmesh.loads(text)
-    with pytest.raises(gradmesh.InputError, match="none"):
-        gradmesh.simplify(document)
+    reason = 'document: meshgradient "none": it has no meshrow.'
+    assert {m.id: str(m.refused) for m in document.meshes if m.refused} == {"bad": reason}
+    with pytest.raises(gradmesh.InputError, match="no meshrow") as named:
+        gradmesh.simplify(document, ["cap", "bad"], method="grid")
     assert document.to_bytes().decode() == text
-    assert gradmesh.simplify(document, "cap", method="grid")[0].stopped == "done"
+    *results, left = gradmesh.simplify(document, method="grid")
+    assert [r.refused for r in results] == [None] * len(results) and results[0].stopped == "done"
+    assert (left.id, str(left.refused), left.stopped) == ("bad", reason, "refused")
+    assert left.refused.message == named.value.message
 
 
 def test_render(fruit):

@@ -1,0 +1,121 @@
+"""A mesh that cannot be read hides no other: it is listed with the reason and left as it was."""
+
+import json
+
+import pytest
+
+from bad_documents import BELOW, FIRST, NEXT, row
+from built import gradmesh
+from extension_runs import INKEX, extension, refused, run  # noqa: F401
+
+GOOD = f'<meshgradient id="m" gradientUnits="userSpaceOnUse">{row(FIRST, NEXT)}</meshgradient>'
+BAD = f'<meshgradient id="n">{row(FIRST, NEXT)}{row(BELOW)}</meshgradient>'
+UNUSED = f'<meshgradient id="u">{row(FIRST, NEXT)}</meshgradient>'
+DOCUMENT = """<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20">
+<defs>{}</defs>
+<g id="both"><rect id="good" width="40" height="20" fill="url(#m)"/>
+<rect id="bad" width="40" height="20" fill="url(#n)"/></g>
+</svg>
+"""
+REASON = 'meshgradient "n": row 2 does not have as many patches as row 1: 1, not 2.'
+
+
+@pytest.fixture
+def svg(tmp_path):
+    path = tmp_path / "in.svg"
+    path.write_text(DOCUMENT.format(GOOD + BAD))
+    return path
+
+
+def test_info_lists_it(svg):
+    done = gradmesh("info", svg)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.splitlines() == [
+        "good (fill): 2 patches, 6 points, 0 T-junctions",
+        f"bad (fill): cannot be read: {svg}: {REASON}",
+    ]
+    good, bad = json.loads(gradmesh("info", "--json", svg).stdout)["meshes"]
+    assert good["patches"] == 2 and "refused" not in good
+    said = f"{svg}: {REASON}"
+    assert bad == {"id": "bad", "role": "fill", "simplified": False, "refused": said}
+
+
+@pytest.mark.parametrize("ids", [(), ("--id", "both")])
+@pytest.mark.parametrize("how", ["simplify", "preview"])
+def test_the_others_are_simplified(svg, tmp_path, ids, how):
+    out, report = tmp_path / "out.svg", tmp_path / "report.json"
+    target = ("--preview",) if how == "preview" else ("-o", out)
+    done = gradmesh("simplify", svg, *target, *ids, "--report", report)
+    assert done.returncode == 0
+    assert done.stderr == f"gradmesh: left as it was: {svg}: {REASON}\n"
+    assert done.stdout.startswith("good: 1 of 2 patches left") and "bad" not in done.stdout
+    good, bad = json.loads(report.read_text())["meshes"]
+    assert good["patches_after"] == 1 and bad == {"id": "bad", "refused": f"{svg}: {REASON}"}
+    if how == "simplify":
+        assert BAD in out.read_text() and GOOD not in out.read_text()
+
+
+@pytest.mark.parametrize("ids", [("--id", "bad"), ("--id", "good", "--id", "bad")])
+def test_named_it_is_an_error(svg, tmp_path, ids):
+    for command in ("simplify", "update", "analyze"):
+        done = gradmesh(command, svg, "-o", tmp_path / "out", *ids)
+        assert (done.returncode, done.stdout) == (1, "")
+        assert done.stderr == f"gradmesh: {svg}: {REASON}\n"
+    assert [path.name for path in tmp_path.iterdir()] == ["in.svg"]
+
+
+def test_the_only_one_that_can_be_read_needs_no_name(svg, tmp_path):
+    assert gradmesh("render", svg, "-o", tmp_path / "out.png").returncode == 0
+
+
+@pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
+@pytest.mark.parametrize("ids", [(), ("--id=good", "--id=bad"), ("--id=both",)])
+def test_in_inkscape_the_others_are_simplified(run, svg, tmp_path, ids):
+    lines = tmp_path / "lines"
+    done = run(svg, *ids, GRADMESH_REPORT=str(lines))
+    assert done.returncode == 0
+    assert done.stderr == f"Left as it was: apple.svg: {REASON}\n"
+    assert BAD in done.stdout and GOOD not in done.stdout
+    line = json.loads(lines.read_text())
+    assert line["outcome"] == "done" and line["message"] == done.stderr.strip()
+    good, bad = line["meshes"]
+    assert (good["patches_after"], good["refused"]) == (1, None)
+    assert bad == {"id": "bad", "refused": f"apple.svg: {REASON}"}
+
+
+@pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
+@pytest.mark.parametrize("item", ["simplify", "update", "to_one_mesh", "show_analysis"])
+def test_alone_in_inkscape_it_is_a_sentence(run, svg, item):
+    assert refused(run(svg, "--id=bad", item=item)) == f"apple.svg: {REASON}\n"
+
+
+@pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
+def test_the_analysis_of_the_others_is_shown(run, svg):
+    done = run(svg, "--id=both", item="show_analysis")
+    assert done.stderr == f"Left as it was: apple.svg: {REASON}\n"
+    assert "gradmesh:analysis" in done.stdout
+
+
+def test_a_mesh_that_nothing_uses(tmp_path):
+    path = tmp_path / "dead.svg"
+    path.write_text(DOCUMENT.format(UNUSED))
+    done = gradmesh("info", path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == "u: 2 patches, unused: no object is painted by it\n"
+    listed = json.loads(gradmesh("info", "--json", path).stdout)
+    assert listed["meshes"] == [] and listed["unused"] == [{"id": "u", "patches": 2}]
+    done = gradmesh("simplify", path, "-o", tmp_path / "out.svg")
+    assert done.returncode == 1 and "no object in this document is painted" in done.stderr
+
+
+def test_only_what_paints_nothing_is_unused(svg, tmp_path):
+    path, out = tmp_path / "mixed.svg", tmp_path / "out.svg"
+    part = '<text><tspan fill="url(#v)">A</tspan></text>'
+    text = DOCUMENT.format(GOOD + BAD + UNUSED + UNUSED.replace('"u"', '"v"'))
+    path.write_text(text.replace("</svg>", part + "</svg>"))
+    listed = json.loads(gradmesh("info", "--json", path).stdout)
+    assert [mesh["id"] for mesh in listed["unused"]] == ["u"]
+    # Blocks are painted by gradients too.
+    assert gradmesh("simplify", path, "-o", out, "--id", "good").returncode == 0
+    listed = json.loads(gradmesh("info", "--json", out).stdout)
+    assert [mesh["id"] for mesh in listed["unused"]] == ["u"]
