@@ -154,7 +154,7 @@ def test_exact_parts_become_one_patch_again(leaf, tmp_path, method):
 def test_python(leaf, tmp_path):
     document = gradmesh.load(leaf)
     assert document.ids == ["mesh"]
-    assert [astuple(mesh) for mesh in document.meshes] == [("mesh", None, False, 20, False)]
+    assert [astuple(mesh) for mesh in document.meshes] == [("mesh", None, False, 20, False, None)]
     assert gradmesh.loads(leaf.read_text()).to_bytes() == leaf.read_bytes()
     (result,) = gradmesh.simplify(document, "mesh", epsilon=0.004)
     assert (result.id, result.patches_after) == ("mesh", 1)
