@@ -26,13 +26,23 @@ bool contains(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Adds to `ids` what the attributes of the element and of all below it name as `#id`.
-void find_named(const xmlNode* node, std::set<std::string>& ids) {
-  for (const xmlAttr* a = node->properties; a; a = a->next) {
-    const std::string text = text_of(a->children, node);
-    for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1))
-      ids.insert(text.substr(at + 1, text.find_first_of(")'\" ", at + 1) - at - 1));
+/// Adds to `ids` what the texts of a list name as `#id`. Entities name nothing.
+void find_named_in(const xmlNode* texts, std::set<std::string>& ids) {
+  for (const xmlNode* node = texts; node; node = node->next) {
+    const bool is_text = node->type == XML_TEXT_NODE || node->type == XML_CDATA_SECTION_NODE;
+    if (!is_text || !node->content) continue;
+    const std::string_view text = reinterpret_cast<const char*>(node->content);
+    for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1)) {
+      const std::string_view rest = text.substr(at + 1);
+      ids.emplace(rest.substr(0, rest.find_first_of(")'\"; \t\r\n")));
+    }
   }
+}
+
+/// The same of the attributes and rules of the element and of all below it.
+void find_named(const xmlNode* node, std::set<std::string>& ids) {
+  for (const xmlAttr* a = node->properties; a; a = a->next) find_named_in(a->children, ids);
+  if (svg_name(node) == "style") find_named_in(node->children, ids);
   for (const xmlNode* child : child_elements(node)) find_named(child, ids);
 }
 

@@ -40,6 +40,8 @@ DEFINITIONS = {
     "pattern": '<defs><pattern id="k" patternUnits="userSpaceOnUse" width="44" height="40" '
     'patternTransform="rotate(10)">{}</pattern></defs>'
     '<rect width="120" height="120" style="fill:url(#k)"/>',
+    "pattern of a rule": '<style>#p {{ fill: url("#k") }}</style><pattern id="k" width="44" height="40" '
+    'patternUnits="userSpaceOnUse">{}</pattern><rect id="p" width="120" height="120"/>',
     "symbol": '<symbol id="k" viewBox="0 0 40 40">{}</symbol>'
     '<use xlink:href="#k" x="5" y="5" width="80" height="80"/>',
     "marker": '<marker id="k" overflow="visible" markerUnits="userSpaceOnUse" orient="auto">{}'
@@ -94,6 +96,7 @@ def test_what_is_defined_is_simplified_where_it_is(simplified, name, opacity):
 def test_what_nothing_names_is_not_painted(tmp_path, name):
     path = tmp_path / "in.svg"
     text = document(DEFINITIONS[name])
+    text = text.replace('url("#k")', "red")
     for use in ('mask="url(#k)"', "fill:url(#k)", 'xlink:href="#k"', 'xlink:href="#o"'):
         text = text.replace(use, "")
     path.write_text(text.replace("marker-start:url(#k);marker-end:url(#k)", ""))

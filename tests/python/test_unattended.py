@@ -305,3 +305,22 @@ def test_documents_of_others_do_not_hold_up_the_run(inkscape, report, tmp_path):
         assert line["outcome"] in ("done", "unchanged")
         assert (content(copy) != before) == (line["outcome"] == "done")
     assert found[-1]["outcome"] == "done"
+
+
+def test_a_mesh_that_cannot_be_read_beside_one_that_can(inkscape, report, tmp_path):
+    inkscape.set_values({})
+    before, after = tmp_path / "before.svg", tmp_path / "after.svg"
+    bad = ET.fromstring(BAD["missing stops"].text)
+    root = ET.parse(SAMPLES / "two.svg").getroot()
+    root.extend([bad[0], bad[1]])
+    ET.ElementTree(root).write(before)
+    done = inkscape.run_actions(before, [*chosen("simplify", "stalk", "box"), *written(after)])
+    assert done.returncode == 0
+    (line,) = lines(report)
+    assert line["outcome"] == "done"
+    assert all(word in line["message"] for word in BAD["missing stops"].words)
+    good, left = line["meshes"]
+    assert good["id"] == "stalk" and good["patches_after"] < good["patches_before"]
+    assert left == {"id": "box", "refused": left["refused"]}
+    assert line["message"] == f"Left as it was: {left['refused']}".replace(str(before), before.name)
+    assert Document(after).by_id["box"].get("fill") == "url(#m)"
