@@ -183,6 +183,15 @@ def test_other_bad_input(tmp_path):
         gradmesh.save(gradmesh.load(FRUIT), tmp_path / "gone" / "out.svg")
 
 
+def test_compressed_documents(tmp_path, fruit):
+    packed = tmp_path / "fruit.svgz"
+    gradmesh.save(fruit, packed)
+    assert gzip.decompress(packed.read_bytes()) == FRUIT.read_bytes()
+    for document in (gradmesh.load(packed), gradmesh.loads(packed.read_bytes())):
+        assert document.to_bytes() == FRUIT.read_bytes()
+        assert document.ids == fruit.ids
+
+
 def test_one_broken_mesh_leaves_the_others():
     broken = '<rect id="bad" fill="url(#none)"/><meshgradient id="none"/></svg>'
     text = (SAMPLES / "two.svg").read_text().replace("</svg>", broken)
