@@ -102,10 +102,25 @@ py::list report_list(const std::vector<MeshReport>& reports) {
   return list;
 }
 
+/// Lets a document be measured against another one while it lives.
+class MeasuredAgainst {
+ public:
+  MeasuredAgainst(Document& document, const Document* original) : document_(document) {
+    document_.measure_against(original);
+  }
+  MeasuredAgainst(const MeasuredAgainst&) = delete;
+  MeasuredAgainst& operator=(const MeasuredAgainst&) = delete;
+  ~MeasuredAgainst() { document_.measure_against(nullptr); }
+
+ private:
+  Document& document_;
+};
+
 py::list simplify_document(Document& document, const std::vector<std::string>& ids,
                            SimplifyOptions options, const AnalysisPaths& analyses,
                            bool remember_original, bool keep_original, bool preview,
-                           const py::object& progress) {
+                           const py::object& progress, const Document* original) {
+  const MeasuredAgainst measured(document, original);
   options.progress = progress_callback(progress);
   std::vector<MeshReport> reports;
   {
@@ -125,9 +140,10 @@ py::list update_document(Document& document, const std::vector<std::string>& ids
   return list;
 }
 
-std::size_t analyze_document(const Document& document, const std::vector<std::string>& ids,
+std::size_t analyze_document(Document& document, const std::vector<std::string>& ids,
                              SimplifyOptions options, const AnalysisPaths& analyses,
-                             const py::object& progress) {
+                             const py::object& progress, const Document* original) {
+  const MeasuredAgainst measured(document, original);
   options.progress = progress_callback(progress);
   const py::gil_scoped_release release;
   return document.analyze(ids, options, analyses);
@@ -274,11 +290,11 @@ void bind_options(py::module_& m) {
 }
 
 py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution,
-                                 bool like_inkscape) {
+                                 bool like_inkscape, const Document* framed_as) {
   const MeshEntry entry = document.selected({id}).front();
-  const Image image = like_inkscape
-                          ? document.render_like_inkscape(entry, resolution)
-                          : document.render(entry, resolution, *make_software_rasterizer());
+  const Image image =
+      like_inkscape ? document.render_like_inkscape(entry, resolution, framed_as)
+                    : document.render(entry, resolution, *make_software_rasterizer(), framed_as);
   py::array_t<std::uint8_t> array({image.height, image.width, 3});
   std::ranges::copy(interleaved(image), array.mutable_data());
   return array;
@@ -329,10 +345,10 @@ PYBIND11_MODULE(_core, m) {
       .def("meshes", &meshes)
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("remember_original"), py::arg("keep_original"),
-           py::arg("preview"), py::arg("progress"))
+           py::arg("preview"), py::arg("progress"), py::arg("original"))
       .def("update", &update_document, py::arg("ids"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
-           py::arg("analyses"), py::arg("progress"))
+           py::arg("analyses"), py::arg("progress"), py::arg("original"))
       .def("merge", &merge_document, py::kw_only(), py::arg("ids"), py::arg("metric"),
            py::arg("resolution"))
       .def("refine", &refine_document, py::kw_only(), py::arg("id"), py::arg("rows"),
@@ -342,7 +358,8 @@ PYBIND11_MODULE(_core, m) {
            py::arg("resolution"))
       .def("draw", &draw_document, py::kw_only(), py::arg("id"), py::arg("show"),
            py::arg("picture"), py::arg("options"), py::arg("analyses"), py::arg("progress"))
-      .def("render", &render, py::arg("id"), py::arg("resolution"), py::arg("like_inkscape"))
+      .def("render", &render, py::arg("id"), py::arg("resolution"), py::arg("like_inkscape"),
+           py::arg("framed_as"))
       .def("info", &info_text)
       .def("convert", &convert_document, py::kw_only(), py::arg("kind"), py::arg("id"),
            py::arg("subdivide"), py::arg("metric"), py::arg("resolution"))

@@ -10,7 +10,7 @@ namespace gradmesh {
 namespace {
 
 struct AnalyzeArguments {
-  std::string in, metric = "flip", renderer = name(Renderer::automatic);
+  std::string in, original, metric = "flip", renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;
@@ -21,6 +21,7 @@ void run_analyze(AnalyzeArguments& a) {
   a.options.metric = metric_named(a.metric);
   take_renderer(a.renderer, a.options);
   const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> original = take_original(a.original, *document);
   std::size_t prices = 0;
   {
     ProgressBar bar(a.quiet);
@@ -38,6 +39,7 @@ void add_analyze(CLI::App& program) {
       "analyze", "Work out what merging single edges and regions costs, for later runs");
   command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
   command.add_option("-o,--output", a->analyses.save, "Where to write the analysis")->required();
+  add_original_option(command, a->original);
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()
       ->expected(1);

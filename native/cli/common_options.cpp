@@ -20,6 +20,18 @@ void add_resolution_option(CLI::App& command, int& resolution) {
       ->capture_default_str();
 }
 
+void add_original_option(CLI::App& command, std::string& original) {
+  command.add_option("--original", original,
+                     "Measure against the mesh of this file, of the same id or the only one");
+}
+
+std::unique_ptr<Document> take_original(const std::string& original, Document& document) {
+  if (original.empty()) return nullptr;
+  std::unique_ptr<Document> other = Document::read_file(original);
+  document.measure_against(other.get());
+  return other;
+}
+
 void add_epsilon_option(CLI::App& command, double& epsilon) {
   command.add_option("--epsilon", epsilon, "Largest error allowed")
       ->check(CLI::Range(0.0, 1.0))

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "document/analysis_file.h"
+#include "document/document.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
@@ -23,6 +23,11 @@ void add_renderer_option(CLI::App& command, std::string& renderer);
 void take_renderer(const std::string& renderer, SimplifyOptions& options);
 /// One line on stderr.
 void say_without_device(const std::string& reason);
+/// --original.
+void add_original_option(CLI::App& command, std::string& original);
+/// Lets `document` be measured against the file of that name, unless it is empty. What is returned
+/// must outlive the runs.
+std::unique_ptr<Document> take_original(const std::string& original, Document& document);
 /// --load-analysis and --save-analysis.
 void add_analysis_options(CLI::App& command, AnalysisPaths& analyses);
 

@@ -2,9 +2,8 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
-#include "cli/common_frames.h"
 #include "cli/common_options.h"
-#include "document/document.h"
+#include "document/common_frames.h"
 #include "io/image_file.h"
 #include "raster/rasterizer.h"
 

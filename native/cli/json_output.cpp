@@ -3,7 +3,7 @@
 namespace gradmesh {
 
 nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
-                                   const SimplifyOptions& options) {
+                                   const SimplifyOptions& options, const std::string& original) {
   nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
   const auto bound = options.max_local_error ? nlohmann::ordered_json(*options.max_local_error)
                                              : nlohmann::ordered_json();
@@ -18,6 +18,8 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                       {"metric", name(options.metric)},
                       {"epsilon", options.epsilon},
                       {"max_local_error", bound},
+                      {"original", original.empty() ? nlohmann::ordered_json()
+                                                    : nlohmann::ordered_json(original)},
                       {"resolution", options.resolution},
                       {"seed", options.seed},
                       {"omega", options.omega},

@@ -8,11 +8,11 @@
 namespace gradmesh {
 
 /// {"meshes": [{"id", "method", "color_model", "metric", "epsilon", "max_local_error" or null,
-///  "resolution", "seed", "omega", "kappa", "patches_before", "patches_after", "error",
-///  "local_error", "evaluations", "seconds": {"total", ...}, "stopped"}]}
+///  "original" or null, "resolution", "seed", "omega", "kappa", "patches_before", "patches_after",
+///  "error", "local_error", "evaluations", "seconds": {"total", ...}, "stopped"}]}
 /// and {"id", "refused"} with the reason for those that cannot be read.
-/// The options name the colour model.
+/// The options name the colour model; `original` is the file measured against, if one was given.
 nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
-                                   const SimplifyOptions& options);
+                                   const SimplifyOptions& options, const std::string& original);
 
 }  // namespace gradmesh

@@ -9,30 +9,33 @@ namespace gradmesh {
 namespace {
 
 struct RenderArguments {
-  std::string in, out, id;
+  std::string in, out, id, framed_as;
   int resolution = 700;
   std::string renderer = name(Renderer::automatic);
   bool like_inkscape = false;
 };
 
 /// One picture is no work for a device, so that it has to be asked for.
-Image render(const Document& document, const MeshEntry& entry, const RenderArguments& a) {
+Image render(const Document& document, const MeshEntry& entry, const RenderArguments& a,
+             const Document* other) {
   SimplifyOptions options;
   if (a.renderer == name(Renderer::egl)) take_renderer(a.renderer, options);
   try {
     if (options.device)
-      return document.render(entry, a.resolution, *make_egl_rasterizer(options.device));
+      return document.render(entry, a.resolution, *make_egl_rasterizer(options.device), other);
   } catch (const DeviceError& error) {
     say_without_device(error.what());
   }
-  return document.render(entry, a.resolution, *make_software_rasterizer());
+  return document.render(entry, a.resolution, *make_software_rasterizer(), other);
 }
 
 void run_render(const RenderArguments& a) {
   const std::unique_ptr<Document> document = Document::read_file(a.in);
   const MeshEntry entry = one_mesh(*document, a.id);
-  write_png(a.like_inkscape ? document->render_like_inkscape(entry, a.resolution)
-                            : render(*document, entry, a),
+  std::unique_ptr<Document> other;
+  if (!a.framed_as.empty()) other = Document::read_file(a.framed_as);
+  write_png(a.like_inkscape ? document->render_like_inkscape(entry, a.resolution, other.get())
+                            : render(*document, entry, a, other.get()),
             a.out);
 }
 
@@ -44,6 +47,9 @@ void add_render(CLI::App& program) {
   command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
   command.add_option("-o,--output", a->out, "PNG image")->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
+  command.add_option(
+      "--framed-as", a->framed_as,
+      "Paint it where this document's mesh would be, of the same id or the only one");
   add_resolution_option(command, a->resolution);
   add_renderer_option(command, a->renderer);
   command.add_flag("--like-inkscape", a->like_inkscape,

@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "cli/commands.h"
-#include "cli/common_frames.h"
 #include "cli/common_options.h"
 #include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
+#include "document/common_frames.h"
 #include "document/renderer.h"
 #include "io/atomic_file.h"
 
@@ -17,8 +17,8 @@ namespace {
 using nlohmann::ordered_json;
 
 struct ReportArguments {
-  std::string before, after, out, id, run, metric = "flip",
-              renderer = name(Renderer::automatic);
+  std::string before, after, out, id, run, original, metric = "flip",
+                                                     renderer = name(Renderer::automatic);
   SimplifyOptions options;
   AnalysisPaths analyses;
   bool quiet = false;
@@ -63,6 +63,7 @@ void run_report(ReportArguments& a, const CLI::App& command) {
   take_options(report.run, command, a);
   take_renderer(a.renderer, a.options);
 
+  const std::unique_ptr<Document> original = take_original(a.original, *before);
   AnalysisFiles files(a.analyses);
   Document::Start start = before->start(entry, a.options, files);
   // Single edges and regions of a smooth mesh cannot be merged, so they have no prices.
@@ -109,6 +110,7 @@ void add_report(CLI::App& program) {
       "--run", a->run,
       "What simplify --report wrote: gives the page the options of the run, and this "
       "command their values");
+  add_original_option(command, a->original);
   add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);
   add_epsilon_option(command, a->options.epsilon);

@@ -13,8 +13,8 @@ namespace gradmesh {
 namespace {
 
 struct SimplifyArguments {
-  std::string in, out, report, method = name(SimplifyOptions().method), metric = "flip",
-                               renderer = name(Renderer::automatic);
+  std::string in, out, original, report, method = name(SimplifyOptions().method), metric = "flip",
+                                         renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;
@@ -32,6 +32,7 @@ std::vector<std::string> method_names() {
 std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, SimplifyArguments& a) {
   const MeshEntry entry = one_mesh(in, a.ids);
   ConvertOptions options;
+  options.original = in.given_original(entry);
   options.metric = a.options.metric;
   options.resolution = a.options.resolution;
   Conversion conversion = convert(in, entry, kind, options);
@@ -51,8 +52,7 @@ std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, Simpl
 }
 
 /// The document that will be written to OUT.
-std::unique_ptr<Document> read_document(SimplifyArguments& a) {
-  std::unique_ptr<Document> in = Document::read_file(a.in);
+std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyArguments& a) {
   const DocumentKind kind = a.preview ? in->kind() : kind_of(a.out).value_or(in->kind());
   if (kind == in->kind()) return in;
   if (!a.options.color_model) a.options.color_model = ColorModel::bilinear;
@@ -80,7 +80,9 @@ void run_simplify(SimplifyArguments& a) {
   a.options.method = method_named(a.method);
   a.options.metric = metric_named(a.metric);
   take_renderer(a.renderer, a.options);
-  const std::unique_ptr<Document> document = read_document(a);
+  std::unique_ptr<Document> in = Document::read_file(a.in);
+  const std::unique_ptr<Document> original = take_original(a.original, *in);
+  const std::unique_ptr<Document> document = to_be_written(std::move(in), a);
   if (!a.options.color_model) a.options.color_model = document->color_model();
   std::vector<MeshReport> reports;
   {
@@ -90,7 +92,8 @@ void run_simplify(SimplifyArguments& a) {
                         : document->simplify(a.ids, a.options, a.analyses, a.writing);
   }
   // The report first: where it cannot be written the document is still as it was.
-  if (!a.report.empty()) write_bytes(a.report, report_json(reports, a.options).dump(2) + "\n");
+  if (!a.report.empty())
+    write_bytes(a.report, report_json(reports, a.options, a.original).dump(2) + "\n");
   if (!a.preview) document->write_file(a.out);
   tell_refused(reports);
   if (!a.quiet) print_results(reports, a.options);
@@ -127,6 +130,7 @@ void add_simplify(CLI::App& program) {
   command
       .add_option("--ratio", a->options.ratio, "Instead of --epsilon: this share of the patches")
       ->excludes(patches);
+  add_original_option(command, a->original);
   add_resolution_option(command, a->options.resolution);
   command.add_flag("--visible-only", a->options.visible_only,
                    "Pixels that the object's own outline hides do not count");

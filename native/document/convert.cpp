@@ -25,13 +25,6 @@ void check(const ConvertOptions& options) {
   check_resolution(options.resolution);
 }
 
-void transform(MeshParts& parts, const Affine& affine) {
-  for (Patch& patch : parts.patches) transform(patch, affine);
-  for (CurveParts& curve : parts.curves)
-    if (curve.tangents)
-      for (Value& tangent : *curve.tangents) tangent.position = affine.vector(tangent.position);
-}
-
 /// Gives corners that meet the same colour where they differ by rounding only: blocks would end
 /// there as at a step in colour.
 void join_colors(MeshParts& parts) {
@@ -134,7 +127,10 @@ class Converter {
 
   Conversion start() const {
     Conversion conversion;
-    conversion.original = build_mesh(read_.is_smooth() ? parts(painted_mesh(read_), 1) : parts(1));
+    conversion.original = build_derived_mesh(parts(options_.original   ? *options_.original
+                                                   : read_.is_smooth() ? painted_mesh(read_)
+                                                                       : read_,
+                                                   1));
     return conversion;
   }
 

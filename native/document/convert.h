@@ -13,6 +13,8 @@ struct ConvertOptions {
   /// towards SVG, unless all colours are such mixtures already, and 1 towards .hemesh, where it
   /// loses nothing.
   std::optional<int> subdivide;
+  /// Whose picture counts, in the coordinates of the mesh, where that is not the mesh itself.
+  std::shared_ptr<const Mesh> original;
   /// How the error is measured; in pixels along the longer side, as of check_resolution.
   MetricKind metric = MetricKind::flip;
   int resolution = 700;
@@ -21,7 +23,7 @@ struct ConvertOptions {
 struct Conversion {
   /// Holds the one mesh, as a reader finds it.
   std::unique_ptr<Document> document;
-  /// The mesh as it was, in the coordinates of the new document.
+  /// The mesh whose picture counts, in the coordinates of the new document.
   Mesh original;
   /// Of the new document's mesh against the original, 0..1.
   double error = 0;

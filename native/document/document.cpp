@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/limits.h"
+#include "document/common_frames.h"
 #include "document/hemesh_document.h"
 #include "document/renderer.h"
 #include "document/svg_meshes.h"
@@ -12,6 +13,7 @@
 #include "io/zip.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
+#include "mesh/smooth_colors.h"
 #include "mesh/subdivide.h"
 
 namespace gradmesh {
@@ -90,18 +92,21 @@ Frame Document::frame(const MeshEntry& entry, const Mesh& mesh, int resolution) 
   return naming(entry, [&] { return fit_frame(mesh, view(entry), resolution, padding()); });
 }
 
-Image Document::render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer) const {
+Image Document::render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer,
+                       const Document* other) const {
   const Mesh painted = mesh(entry);
-  return rasterizer.paint(painted, frame(entry, painted, resolution));
+  return rasterizer.paint(painted, other ? framed_as(*other, *this, entry, resolution)
+                                         : frame(entry, painted, resolution));
 }
 
-Image Document::render_like_inkscape(const MeshEntry& entry, int resolution) const {
+Image Document::render_like_inkscape(const MeshEntry& entry, int resolution,
+                                     const Document* other) const {
   if (color_model() == ColorModel::bicubic)
     throw InputError(
         "{0}: Inkscape cannot paint its bicubic colours; gradmesh convert makes an SVG document "
         "of it.",
         name());
-  return render(entry, resolution, *make_cairo_like_rasterizer());
+  return render(entry, resolution, *make_cairo_like_rasterizer(), other);
 }
 
 std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& meshes,
@@ -112,11 +117,26 @@ std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& 
   return reports;
 }
 
+std::shared_ptr<const Mesh> Document::given_original(const MeshEntry& entry) const {
+  if (!originals_) return nullptr;
+  const MeshEntry match = counterpart(*this, entry, *originals_, selected({}).size() == 1);
+  const SeenMesh here{this, entry, mesh(entry)};
+  const SeenMesh there{originals_, match, originals_->mesh(match)};
+  if (here.document->kind() == there.document->kind() && here.view() == there.view())
+    return std::make_shared<const Mesh>(there.mesh);
+  // Smooth colours depend on distances in the units of their own mesh.
+  MeshParts parts = subdivided(there.mesh.is_smooth() ? painted_mesh(there.mesh) : there.mesh, 1);
+  transform(parts, onto(here, there));
+  return std::make_shared<const Mesh>(build_derived_mesh(parts));
+}
+
 Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& options,
                                 AnalysisFiles& files) const {
   check_color_model(options);
   Start start{mesh(entry), options};
-  if (!options.original) start.options.original = remembered_original(entry);
+  std::shared_ptr<const Mesh>& original = start.options.original;
+  if (!original) original = given_original(entry);
+  if (!original) original = remembered_original(entry);
   start.options = in_color_model(start.options, start.mesh);
   start.options.view = view(entry);
   start.options.padding = padding();
@@ -146,8 +166,8 @@ void Document::check_color_model(const SimplifyOptions& options) const {
 void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& options) const {
   if (options.patches || options.ratio) return;
   if (m.result.patches_after < m.result.patches_before || m.result.error <= options.epsilon) return;
-  // What an earlier run has done against the original that is remembered, with a larger epsilon.
-  if (m.entry.simplified && !options.original) return;
+  // What earlier runs have done to the original that is remembered or given, with a larger epsilon.
+  if ((m.entry.simplified || originals_) && !options.original) return;
   char error[32];
   std::snprintf(error, sizeof error, "%.5f", m.result.error);
   throw InputError(

@@ -108,10 +108,22 @@ class Document {
   virtual FramePadding padding() const = 0;
   /// The frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
-  Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer) const;
+  /// Paints a mesh in its own frame or, where there is another document, in that of its counterpart
+  /// there (common_frames.h), so that the two pictures can be laid on each other.
+  Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer,
+               const Document* framed_as = nullptr) const;
   /// The picture that Inkscape paints of it, in the same frame. Throws where the colours are
   /// bicubic, which Inkscape cannot paint.
-  Image render_like_inkscape(const MeshEntry& entry, int resolution) const;
+  Image render_like_inkscape(const MeshEntry& entry, int resolution,
+                             const Document* framed_as = nullptr) const;
+
+  /// Makes meshes of another document, which must outlive the runs, those against which runs
+  /// measure, whatever is remembered; null: no longer. With one mesh in each it is that one,
+  /// otherwise the one with the same id.
+  void measure_against(const Document* originals) { originals_ = originals; }
+  /// That mesh in the units of its counterpart here; null where measure_against named no document.
+  /// Throws InputError where there is none.
+  std::shared_ptr<const Mesh> given_original(const MeshEntry& entry) const;
 
   /// What a run over a mesh begins with: the mesh, in the colour model that is asked for, and the
   /// options with what this document sets: the view, the padding, the ways to write, the original
@@ -123,14 +135,14 @@ class Document {
   };
   Start start(const MeshEntry& entry, const SimplifyOptions& options, AnalysisFiles& files) const;
 
-  /// Simplifies the selected meshes in place, each against `options.original`, the original that it
-  /// remembers, unless a person has edited it since, or itself as it was. Those that cannot be read
-  /// are only reported. A mesh that does not come
-  /// out with fewer patches stays as it is. In another colour model than
-  /// its own it is converted first, which counts towards the error. Where an analysis is loaded,
-  /// there must be one for each of the meshes. Where this throws, the document is as it was. Throws
-  /// std::invalid_argument as gradmesh::simplify does, where edges are named for another method
-  /// than `manual` or none for that, and where there are no prices to save.
+  /// Simplifies the selected meshes in place, each against `options.original`, its given_original,
+  /// the original that it remembers, unless a person has edited it since, or itself as it was.
+  /// Those that cannot be read are only reported. A mesh that does not come out with fewer patches
+  /// stays as it is. In another colour model than its own it is converted first, which counts
+  /// towards the error. Where an analysis is loaded, there must be one for each of the meshes.
+  /// Where this throws, the document is as it was. Throws std::invalid_argument as
+  /// gradmesh::simplify does, where edges are named for another method than `manual` or none for
+  /// that, and where there are no prices to save.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids,
                                    const SimplifyOptions& options,
                                    const AnalysisPaths& analyses = {},
@@ -201,6 +213,7 @@ class Document {
   virtual std::string changed_bytes() const = 0;
 
   void mark_changed() { changed_ = true; }
+  bool has_given_originals() const { return originals_ != nullptr; }
 
   std::vector<MeshEntry> entries_;
 
@@ -220,6 +233,7 @@ class Document {
   std::string compressed_;
   Translation translation_ = [](const std::string& text) { return text; };
   bool changed_ = false;
+  const Document* originals_ = nullptr;
 };
 
 /// "Gradient mesh: 42 patches".

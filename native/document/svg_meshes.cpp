@@ -204,7 +204,7 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
     const int before = entry.simplified ? patches_before(o.node) : result.patches_before;
     std::string original;
     if (writing.remember_original) {
-      if (entry.simplified) original = original_memory(entry);
+      if (entry.simplified && !has_given_originals()) original = original_memory(entry);
       if (original.empty()) original = remember(*measured);
     }
     const std::string label =

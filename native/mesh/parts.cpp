@@ -2,6 +2,13 @@
 
 namespace gradmesh {
 
+void transform(MeshParts& parts, const Affine& affine) {
+  for (Patch& patch : parts.patches) transform(patch, affine);
+  for (CurveParts& curve : parts.curves)
+    if (curve.tangents)
+      for (Value& tangent : *curve.tangents) tangent.position = affine.vector(tangent.position);
+}
+
 std::vector<CurveParts> grid_curves(int rows, int columns) {
   const auto halfedge = [&](int row, int column, int side) {
     return 4 * (row * columns + column) + side;

@@ -44,6 +44,9 @@ struct MeshParts {
   bool smooth = false;
 };
 
+/// The parts under an affine map of their positions.
+void transform(MeshParts& parts, const Affine& affine);
+
 /// Curves of a plain grid of `rows` x `columns` patches stored row by row.
 std::vector<CurveParts> grid_curves(int rows, int columns);
 

@@ -152,6 +152,7 @@ def simplify(
     device_lost: Optional[DeviceLost] = None,
     remember_original: bool = True,
     keep_original: bool = False,
+    original: Optional[Document] = None,
     preview: bool = False,
     load_analysis: Optional[Path] = None,
     save_analysis: Optional[Path] = None,
@@ -189,6 +190,9 @@ def simplify(
     compressed, and later runs measure against it. Without, files are smaller.
     keep_original: an SVG document also keeps each object as it was, hidden, directly below the
     result, with an id that ends in "-original". It is left out unless its own id is given.
+    original: a document whose meshes those here are measured against, whatever they remember: the only
+    mesh in each, or those with the same ids. Two SVG documents share their coordinates, as do two
+    .hemesh files; of two kinds, one mesh is laid on the other. It is remembered instead.
     preview: only say what would become of each; the document stays as it is. With "manual" the
     error is told even where it is too large.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe", "gqe1" and "best"
@@ -223,6 +227,7 @@ def simplify(
         keep_original=keep_original,
         preview=preview,
         progress=progress,
+        original=original and original._core,
     )
     return [Result(**result) for result in results]
 
@@ -327,6 +332,7 @@ def analyze(
     threads: int = 0,
     renderer: str = "auto",
     device_lost: Optional[DeviceLost] = None,
+    original: Optional[Document] = None,
     load_analysis: Optional[Path] = None,
     progress: Optional[Progress] = None,
 ) -> int:
@@ -342,6 +348,7 @@ def analyze(
         options=options,
         analyses=_analyses(load_analysis, path),
         progress=progress,
+        original=original and original._core,
     )
 
 
@@ -374,14 +381,18 @@ def render(
     resolution: int = 700,
     *,
     like_inkscape: bool = False,
+    framed_as: Optional[Document] = None,
 ) -> "numpy.ndarray":
     """Paints one mesh, on white: uint8 array of shape (height, width, 3), sRGB.
 
     `id` may be left out where the document has one mesh only.
     like_inkscape: takes Inkscape's point of each pixel instead of the centre; InputError for a
     .hemesh file, whose colours Inkscape cannot paint.
+    framed_as: paints the mesh where the other document's, of the same id or the only one, would be
+    painted, so that the two pictures can be laid on each other.
     """
-    return document._core.render(_one_id(document, id), _pixels(resolution), like_inkscape)
+    other = framed_as and framed_as._core
+    return document._core.render(_one_id(document, id), _pixels(resolution), like_inkscape, other)
 
 
 def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: str = "flip") -> float:

@@ -1,15 +1,34 @@
 """From .hemesh to SVG and back: gradmesh convert, and simplify from one kind to the other."""
 
+import json
 import xml.etree.ElementTree as ET
+from math import cos, sin
 
+import numpy as np
 import pytest
 
 import inkscape_harness
 from built import SAMPLES, gradmesh as run
-from hemesh_files import SHARED, grid
+from hemesh_files import SHARED, Surface, grid
 from test_hemesh import check_elements, elements, error, printed, refused
 
 import gradmesh
+
+class Curved(Surface):
+    """Nowhere a part of one patch, so that merging costs something."""
+
+    def at(self, u, v):
+        x, y, r, g, b = super().at(u, v)
+        return x, y, r, g + 0.05 * sin(9 * u) * sin(8 * v), b
+
+    def along_u(self, u, v):
+        x, y, r, g, b = super().along_u(u, v)
+        return x, y, r, g + 0.45 * cos(9 * u) * sin(8 * v), b
+
+    def along_v(self, u, v):
+        x, y, r, g, b = super().along_v(u, v)
+        return x, y, r, g + 0.4 * sin(9 * u) * cos(8 * v), b
+
 
 SVG = "{http://www.w3.org/2000/svg}"
 INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
@@ -190,6 +209,105 @@ def test_svg_may_be_simplified_to_hemesh(tmp_path, model):
     assert 0 < told <= 0.01
     # The outline may have moved a little, and by that one mesh is laid on the other.
     assert error(FRUIT, out) == pytest.approx(told, abs=0.01)
+
+
+# --- simplify --original, render --framed-as ---
+
+
+def error_in_frame_of(original, path, tmp_path):
+    """How far the pictures are apart, both painted in the frame of the original."""
+    a, b = gradmesh.load(original), gradmesh.load(path)
+    return gradmesh.compare(gradmesh.render(a), gradmesh.render(b, framed_as=a))
+
+
+def simplified(source, out, epsilon, *options):
+    """What the report says of the one mesh."""
+    report = out.with_suffix(".json")
+    printed(
+        "simplify", source, "-o", out, "--method", "motorcycle", "--epsilon", epsilon,
+        "--report", report, *options,
+    )  # fmt: skip
+    (told,) = json.loads(report.read_text())["meshes"]
+    return told
+
+
+def test_two_runs_against_one_original_keep_one_budget(tmp_path):
+    original, first, second = (tmp_path / name for name in ("o.hemesh", "1.hemesh", "2.hemesh"))
+    original.write_text(grid(8, 9, surface=Curved()))
+    once = simplified(original, first, 0.005)
+    again = simplified(first, second, 0.01, "--original", original)
+    assert once["original"] is None and again["original"] == str(original)
+    assert once["patches_after"] > again["patches_after"]
+    assert 0.005 < again["error"] <= 0.01
+    assert error_in_frame_of(original, second, tmp_path) == pytest.approx(again["error"], abs=1e-5)
+    # Measured against what the first has left, errors add up.
+    alone = simplified(first, tmp_path / "alone.hemesh", 0.01)
+    assert error_in_frame_of(original, tmp_path / "alone.hemesh", tmp_path) > alone["error"]
+    # What is above epsilon already is left as it is, as where it is remembered.
+    nothing = simplified(second, tmp_path / "nothing.hemesh", 0.001, "--original", original)
+    assert nothing["stopped"] == "nothing to merge" and nothing["error"] > 0.001
+
+
+def test_an_original_of_the_other_kind_is_laid_on_the_mesh(tmp_path):
+    original, svg, out = (tmp_path / name for name in ("o.hemesh", "o.svg", "out.svg"))
+    original.write_text(grid(4, 5))
+    printed("convert", original, svg, "--subdivide", 4)
+    told = simplified(svg, out, 0.04, "--original", original)
+    assert told["patches_after"] < told["patches_before"]
+    assert error(original, out) == pytest.approx(told["error"], abs=5e-4)
+
+
+def test_a_given_original_counts_instead_of_what_is_remembered(tmp_path):
+    once, again, back = (tmp_path / name for name in ("1.svg", "2.svg", "3.svg"))
+    simplified(FRUIT, once, 0.005)
+    given = simplified(once, again, 0.01, "--original", once)
+    assert error_in_frame_of(once, again, tmp_path) == pytest.approx(given["error"], abs=1e-5)
+    # From then on it is remembered: against what was first simplified the error is another one.
+    assert simplified(again, back, given["error"])["error"] == given["error"]
+    assert simplified(once, again, 0.01)["error"] != given["error"]
+    # An object with a transform, written in other coordinates than those it was read in.
+    leaf = SAMPLES / "transformed.svg"
+    told = simplified(leaf, once, 0.01)
+    same = simplified(once, back, 0.01, "--original", leaf)
+    assert same["error"] == pytest.approx(told["error"], abs=1e-4)
+
+
+def test_originals_are_found_by_their_ids(tmp_path):
+    two, out = SAMPLES / "two.svg", tmp_path / "out.svg"
+    printed("simplify", two, "-o", out, "--method", "grid", "--original", two)
+    said = refused("simplify", two, "-o", tmp_path / "no.svg", "--original", FRUIT)
+    assert str(FRUIT) in said and str(two) in said and not (tmp_path / "no.svg").exists()
+    assert "cannot be read" in refused("simplify", two, "-o", out, "--original", tmp_path / "gone.svg")
+    document = gradmesh.load(out)
+    results = gradmesh.simplify(document, original=gradmesh.load(two), method="random", preview=True)
+    assert len(results) == 2
+    with pytest.raises(gradmesh.InputError, match="stalk|cap"):
+        gradmesh.simplify(document, original=gradmesh.load(FRUIT))
+
+
+def test_prices_belong_to_the_original(tmp_path):
+    once, prices, out = tmp_path / "1.svg", tmp_path / "prices.json", tmp_path / "out.svg"
+    simplified(FRUIT, once, 0.005)
+    printed("analyze", once, "-o", prices, "--original", once, "--epsilon", 0.01)
+    printed("simplify", once, "-o", out, "--original", once, "--load-analysis", prices)
+    assert "another mesh" in refused("simplify", once, "-o", out, "--load-analysis", prices)
+
+
+def test_pictures_before_and_after_can_be_laid_on_each_other(tmp_path):
+    original, part, out = tmp_path / "o.hemesh", tmp_path / "part.hemesh", tmp_path / "out.png"
+    original.write_text(grid(4, 4))
+    part.write_text(grid(4, 4, without=[(i, 3) for i in range(4)]))
+    a, b = gradmesh.load(original), gradmesh.load(part)
+    whole, framed = gradmesh.render(a), gradmesh.render(b, framed_as=a)
+    assert whole.shape == framed.shape != gradmesh.render(b).shape
+    painted = (framed < 255).any(axis=2)
+    assert painted.mean() > 0.3
+    assert np.abs(whole.astype(int) - framed)[painted].max() <= 1
+    printed("render", part, "-o", out, "--framed-as", original)
+    assert "cannot be read" in refused("render", part, "-o", out, "--framed-as", tmp_path / "gone.svg")
+    two = SAMPLES / "two.svg"
+    printed("render", two, "-o", out, "--framed-as", two, "--id", "cap", "--like-inkscape")
+    assert str(two) in refused("render", FRUIT, "-o", out, "--framed-as", two)
 
 
 def test_svg_cannot_hold_bicubic_colors(tmp_path):
