@@ -181,8 +181,11 @@ DocumentKind kind_named(const std::string& name) {
 }
 
 py::dict convert_document(const Document& document, const std::string& kind, const std::string& id,
-                          std::optional<int> subdivide, const std::string& metric, int resolution) {
+                          std::optional<int> subdivide, std::optional<double> epsilon,
+                          const std::string& metric, int resolution) {
   ConvertOptions options;
+  options.epsilon = epsilon.value_or(options.epsilon);
+  options.must_keep_epsilon = epsilon.has_value();
   options.subdivide = subdivide;
   options.metric = metric_named(metric);
   options.resolution = resolution;
@@ -362,7 +365,7 @@ PYBIND11_MODULE(_core, m) {
            py::arg("framed_as"))
       .def("info", &info_text)
       .def("convert", &convert_document, py::kw_only(), py::arg("kind"), py::arg("id"),
-           py::arg("subdivide"), py::arg("metric"), py::arg("resolution"))
+           py::arg("subdivide"), py::arg("epsilon"), py::arg("metric"), py::arg("resolution"))
       .def("bytes", [](const Document& d) { return py::bytes(d.bytes()); })
       .def("write_file", [](const Document& d, const std::string& path) { d.write_file(path); });
 }

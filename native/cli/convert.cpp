@@ -38,13 +38,21 @@ void add_convert(CLI::App& program) {
   command.add_option("OUT", a->out, "Its extension, .svg or .hemesh, says what it becomes")
       ->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
+  CLI::Option* subdivide =
+      command.add_option("--subdivide", a->options.subdivide, "Split every patch into N x N")
+          ->check(CLI::Range(1, 32));
   command
-      .add_option("--subdivide", a->options.subdivide,
-                  "Split every patch into N x N first; by default 4 towards SVG, otherwise 1")
-      ->check(CLI::Range(1, 32));
+      .add_option("--epsilon", a->options.epsilon,
+                  "Towards SVG: split patches where that is needed for this error")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str()
+      ->excludes(subdivide);
   add_metric_option(command, a->metric);
   add_resolution_option(command, a->options.resolution);
-  command.callback([a] { run_convert(*a); });
+  command.callback([a, &command] {
+    a->options.must_keep_epsilon = command.count("--epsilon") > 0;
+    run_convert(*a);
+  });
 }
 
 }  // namespace gradmesh

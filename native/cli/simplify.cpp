@@ -28,19 +28,22 @@ std::vector<std::string> method_names() {
   return names;
 }
 
+constexpr double for_splitting = 0.9;
+
 /// What IN becomes where OUT is of the other kind. The error stays that against IN.
 std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, SimplifyArguments& a) {
   const MeshEntry entry = one_mesh(in, a.ids);
+  const bool has_target = a.options.patches || a.options.ratio;
   ConvertOptions options;
   options.original = in.given_original(entry);
   options.metric = a.options.metric;
   options.resolution = a.options.resolution;
+  // What is left of epsilon is for merging.
+  if (!has_target) options.epsilon = for_splitting * a.options.epsilon;
   Conversion conversion = convert(in, entry, kind, options);
-  if (kind == DocumentKind::svg && conversion.error > a.options.epsilon)
-    throw InputError(
-        "{0}: written as SVG its error is {1} before anything is merged, above epsilon; gradmesh "
-        "convert --subdivide makes finer patches, to be simplified from there.",
-        a.in, std::to_string(conversion.error));
+  if (kind == DocumentKind::svg && !has_target && conversion.error > a.options.epsilon)
+    throw InputError("{0}: written as SVG its error is {1} at least, above epsilon.", a.in,
+                     std::to_string(conversion.error));
   if (conversion.lost_opacity)
     throw InputError(
         "{0}: the mesh {1} has opacities, which .hemesh cannot hold; gradmesh convert shows what "

@@ -15,6 +15,7 @@
 #include "mesh/color_model.h"
 #include "mesh/smooth_colors.h"
 #include "mesh/subdivide.h"
+#include "simplify/adapt.h"
 
 namespace gradmesh {
 namespace {
@@ -22,6 +23,11 @@ namespace {
 void check(const ConvertOptions& options) {
   if (options.subdivide && (*options.subdivide < 1 || *options.subdivide > 32))
     throw std::invalid_argument("patches can be subdivided into 1 to 32 each way.");
+  if (!(options.epsilon >= 0 && options.epsilon <= 1))
+    throw std::invalid_argument("epsilon must be between 0 and 1.");
+  if (options.subdivide && options.must_keep_epsilon)
+    throw std::invalid_argument(
+        "patches are split into as many or until epsilon is kept, not both.");
   check_resolution(options.resolution);
 }
 
@@ -41,23 +47,6 @@ void join_colors(MeshParts& parts) {
     }
     make_color_bilinear(patch);
   }
-}
-
-/// Whether every patch's colours are the bilinear mixture of its corners', to half a level of 8
-/// bits: then smaller patches come no closer. True of what was an SVG document before.
-bool has_bilinear_colors(const Mesh& mesh) {
-  for (const Face f : mesh.faces()) {
-    const Patch patch = mesh.patch(f);
-    Patch bilinear = patch;
-    make_color_bilinear(bilinear);
-    for (const double u : {0.2, 0.5, 0.8})
-      for (const double v : {0.2, 0.5, 0.8}) {
-        const glm::dvec4 off = patch.at(u, v).color - bilinear.at(u, v).color;
-        for (int i = 0; i < 4; ++i)
-          if (std::abs(off[i]) > 0.5 / 255) return false;
-      }
-  }
-  return true;
 }
 
 /// Between the coordinates of SVG and .hemesh, so that the mesh's longer side has `length` units
@@ -86,20 +75,13 @@ class Converter {
     const glm::dvec2 size = box.size() * (length / std::max(box.size().x, box.size().y));
     const SvgPage page{size.x + 2 * margin, size.y + 2 * margin};
     place_ = fitted(box, length, {page.width / 2, page.height / 2}) * from_.view(entry_);
-    Conversion conversion = start();
-    MeshParts patches =
-        as_bilinear(parts(options_.subdivide.value_or(has_bilinear_colors(source_) ? 1 : 4)));
-    join_colors(patches);
-    const Mesh mesh = build_mesh(patches);
-    const std::string outline = outline_path(conversion.original);
-    const std::string label = mesh_label(mesh.face_count()).in(from_.translation());
-    const double coons_tolerance =
-        fit_frame(conversion.original, {}, options_.resolution).coons_tolerance;
-    for (const std::vector<Block>& blocks : possible_blocks(mesh)) {
-      const SvgDocument svg =
-          new_svg(page, outline, {mesh, blocks, coons_tolerance, label, mesh.face_count()});
-      keep_better(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
-    }
+    Conversion conversion = start(DocumentKind::svg);
+    const Mesh mesh = bilinear_mesh(page, conversion);
+    write_svg(page, mesh, conversion);
+    if (options_.must_keep_epsilon && conversion.error > options_.epsilon)
+      throw InputError(
+          "{0}: in SVG its error is {1} at least, with {2} patches, which is above epsilon.",
+          from_.name(), std::to_string(conversion.error), mesh.face_count());
     return conversion;
   }
 
@@ -107,7 +89,7 @@ class Converter {
     if (from_.kind() == DocumentKind::svg)
       place_ =
           fitted(bounding_box(source_, from_.view(entry_)), 2, glm::dvec2(0)) * from_.view(entry_);
-    Conversion conversion = start();
+    Conversion conversion = start(DocumentKind::hemesh);
     conversion.lost_opacity = is_translucent(source_);
     MeshParts patches = parts(options_.subdivide.value_or(1));
     if (patches.color_model == ColorModel::bilinear) patches = as_bicubic(std::move(patches));
@@ -125,24 +107,53 @@ class Converter {
     return result;
   }
 
-  Conversion start() const {
+  Conversion start(DocumentKind to) {
     Conversion conversion;
     conversion.original = build_derived_mesh(parts(options_.original   ? *options_.original
                                                    : read_.is_smooth() ? painted_mesh(read_)
                                                                        : read_,
                                                    1));
+    frame_ = fit_frame(conversion.original, {}, options_.resolution,
+                       to == from_.kind() ? from_.padding() : FramePadding{});
+    metric_ = make_metric(options_.metric, rasterizer_->paint(conversion.original, frame_));
     return conversion;
+  }
+
+  /// The mesh in the colours of SVG, with patches as small as the options want them.
+  Mesh bilinear_mesh(const SvgPage& page, const Conversion& conversion) const {
+    if (options_.subdivide) {
+      MeshParts patches = as_bilinear(parts(*options_.subdivide));
+      join_colors(patches);
+      return build_mesh(patches);
+    }
+    const auto original = std::make_shared<const Mesh>(conversion.original);
+    const auto error_of = [&](const Mesh& mesh) {
+      Conversion trial;
+      trial.original = *original;
+      write_svg(page, mesh, trial);
+      return trial.error;
+    };
+    return adapted(build_mesh(parts(1)),
+                   {options_.epsilon, error_of, original, frame_, options_.metric})
+        .mesh;
+  }
+
+  /// In the first way that keeps to epsilon, or else the best.
+  void write_svg(const SvgPage& page, const Mesh& mesh, Conversion& conversion) const {
+    const std::string outline = outline_path(conversion.original);
+    const std::string label = mesh_label(mesh.face_count()).in(from_.translation());
+    for (const std::vector<Block>& blocks : possible_blocks(mesh)) {
+      const SvgDocument svg =
+          new_svg(page, outline, {mesh, blocks, frame_.coons_tolerance, label, mesh.face_count()});
+      keep_better(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
+      if (conversion.error <= options_.epsilon) return;
+    }
   }
 
   /// Measures the document and takes it unless the one there is as good.
   void keep_better(Conversion& conversion, std::unique_ptr<Document> document) const {
-    const MeshEntry entry = document->meshes().front();
-    const Frame frame = document->kind() == from_.kind()
-                            ? document->frame(entry, conversion.original, options_.resolution)
-                            : fit_frame(conversion.original, {}, options_.resolution);
-    const auto rasterizer = make_software_rasterizer();
-    const auto metric = make_metric(options_.metric, rasterizer->paint(conversion.original, frame));
-    const double error = mean(metric->map(rasterizer->paint(document->mesh(entry), frame)));
+    const Mesh mesh = document->mesh(document->meshes().front());
+    const double error = mean(metric_->map(rasterizer_->paint(mesh, frame_)));
     if (conversion.document && conversion.error <= error) return;
     conversion.document = std::move(document);
     conversion.error = error;
@@ -156,6 +167,10 @@ class Converter {
   const Mesh source_;
   /// From the old mesh's coordinates to the new document's.
   Affine place_;
+  /// How the error is measured.
+  const std::unique_ptr<Rasterizer> rasterizer_ = make_software_rasterizer();
+  Frame frame_;
+  std::unique_ptr<Metric> metric_;
 };
 
 }  // namespace

@@ -8,10 +8,13 @@
 namespace gradmesh {
 
 struct ConvertOptions {
-  /// Every patch is split exactly into subdivide x subdivide, 1..32: SVG knows no colours but the
-  /// bilinear mixtures of four, so that smaller patches are closer to the original. By default 4
-  /// towards SVG, unless all colours are such mixtures already, and 1 towards .hemesh, where it
-  /// loses nothing.
+  /// Towards SVG, which knows no colours but the bilinear mixtures of four: patches are split where
+  /// that is needed for an error of at most epsilon (simplify/adapt.h).
+  double epsilon = 0.02;
+  /// Whether it is refused where epsilon cannot be kept; else the least error that was found
+  /// counts.
+  bool must_keep_epsilon = false;
+  /// Instead: every patch is split exactly into subdivide x subdivide, 1..32.
   std::optional<int> subdivide;
   /// Whose picture counts, in the coordinates of the mesh, where that is not the mesh itself.
   std::shared_ptr<const Mesh> original;

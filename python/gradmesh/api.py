@@ -443,20 +443,22 @@ def convert(
     id: Optional[str] = None,
     *,
     subdivide: Optional[int] = None,
+    epsilon: Optional[float] = None,
     metric: str = "flip",
     resolution: int = 700,
 ) -> Conversion:
     """Makes a document of the kind "svg" or "hemesh" that holds one mesh of `document`.
 
-    subdivide: every patch is split into this many times as many, 1 to 32. SVG knows no colours but
-    the bilinear mixtures of four, which come closer to the original in smaller patches: there the
-    default is 4, otherwise 1. The error is by `metric` at `resolution` pixels along the longer
-    side. `id` may be left out where the document has one mesh only.
+    epsilon: towards SVG, which knows no colours but the bilinear mixtures of four, patches are split
+    where that is needed for this error, by `metric` at `resolution` pixels along the longer side.
+    InputError where it cannot be kept; None: 0.02, or what comes nearest.
+    subdivide: instead, every patch is split into this many each way, 1 to 32. `id` may be left out where the document has one mesh only.
     """
     made = document._core.convert(
         kind=kind,
         id=_one_id(document, id),
         subdivide=subdivide,
+        epsilon=epsilon,
         metric=metric,
         resolution=resolution,
     )

@@ -1,0 +1,310 @@
+#include "simplify/adapt.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <queue>
+
+#include "base/limits.h"
+#include "error/color_trial.h"
+#include "error/fit_trial.h"
+#include "fit/corner_colors.h"
+#include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/dependence.h"
+#include "mesh/subdivide.h"
+#include "ops/refresh.h"
+#include "ops/split.h"
+
+namespace gradmesh {
+namespace {
+
+/// How far, over the area of the patch, its colours are from the bilinear mixture of its corners'.
+double stray(const Patch& patch) {
+  constexpr int n = 5;
+  std::array<glm::dvec4, 4> corners;
+  for (int k = 0; k < 4; ++k) corners[std::size_t(k)] = glm::clamp(patch.corner(k).color, 0.0, 1.0);
+  double sum = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double u = (i + 0.5) / n, v = (j + 0.5) / n;
+      const glm::dvec2 du = patch.derivative_u(u, v).position;
+      const glm::dvec2 dv = patch.derivative_v(u, v).position;
+      const glm::dvec4 off =
+          glm::mix(glm::mix(corners[0], corners[1], v), glm::mix(corners[3], corners[2], v), u) -
+          glm::clamp(patch.at(u, v).color, 0.0, 1.0);
+      // What FLIP charges for one level of each of them, to one of green.
+      constexpr std::array<double, 4> weights{0.6, 1, 0.3, 1};
+      double seen = 0;
+      for (int channel = 0; channel < 4; ++channel)
+        seen += weights[std::size_t(channel)] * visible_difference(255 * off[channel]);
+      sum += std::abs(du.x * dv.y - du.y * dv.x) * seen;
+    }
+  return sum / (n * n);
+}
+
+/// The parts of a patch between lines that split it once, or twice over, in rows or in columns.
+std::vector<Patch> split_patch(const Patch& patch, bool in_rows, int times) {
+  if (times == 0) return {patch};
+  std::vector<Patch> parts;
+  for (const Patch& half : in_rows ? patch.split_u(0.5) : patch.split_v(0.5))
+    for (const Patch& part : split_patch(half, in_rows, times - 1)) parts.push_back(part);
+  return parts;
+}
+
+/// A patch of the mesh that is split, and which line through its middle gains how much.
+struct Piece {
+  Patch patch;
+  bool in_rows = false;
+  /// For each patch more, of one split or of two over. Where a colour first turns one way and then
+  /// the other it is the second split that gains.
+  double gain = 0;
+
+  explicit Piece(const Patch& whole) : patch(whole) {
+    const double before = stray(whole);
+    for (const bool rows : {false, true})
+      for (const int times : {1, 2}) {
+        double after = 0;
+        const std::vector<Patch> parts = split_patch(whole, rows, times);
+        for (const Patch& part : parts) after += stray(part);
+        const double gained = (before - after) / double(parts.size() - 1);
+        if (gained <= gain) continue;
+        gain = gained;
+        in_rows = rows;
+      }
+  }
+};
+
+/// The order in which patches are split, that which gains the most first. What it splits has the
+/// number of the first part from then on, the second part the next number.
+class Splits {
+ public:
+  struct Split {
+    int face;
+    bool in_rows;
+  };
+
+  explicit Splits(const std::vector<Patch>& patches) {
+    for (const Patch& patch : patches) add(patch);
+  }
+
+  const Split& operator[](std::size_t i) {
+    while (splits_.size() <= i) split_next();
+    return splits_[i];
+  }
+
+ private:
+  void add(const Patch& patch) {
+    pieces_.emplace_back(patch);
+    queue_.push({pieces_.back().gain, -int(pieces_.size()) + 1});
+  }
+
+  void split_next() {
+    const int face = -queue_.top().second;
+    queue_.pop();
+    const Piece split = pieces_[std::size_t(face)];
+    splits_.push_back({face, split.in_rows});
+    const std::vector<Patch> parts = split_patch(split.patch, split.in_rows, 1);
+    pieces_[std::size_t(face)] = Piece(parts[0]);
+    queue_.push({pieces_[std::size_t(face)].gain, -face});
+    add(parts[1]);
+  }
+
+  std::vector<Piece> pieces_;
+  /// Gains and, where they are the same, smaller numbers first.
+  std::priority_queue<std::pair<double, int>> queue_;
+  std::vector<Split> splits_;
+};
+
+std::vector<Patch> patches_of(const Mesh& mesh) {
+  std::vector<Patch> patches;
+  for (const Face f : mesh.faces()) patches.push_back(mesh.patch(f));
+  return patches;
+}
+
+std::vector<Halfedge> curves_of(const Mesh& mesh) {
+  std::vector<Halfedge> curves;
+  for (const Halfedge h : mesh.halfedges())
+    if (!mesh.is_bar(h) && mesh.curve(h) == h) curves.push_back(h);
+  return curves;
+}
+
+class Adapter {
+ public:
+  Adapter(const Mesh& mesh, const AdaptOptions& options)
+      : options_(options),
+        target_(std::make_shared<const FitTarget>(*options.original, options.frame)),
+        patches_(patches_of(mesh)),
+        splits_(patches_) {
+    // Faces are numbered as the patches from now on.
+    start_ = build_mesh(as_bilinear(subdivided(mesh, 1)));
+    let_junctions_follow(mesh);
+  }
+
+  int patches() const { return int(patches_.size()); }
+
+  /// The mesh with so many patches.
+  const AdaptedMesh& with_patches(int count) {
+    const auto known = known_.find(count);
+    return known != known_.end() ? known->second : known_.emplace(count, made(count)).first->second;
+  }
+
+  /// Lets twists and tangents bring the colours to where they belong, patch by patch, and then the
+  /// colours of corners find the levels that the picture wants, where that helps.
+  void polish(AdaptedMesh& adapted) const {
+    constexpr int rounds = 2, steps = 3;
+    for (int round = 0; round < rounds && adapted.error > options_.epsilon; ++round) {
+      Mesh polished = adapted.mesh;
+      FitTrial fit(polished, error_from(polished), target_);
+      for (const Face f : adapted.mesh.faces()) fit.improve({f}, steps);
+      ColorTrial(polished, error_from(polished)).improve();
+      const double error = options_.error_of(polished);
+      if (error >= adapted.error) return;
+      adapted = {std::move(polished), error};
+    }
+  }
+
+ private:
+  AdaptedMesh made(int count) {
+    Mesh split_mesh = start_;
+    std::vector<Patch> wanted = patches_;
+    Journal journal(split_mesh);
+    for (int i = patches(); i < count; ++i) {
+      const auto [number, in_rows] = splits_[std::size_t(i - patches())];
+      split(journal, split_mesh.sides(Face{number})[in_rows ? 1 : 0], 0.5);
+      journal.forget();
+      Patch& patch = wanted[std::size_t(number)];
+      const auto [first, second] = in_rows ? patch.split_u(0.5) : patch.split_v(0.5);
+      patch = first;
+      wanted.push_back(second);
+    }
+    // Where both sides of a curve are split at one place there are ordinary points now, whose
+    // colours are free.
+    AdaptedMesh result{build_mesh(subdivided(split_mesh, 1)), 0};
+    take_corner_colors(result.mesh, wanted);
+    fit_corner_colors(result.mesh, wanted);
+    result.error = options_.error_of(result.mesh);
+    return result;
+  }
+
+  EditError error_from(const Mesh& mesh) const {
+    return {*options_.original, mesh, options_.frame, options_.metric};
+  }
+
+  /// T-junctions whose colours are those of the parent's curve in `mesh`, or as good as, take what
+  /// is left of that in the model `bilinear`, so that no step in colour arises.
+  void let_junctions_follow(const Mesh& mesh) {
+    constexpr double as_good_as = 1.0 / 255;
+    Journal journal(start_);
+    journal.begin();
+    int number = 0;
+    for (const Face f : mesh.faces()) {
+      for (const Halfedge h : mesh.sides(f)) {
+        const Halfedge leaf{number++};
+        const Halfedge stem = mesh[mesh.origin(h)].stem;
+        if (!stem.valid() || !start_[start_.origin(leaf)].is_junction()) continue;
+        const glm::dvec4 off = glm::abs(mesh[h].color - junction_value(mesh, stem).color);
+        journal.edit(leaf).own_color = std::max({off.r, off.g, off.b, off.a}) > as_good_as;
+      }
+    }
+    refresh(journal, curves_of(start_));
+  }
+
+  /// Gives the corners the colours of the patches there, but where they follow others. Corners that
+  /// meet in colours which differ by rounding only get one.
+  static void take_corner_colors(Mesh& mesh, const std::vector<Patch>& wanted) {
+    constexpr double rounding = 0.1 / 255;
+    std::map<Point, std::vector<glm::dvec4>> known;
+    Journal journal(mesh);
+    journal.begin();
+    for (const Face f : mesh.faces()) {
+      const std::array<Halfedge, 4> sides = mesh.sides(f);
+      for (int k = 0; k < 4; ++k) {
+        const Halfedge h = sides[std::size_t(k)];
+        glm::dvec4 color = glm::clamp(wanted[std::size_t(f.value)].corner(k).color, 0.0, 1.0);
+        std::vector<glm::dvec4>& here = known[mesh.origin(h)];
+        const auto same = std::ranges::find_if(
+            here, [&](const glm::dvec4& c) { return glm::distance(c, color) < rounding; });
+        if (same == here.end())
+          here.push_back(color);
+        else
+          color = *same;
+        journal.edit(h).color = glm::round(255.0 * color) / 255.0;
+      }
+    }
+    refresh(journal, curves_of(mesh));
+  }
+
+  const AdaptOptions& options_;
+  const std::shared_ptr<const FitTarget> target_;
+  const std::vector<Patch> patches_;
+  Splits splits_;
+  Mesh start_;
+  /// By the number of patches.
+  std::map<int, AdaptedMesh> known_;
+};
+
+/// The fewest patches that have at most this error, or else the least that was found.
+AdaptedMesh fewest_patches(Adapter& adapter, double error) {
+  // A search that is this near has found the number.
+  constexpr double precise = 1.04;
+  // Rounding to 8 bits costs something that more patches do not help.
+  constexpr double helps = 0.97;
+  const int most = std::max(adapter.patches(), int(limits().patches));
+  int too_few = adapter.patches();
+  AdaptedMesh best = adapter.with_patches(too_few);
+  while (best.error > error && too_few < most) {
+    const int count = std::min(2 * too_few, most);
+    const AdaptedMesh& next = adapter.with_patches(count);
+    if (next.error > error) {
+      too_few = count;
+      if (next.error > helps * best.error) return best;
+    }
+    best = next;
+  }
+  while (best.error <= error && best.mesh.face_count() > precise * too_few) {
+    const int between = int(std::sqrt(double(best.mesh.face_count()) * too_few));
+    if (between <= too_few) break;
+    const AdaptedMesh& next = adapter.with_patches(between);
+    if (next.error <= error)
+      best = next;
+    else
+      too_few = between;
+  }
+  return best;
+}
+
+/// Whether a mesh is a better result than the one there is: one that keeps to epsilon before one
+/// that does not, then fewer patches, or a smaller error.
+bool is_better(const AdaptedMesh& mesh, const AdaptedMesh& than, double epsilon) {
+  const bool keeps = mesh.error <= epsilon;
+  if (keeps != (than.error <= epsilon)) return keeps;
+  return keeps ? mesh.mesh.face_count() < than.mesh.face_count() : mesh.error < than.error;
+}
+
+}  // namespace
+
+AdaptedMesh adapted(const Mesh& mesh, const AdaptOptions& options) {
+  // How much polishing leaves of the error differs from mesh to mesh: a first guess shows it.
+  constexpr double first_guess = 0.75, near = 0.05;
+  constexpr int tries = 3;
+  Adapter adapter(mesh, options);
+  AdaptedMesh best = adapter.with_patches(adapter.patches());
+  if (best.error <= options.epsilon) return best;
+  double left = first_guess;
+  for (int i = 0; i < tries; ++i) {
+    AdaptedMesh next = fewest_patches(adapter, options.epsilon / left);
+    const double before = next.error;
+    adapter.polish(next);
+    const double found = next.error / before;
+    if (is_better(next, best, options.epsilon)) best = std::move(next);
+    if (before <= options.epsilon || std::abs(found - left) < near * left) break;
+    left = found;
+  }
+  return best;
+}
+
+}  // namespace gradmesh
