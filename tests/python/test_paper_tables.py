@@ -25,7 +25,9 @@ def test_every_table_is_run_on_the_meshes_present(tmp_path):
     for name in ("teardrop", "banana"):
         (tmp_path / f"{name}.hemesh").write_text(grid(3, 3))
     out, data = tmp_path / "tables.md", tmp_path / "tables.json"
-    done = run("--meshes", tmp_path, "--iterations", 2, "--resolution", 64, "-o", out, "--json", data)
+    quick = ["--iterations", 2, "--resolution", 64]
+    note = ["--note", "Others were at work."]
+    done = run("--meshes", tmp_path, *quick, *note, "-o", out, "--json", data)
     assert done.returncode == 0, done.stderr
     assert "Watermelon is not there and left out" in done.stderr
 
@@ -45,6 +47,8 @@ def test_every_table_is_run_on_the_meshes_present(tmp_path):
     text = out.read_text()
     assert "best leaves 0% fewer patches than gqe in the median, both together" in text
     assert "in 14 of 14 places" in text
+    assert "- Not among the meshes at hand, and left out: Perfect6, Perturbed6, Watermelon, Duck" in text
+    assert "\n- Others were at work." in text
     assert "| Banana | patches left | " in text and " 1 / 53 |" in text
 
 
