@@ -8,17 +8,12 @@
 namespace gradmesh::bench {
 namespace {
 
-struct Candidate {
-  Region region;
-  std::vector<Halfedge> tops;
-};
-
 void undo_to(Journal& journal, std::size_t depth) {
   while (journal.depth() > depth) journal.undo();
 }
 
 /// All regions of that many patches that can be merged, each once.
-std::vector<Candidate> candidates(Mesh& mesh, int rows, int columns) {
+std::vector<Region> candidates(Mesh& mesh, int rows, int columns) {
   std::set<Region> names;
   for (const Face face : mesh.faces())
     for (int top = 0; top < 4; ++top) {
@@ -27,10 +22,9 @@ std::vector<Candidate> candidates(Mesh& mesh, int rows, int columns) {
       if (!tops.empty()) names.insert(region_name(mesh, region, tops));
     }
   Journal journal(mesh);
-  std::vector<Candidate> result;
+  std::vector<Region> result;
   for (const Region& region : names) {
-    const auto tops = region_tops(mesh, region);
-    if (merge_region(journal, region, tops)) result.push_back({region, tops});
+    if (merge_region(journal, region).valid()) result.push_back(region);
     undo_to(journal, 0);
   }
   return result;
@@ -42,8 +36,8 @@ void merge_and_undo(benchmark::State& state, const MeshFile& file, int rows, int
   const auto regions = candidates(input.mesh, rows, columns);
   Journal journal(input.mesh);
   for (auto _ : state)
-    for (const Candidate& c : regions) {
-      merge_region(journal, c.region, c.tops);
+    for (const Region& region : regions) {
+      merge_region(journal, region);
       undo_to(journal, 0);
     }
   state.SetItemsProcessed(state.iterations() * int(regions.size()));
@@ -57,8 +51,8 @@ void price(benchmark::State& state, const MeshFile& file, MetricKind metric) {
   const Mesh start = input.mesh;
   MergeTrial trial(input.mesh, EditError(start, start, input.frame(700), metric), 1);
   for (auto _ : state)
-    for (const Candidate& c : regions)
-      benchmark::DoNotOptimize(RegionTrial(trial, start).price(c.region));
+    for (const Region& region : regions)
+      benchmark::DoNotOptimize(RegionTrial(trial, start).price(region));
   state.SetItemsProcessed(state.iterations() * int(regions.size()));
 }
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "io/atomic_file.h"
+#include "ops/region_finder.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
@@ -105,13 +106,15 @@ auto likeness(const AnalysisKey& a, const AnalysisKey& b) {
                     a.width == b.width && a.height == b.height, a.content == b.content};
 }
 
-bool fits(const Mesh& mesh, const Region& r) {
+bool fits(const Mesh& mesh, RegionFinder& finder, const Region& r) {
   if (r.face.value < 0 || r.face.value >= int(mesh.face_slots()) || !mesh[r.face].alive)
     return false;
   if (r.top < 0 || r.top > 3 || r.rows < 1 || r.columns < 1) return false;
   if (r.rows > mesh.face_count() / r.columns) return false;
   const std::vector<Halfedge> tops = region_tops(mesh, r);
-  return !tops.empty() && region_name(mesh, r, tops) == r;
+  if (!tops.empty()) return region_name(mesh, r, tops) == r;
+  const std::optional<FoundRegion> found = finder.find(r);
+  return found && found->name == r;
 }
 
 void write(const std::filesystem::path& path, Json analyses) {
@@ -157,8 +160,9 @@ std::list<Analysis> parse_analyses(std::string_view text, const std::string& nam
 }
 
 const Region* misfit(const Analysis& analysis, const Mesh& mesh) {
+  RegionFinder finder(mesh);
   for (const auto& [region, price] : analysis.prices)
-    if (!fits(mesh, region)) return &region;
+    if (!fits(mesh, finder, region)) return &region;
   return nullptr;
 }
 

@@ -66,7 +66,7 @@ class Draw {
 
   Drawing regions(const std::vector<RegionPrice>& all) const {
     const Face patch = chosen_patch(all);
-    const std::vector<RegionPrice> found = regions_with(mesh_, all, patch);
+    const std::vector<RegionPrice> found = regions_with(all, patch);
     return draw_regions(subject_, patch, found, chosen_region(patch, int(found.size())));
   }
 

@@ -29,7 +29,4 @@ Drawing draw_motorcycle(const Subject& subject, const MotorcycleGraph& graph, do
 Drawing draw_regions(const Subject& subject, Face patch, const std::vector<RegionPrice>& regions,
                      int shown);
 
-/// Rows and columns, "2 × 3".
-std::string describe(const Region& region);
-
 }  // namespace gradmesh

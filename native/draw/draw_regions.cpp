@@ -10,29 +10,37 @@ constexpr const char *region_color = "#0072b2", *patch_color = "#d55e00";
 /// How many lines of a list are shown on either side of the chosen one.
 constexpr int lines_around = 8;
 
-Shape region_area(const Subject& subject, const Region& region, double opacity) {
+/// Rows and columns, "2 × 3", or the patches where T-junctions are inside.
+std::string describe(const Subject& subject, const RegionPrice& region) {
+  const auto [face, top, rows, columns] = region.region;
+  if (region.size() != rows * columns) return subject.say(Message("{0} patches", region.size()));
+  return std::to_string(rows) + " \u00d7 " + std::to_string(columns);
+}
+
+Shape region_area(const Subject& subject, const RegionPrice& region, double opacity) {
   std::string path;
-  for (const Halfedge top : region_tops(subject.mesh(), region))
-    path += subject.outline(subject.mesh().face(top)) + " ";
+  for (const Face patch : region.patches) path += subject.outline(patch) + " ";
   return {path, {.fill = region_color, .fill_opacity = opacity}, ""};
 }
 
 /// The sides of the region's patches that have no patch of it on their other side.
-Shape region_border(const Subject& subject, const Region& region, double width) {
+Shape region_border(const Subject& subject, const RegionPrice& region, double width) {
   const Mesh& mesh = subject.mesh();
   std::vector<bool> inside(mesh.face_slots(), false);
-  const std::vector<Halfedge> tops = region_tops(mesh, region);
-  for (const Halfedge top : tops) inside[mesh.face(top).value] = true;
+  for (const Face patch : region.patches) inside[std::size_t(patch.value)] = true;
+  // A curve has patches of the region on both sides only where all of it is inside.
+  const auto is_inside = [&](Halfedge leaf) { return inside[std::size_t(mesh.face(leaf).value)]; };
   PathText path = subject.path();
-  for (const Halfedge top : tops)
-    for (const Halfedge side : mesh.sides(mesh.face(top))) {
-      const Halfedge across = leaf_across(mesh, side);
-      if (across.valid() && inside[mesh.face(across).value]) continue;
+  for (const Face patch : region.patches)
+    for (const Halfedge side : mesh.sides(patch)) {
+      const Halfedge across = mesh.other_side(side);
+      if (across.valid() && is_inside(mesh.first_leaf(across))) continue;
       const Cubic<Value> curve = mesh.side_of(side);
       path.move(curve.p0.position);
       path.curve(curve);
     }
-  return {path.text(), {.stroke = region_color, .stroke_width = width}, describe(region)};
+  return {path.text(), {.stroke = region_color, .stroke_width = width},
+          describe(subject, region)};
 }
 
 void list(Legend& legend, const Subject& subject, const std::vector<RegionPrice>& regions,
@@ -45,17 +53,13 @@ void list(Legend& legend, const Subject& subject, const std::vector<RegionPrice>
   if (first > 0) legend.entry({"...", subject.say(Message("{0} smaller", first)), ""}, false);
   for (int i = first; i < last; ++i)
     legend.entry(
-        {std::to_string(i + 1), describe(regions[i].region), short_number(regions[i].error)},
+        {std::to_string(i + 1), describe(subject, regions[i]), short_number(regions[i].error)},
         i == shown);
   if (last < count)
     legend.entry({"...", subject.say(Message("{0} larger", count - last)), ""}, false);
 }
 
 }  // namespace
-
-std::string describe(const Region& region) {
-  return std::to_string(region.rows) + " \u00d7 " + std::to_string(region.columns);
-}
 
 Drawing draw_regions(const Subject& subject, Face patch, const std::vector<RegionPrice>& regions,
                      int shown) {
@@ -73,10 +77,10 @@ Drawing draw_regions(const Subject& subject, Face patch, const std::vector<Regio
   Layer layer{subject.say(Message("Regions")), {}, {}};
   for (int i = 0; i < int(regions.size()); ++i)
     if (!one || i == shown)
-      layer.shapes.push_back(region_area(subject, regions[i].region, opacity));
+      layer.shapes.push_back(region_area(subject, regions[i], opacity));
   for (int i = 0; i < int(regions.size()); ++i)
     if (!one || i == shown)
-      layer.shapes.push_back(region_border(subject, regions[i].region, width));
+      layer.shapes.push_back(region_border(subject, regions[i], width));
   const Style chosen{.fill = patch_color,
                      .fill_opacity = 0.85,
                      .stroke = patch_color,

@@ -154,12 +154,8 @@ bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector
 std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {
   std::vector<Face> merged;
   for (const Region& region : regions) {
-    const std::vector<Halfedge> tops = region_tops(mesh(), region);
-    if (tops.empty()) continue;
-    std::vector<Face> faces;
-    for (const Halfedge top : tops) faces.push_back(mesh().face(top));
-    if (!merge_region(journal_, region, tops)) continue;
-    merged.push_back(*std::ranges::find_if(faces, [&](Face f) { return mesh()[f].alive; }));
+    const Face face = merge_region(journal_, region);
+    if (face.valid()) merged.push_back(face);
   }
   return merged;
 }

@@ -37,9 +37,7 @@ void MergeTrial::merge(const std::vector<Region>& regions) {
 }
 
 void MergeTrial::merge_possible(const std::vector<Region>& regions) {
-  for (const Region& region : regions)
-    if (const auto tops = region_tops(mesh(), region); !tops.empty())
-      merge_region(journal_, region, tops);
+  for (const Region& region : regions) merge_region(journal_, region);
 }
 
 bool MergeTrial::merge_in_turn(const std::vector<Halfedge>& edges) {
@@ -75,10 +73,16 @@ bool RegionTrial::describe(const Region& region, EditTile& tile) {
   return true;
 }
 
-void MergeTrial::undo_all() {
-  if (journal_.depth() == 0) return;
-  undo_to(0);
+void MergeTrial::go_back(const State& state) {
+  if (depth() == state.depth) return;
+  undo_to(state.depth);
+  error_.restore(state.error);
+}
+
+void MergeTrial::measure_again() {
   error_.restore(start_);
+  error_.after_edits(journal_, 0);
+  error_.accept(journal_);
 }
 
 std::unique_ptr<MergeTrial::Fork> MergeTrial::fork() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -40,16 +41,30 @@ class MergeTrial {
   /// Merges the regions whatever the error is.
   void merge(const std::vector<Region>& regions);
 
+  /// What has been merged so far, to come back to.
+  struct State {
+    std::size_t depth;
+    std::shared_ptr<const EditError::State> error;
+  };
+  State state() { return {depth(), error_.state()}; }
+  /// Takes back what was merged since.
+  void go_back(const State& state);
   /// Takes everything back.
-  void undo_all();
-  /// Takes the last merge back without a look at the error: nothing may be tried afterwards.
+  void undo_all() { go_back({0, start_}); }
+  /// Takes the last merge back without a look at the error: nothing may be tried before
+  /// measure_again.
   void undo_last() { journal_.undo(); }
+  void measure_again();
+  /// Keeps more of the error free than until now.
+  void lower_epsilon(double epsilon) { epsilon_ = std::min(epsilon_, epsilon); }
 
   const Mesh& mesh() const { return journal_.mesh(); }
   /// Merges that can be taken back.
   std::size_t depth() const { return journal_.depth(); }
   double error() const { return error_.error(); }
   double epsilon() const { return epsilon_; }
+  /// How much the error may still rise.
+  double room() const { return epsilon_ - error(); }
   const EditError& measure() const { return error_; }
   /// Merges, of edges or regions, that were painted and measured, here and by all the forks.
   int evaluations() const { return error_.evaluations(); }

@@ -8,21 +8,26 @@
 
 namespace gradmesh {
 
-/// A tensor product region (paper 6.3): rows x columns patches with nothing but whole edges and
-/// regular points inside, which can be merged into one. It starts at the patch `face`, whose side
-/// `top` (counted as in Mesh::sides) is its top there: columns follow to the right, rows below. So
-/// it stays what it is while patches around it are merged.
+/// A tensor product region (paper 6.3): an area bounded by four curves, which can be merged into
+/// one patch. It starts at the patch `face`, whose side `top` (counted as in Mesh::sides) is its top
+/// there. From there it is `columns` - 1 steps wide to the right, and then `rows` - 1 steps high
+/// downwards. Where it has nothing but whole edges and regular points inside, a step is one column
+/// or row of patches. In general a step takes in the smallest area that lies across all of the
+/// curve, whatever T-junctions are inside (ops/merge_region.h). A region stays what it is while
+/// patches around it are merged.
 struct Region {
   Face face;
   int top = 0;
   int rows = 1, columns = 1;
 
+  /// In patches, where no T-junction is inside.
   int size() const { return rows * columns; }
   auto operator<=>(const Region&) const = default;
 };
 
-/// The top sides of the region's patches, row by row. Empty where there is no such region: at
-/// boundaries, T-junctions and irregular points, and where it would meet itself round a ring.
+/// The top sides of the region's patches, row by row. Empty where there is no such region without
+/// T-junctions inside: at boundaries, T-junctions and irregular points, and where it would meet
+/// itself round a ring.
 std::vector<Halfedge> region_tops(const Mesh& mesh, const Region& region);
 
 /// The region as seen from each of its four corners, clockwise from its own. `tops` as of

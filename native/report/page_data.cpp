@@ -59,13 +59,12 @@ Json merging(const Mesh& mesh, const std::vector<EdgePrice>& prices) {
   return list;
 }
 
-Json regions_json(const Mesh& mesh, const std::vector<RegionPrice>& regions,
-                  const std::vector<double>& fitted) {
+Json regions_json(const std::vector<RegionPrice>& regions, const std::vector<double>& fitted) {
   Json list = Json::array();
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const RegionPrice& r = regions[i];
     Json faces = Json::array();
-    for (const Halfedge top : region_tops(mesh, r.region)) faces.push_back(mesh.face(top).value);
+    for (const Face patch : r.patches) faces.push_back(patch.value);
     list.push_back({{"rows", r.region.rows},
                     {"columns", r.region.columns},
                     {"error", r.error},
@@ -126,7 +125,7 @@ Json page_data(const Report& report) {
   const Plane map = make_metric(report.metric, first)->map(second);
   Json before_json = mesh_json(before, first);
   before_json["merging"] = merging(before.mesh, report.edges);
-  before_json["regions"] = regions_json(before.mesh, report.regions, report.fitted);
+  before_json["regions"] = regions_json(report.regions, report.fitted);
   return {{"id", report.id},
           {"width", first.width},
           {"height", first.height},

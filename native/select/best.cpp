@@ -23,9 +23,9 @@ struct Candidate {
   PackingItem item;
 };
 
-Candidate candidate(const Mesh& mesh, const Region& region, double price) {
-  Candidate c{region, {PatchSet(mesh.face_slots()), region.size() - 1, price}};
-  for (const Halfedge top : region_tops(mesh, region)) c.item.patches.add(mesh.face(top));
+Candidate candidate(const Mesh& mesh, const RegionPrice& r) {
+  Candidate c{r.region, {PatchSet(mesh.face_slots()), r.size() - 1, r.error}};
+  for (const Face patch : r.patches) c.item.patches.add(patch);
   return c;
 }
 
@@ -83,11 +83,10 @@ class FittedPrices {
     for (const Halfedge edge : inner_edges(mesh)) {
       if (!mesh.is_leaf(edge) || !leaf_across(mesh, edge).valid()) continue;
       const Region region = region_of_edge(mesh, edge);
-      const std::vector<Halfedge> tops = region_tops(mesh, region);
-      if (tops.empty()) continue;
-      const Known* known = still_known(region, tops, limit, trial);
+      const std::vector<Face> patches{mesh.face(edge), mesh.face(mesh[edge].twin)};
+      const Known* known = still_known(region, patches, limit, trial);
       if (!known) unknown.push_back(candidates.size());
-      candidates.push_back(candidate(mesh, region, known ? known->price : 2 * limit));
+      candidates.push_back(candidate(mesh, {region, patches, known ? known->price : 2 * limit}));
     }
     ParallelTrials<FitTrial>(trial).for_each(
         unknown.size(), [&](std::size_t) { return should_stop(); },
@@ -111,15 +110,14 @@ class FittedPrices {
     int changes;
   };
 
-  const Known* still_known(const Region& region, const std::vector<Halfedge>& tops, double limit,
+  const Known* still_known(const Region& region, const std::vector<Face>& patches, double limit,
                            const FitTrial& trial) const {
     const auto place = known_.find(region);
     if (place == known_.end()) return nullptr;
     const Known& known = place->second;
     if (known.price > known.limit && limit > known.limit) return nullptr;
-    const bool stands = std::ranges::all_of(tops, [&](Halfedge top) {
-      return trial.last_change(trial.mesh().face(top)) <= known.changes;
-    });
+    const bool stands = std::ranges::all_of(
+        patches, [&](Face patch) { return trial.last_change(patch) <= known.changes; });
     return stands ? &known : nullptr;
   }
 
@@ -142,10 +140,10 @@ class Rounds {
   /// below epsilon.
   bool begin(const std::vector<RegionPrice>& regions, double gamma) {
     std::vector<Candidate> candidates;
-    for (const RegionPrice& r : regions) candidates.push_back(candidate(mesh(), r.region, r.error));
+    for (const RegionPrice& r : regions) candidates.push_back(candidate(mesh(), r));
     const double omega = context_.omega, patches = mesh().face_count();
     std::ranges::stable_sort(candidates, std::greater{}, [&](const Candidate& c) {
-      return omega * c.region.size() / patches - (1 - omega) * c.item.price / gamma;
+      return omega * (c.item.saved + 1) / patches - (1 - omega) * c.item.price / gamma;
     });
     // What is left goes to the rounds, which see prices as they are once all is fitted.
     constexpr double share = 0.75;
@@ -248,19 +246,17 @@ std::unique_ptr<Rounds> beyond_epsilon(MergeTrial& start, const std::vector<Regi
 std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
                                         const std::vector<RegionPrice>& regions,
                                         const FitContext& context, StopWatch& watch) {
-  std::unique_ptr<Rounds> rounds = beyond_epsilon(start, regions, context, watch);
-  if (!rounds || rounds->mesh().face_count() > merged.mesh().face_count()) {
-    rounds = std::make_unique<Rounds>(merged, context, watch);
-    rounds->fit(steps_for_set);
-  }
-  std::optional<FittedMesh> best = rounds->run();
+  const std::unique_ptr<Rounds> rounds = beyond_epsilon(start, regions, context, watch);
+  const bool goes_on = rounds && rounds->mesh().face_count() <= merged.mesh().face_count();
+  std::optional<FittedMesh> best = goes_on ? rounds->run() : fit(merged, context, watch);
   if (!best || best->mesh.face_count() == start.mesh().face_count()) return std::nullopt;
-  const bool as_many = best->mesh.face_count() == merged.mesh().face_count();
-  if (as_many) {
-    const FitContext::Written gqe = context.written(merged.mesh());
-    if (gqe.keeps && gqe.error < context.written(best->mesh).error) return std::nullopt;
-  }
   return best;
+}
+
+std::optional<FittedMesh> fit(MergeTrial& merged, const FitContext& context, StopWatch& watch) {
+  Rounds rounds(merged, context, watch);
+  rounds.fit(steps_for_set);
+  return rounds.run();
 }
 
 std::vector<double> fitted_prices(FitTrial& trial, const std::vector<RegionPrice>& regions,

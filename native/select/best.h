@@ -40,11 +40,13 @@ struct FittedMesh {
 /// `start` is the mesh before anything was merged, `regions` those of price_regions there, and
 /// `merged` what gqe made of them; all stay as they are. Returns the mesh with the fewest patches
 /// that, as it will be written, keeps to epsilon and to the local bound; none where that is not
-/// fewer than at the start. Never more than gqe's, nor as many with a larger error, if that keeps
-/// to them.
+/// fewer than at the start. Never more than `merged`, if that keeps to them.
 std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
                                         const std::vector<RegionPrice>& regions,
                                         const FitContext& context, StopWatch& watch);
+
+/// The same rounds from what gqe merged, whatever else there is.
+std::optional<FittedMesh> fit(MergeTrial& merged, const FitContext& context, StopWatch& watch);
 
 /// By how much each of the regions raises the error where it alone is merged and its patch fitted,
 /// in their order: at most its price, which must be at most `limit`. The price itself for those

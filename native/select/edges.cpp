@@ -1,5 +1,6 @@
 #include "select/edges.h"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -85,23 +86,20 @@ std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWa
   return prices;
 }
 
-void try_edges(MergeTrial& trial, std::vector<Halfedge> edges, StopWatch& watch) {
-  const std::size_t total = edges.size();
-  std::size_t tried = 0;
-  for (int merges = 1; merges > 0;) {
-    merges = 0;
-    std::vector<Halfedge> waiting;
+void try_edges(MergeTrial& trial, const EdgeOrder& order, StopWatch& watch) {
+  const Mesh& mesh = trial.mesh();
+  // Nearly all is done in the first round, so that is what those who watch are told.
+  std::size_t tried = 0, total = 0;
+  for (bool merged = true; merged;) {
+    merged = false;
+    const std::vector<Halfedge> edges = order(mesh);
+    if (total == 0) total = edges.size();
     for (const Halfedge edge : edges) {
-      const Mesh& mesh = trial.mesh();
-      if (watch.should_stop({tried, total, mesh.face_count(), trial.error()})) return;
-      if (mesh[edge].alive && can_merge(mesh, edge) != MergeObstacle::none) {
-        waiting.push_back(edge);
-        continue;
-      }
+      if (watch.should_stop({std::min(tried, total), total, mesh.face_count(), trial.error()}))
+        return;
       ++tried;
-      merges += trial.try_merge(edge);
+      merged = trial.try_merge(edge) || merged;
     }
-    edges = std::move(waiting);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "base/progress.h"
@@ -26,9 +26,12 @@ struct EdgePrice {
 /// The prices of all inner edges (paper 6.2). Fewer where `watch` says to stop.
 std::vector<EdgePrice> price_edges(MergeTrial& trial, Analysis& analysis, StopWatch& watch);
 
-/// Tries to merge the edges in this order. An edge that cannot be merged when its turn comes waits
-/// for the next round, as long as merges still change what can be: so that what is left over cannot
-/// be merged or costs too much (paper 6.1).
-void try_edges(MergeTrial& trial, std::vector<Halfedge> edges, StopWatch& watch);
+/// Which edges of a mesh a method tries, in its order.
+using EdgeOrder = std::function<std::vector<Halfedge>(const Mesh& mesh)>;
+
+/// Tries to merge the edges in their order (paper 6.1), round after round, each in the order for
+/// the mesh as it then is: merges join curves and change what can be merged. Ends after a round in
+/// which nothing was merged, so that no edge of the order is left that could be.
+void try_edges(MergeTrial& trial, const EdgeOrder& order, StopWatch& watch);
 
 }  // namespace gradmesh

@@ -17,6 +17,7 @@ constexpr int halvings = 10, sweeps = 20;
 
 struct Candidate {
   Region region;
+  int size;
   PatchSet patches;
   double error;
 };
@@ -73,8 +74,9 @@ class Planner {
         omega_(omega),
         gamma_(gamma) {
     // Eq. 7, with size and error as shares of the whole mesh and of gamma.
+    const double all = gamma > 0 ? gamma : 1;
     for (const Candidate& c : candidates)
-      scores_.push_back(omega * c.region.size() / patches_ - (1 - omega) * c.error / gamma);
+      scores_.push_back(omega * c.size / patches_ - (1 - omega) * c.error / all);
     by_score_.resize(candidates.size());
     std::iota(by_score_.begin(), by_score_.end(), 0);
     std::ranges::stable_sort(by_score_, [&](int a, int b) { return scores_[a] > scores_[b]; });
@@ -164,9 +166,8 @@ class Gqe {
         slots_(trial.mesh().face_slots()) {
     for (const RegionPrice& r : regions) {
       Candidate& candidate =
-          candidates_.emplace_back(Candidate{r.region, PatchSet(slots_), r.error});
-      for (const Halfedge top : region_tops(trial.mesh(), r.region))
-        candidate.patches.add(trial.mesh().face(top));
+          candidates_.emplace_back(Candidate{r.region, r.size(), PatchSet(slots_), r.error});
+      for (const Face patch : r.patches) candidate.patches.add(patch);
     }
     best_.patches = patches_;
   }
@@ -176,7 +177,7 @@ class Gqe {
     if (candidates_.empty()) return;
     // The number of patches goes up and down with gamma, which the halvings do not see.
     std::vector<double> gammas;
-    for (int i = 1; i <= sweeps; ++i) gammas.push_back(2 * trial_.epsilon() * i / sweeps);
+    for (int i = 1; i <= sweeps; ++i) gammas.push_back(2 * trial_.room() * i / sweeps);
     const std::vector<Plan> plans = plans_for(gammas);
 
     // Outcomes are compared in the order of the jobs, whichever is done first.
@@ -243,7 +244,7 @@ class Gqe {
       }
       return place->second;
     };
-    double low = 0, high = 2 * own.epsilon();
+    double low = 0, high = 2 * own.room();
     for (int i = 0; i < halvings && (i == 0 || !stopped_); ++i) {
       const double gamma = 0.5 * (low + high);
       const Planner planner = planner_for(gamma);
@@ -256,6 +257,7 @@ class Gqe {
   /// Merges the set of the plan, mends it, and takes everything back.
   Outcome outcome(MergeTrial& own, const Plan& plan) const {
     Outcome result;
+    const MergeTrial::State start = own.state();
     Choice choice(own.mesh().face_slots());
     std::vector<Region> planned;
     for (const int i : plan.chosen) planned.push_back(candidates_[i].region);
@@ -271,7 +273,7 @@ class Gqe {
     result.regions = choice.regions();
     result.patches = own.mesh().face_count();
     result.error = own.error();
-    own.undo_all();
+    own.go_back(start);
     return result;
   }
 
@@ -305,6 +307,16 @@ class Gqe {
 void select_gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions,
                 const GqeOptions& options, StopWatch& watch) {
   Gqe(trial, regions, options, watch).run();
+}
+
+void merge_by_gqe(MergeTrial& trial, Analysis& analysis, const GqeOptions& options,
+                  StopWatch& watch) {
+  Analysis closing;
+  for (Analysis* known = &analysis;; known = &(closing = {})) {
+    const std::size_t depth = trial.depth();
+    select_gqe(trial, price_regions(trial, *known, trial.room(), watch), options, watch);
+    if (trial.depth() == depth) return;
+  }
 }
 
 }  // namespace gradmesh

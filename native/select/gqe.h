@@ -8,7 +8,8 @@ namespace gradmesh {
 
 /// Greedy quad-error (paper 6.3): merges regions that do not overlap, the best by Eq. 7 first, as
 /// long as their prices together stay below gamma; gamma is searched for in N = 10 halvings of
-/// [0, 2 epsilon], since prices only nearly add up. Beyond the paper, some more values of gamma are
+/// [0, 2 epsilon], since prices only nearly add up. What is left below epsilon stands for it where
+/// the mesh has an error from before. Beyond the paper, some more values of gamma are
 /// tried, and each outcome is mended by the true error: where the set costs more than epsilon, the
 /// regions that cost too much beside the others are left out, and whatever still fits is merged as
 /// well. The best outcome is merged.
@@ -20,8 +21,15 @@ struct GqeOptions {
   bool look_ahead = false;
 };
 
-/// `regions` as of price_regions, with epsilon as the limit.
+/// Merges the best set of these regions that fits. `regions` as of price_regions, with what is left
+/// below epsilon as the limit.
 void select_gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions,
                 const GqeOptions& options, StopWatch& watch);
+
+/// The whole method, in rounds: the first is that of the paper; the next close, each with regions
+/// priced on the mesh as it then is, until none fits any more. `analysis` is of the mesh as it is
+/// now.
+void merge_by_gqe(MergeTrial& trial, Analysis& analysis, const GqeOptions& options,
+                  StopWatch& watch);
 
 }  // namespace gradmesh

@@ -141,4 +141,17 @@ std::vector<Halfedge> motorcycle_order(const Mesh& mesh, const MotorcycleGraph& 
   return order;
 }
 
+void select_motorcycle(MergeTrial& trial, Analysis& analysis, const MotorcycleOptions& options,
+                       StopWatch& watch) {
+  const std::size_t depth = trial.depth();
+  const auto order = [&](const Mesh& mesh) {
+    Analysis afresh{analysis.key, {}};
+    const std::vector<EdgePrice> prices =
+        price_edges(trial, trial.depth() == depth ? analysis : afresh, watch);
+    const auto graph = motorcycle_graph(mesh, prices, options.kappa * trial.epsilon());
+    return motorcycle_order(mesh, graph, options.seed);
+  };
+  try_edges(trial, order, watch);
+}
+
 }  // namespace gradmesh

@@ -29,4 +29,15 @@ MotorcycleGraph motorcycle_graph(const Mesh& mesh, const std::vector<EdgePrice>&
 std::vector<Halfedge> motorcycle_order(const Mesh& mesh, const MotorcycleGraph& graph,
                                        std::uint64_t seed);
 
+struct MotorcycleOptions {
+  /// Edges that cost more than this share of epsilon bound the parts, 0 or more.
+  double kappa = 0.05;
+  std::uint64_t seed = 0;
+};
+
+/// Tries the edges in the motorcycle order, in rounds (try_edges), each with the prices and the
+/// graph of the mesh as it then is. `analysis` is of the mesh as it is now.
+void select_motorcycle(MergeTrial& trial, Analysis& analysis, const MotorcycleOptions& options,
+                       StopWatch& watch);
+
 }  // namespace gradmesh

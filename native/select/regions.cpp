@@ -9,6 +9,7 @@
 
 #include "error/batch_prices.h"
 #include "error/parallel_trials.h"
+#include "ops/region_finder.h"
 #include "select/edges.h"
 
 namespace gradmesh {
@@ -37,12 +38,16 @@ class Growth {
         limit_(limit),
         watch_(watch),
         error_(trial.error()),
+        has_junctions_(std::ranges::any_of(mesh_.points(),
+                                           [&](Point p) { return mesh_[p].is_junction(); })),
         trials_(trial) {}
 
   std::vector<RegionPrice> run() {
     for (const Halfedge edge : inner_edges(mesh_))
       if (mesh_.is_leaf(edge) && leaf_across(mesh_, edge).valid())
         reach(region_of_edge(mesh_, edge));
+      else
+        reach(finder_.around(edge));
     for (bool in_time = true; in_time && !reached_.empty();) {
       const std::vector<Region> wave = std::exchange(reached_, {});
       const std::size_t kept = regions_.size();
@@ -54,7 +59,7 @@ class Growth {
       for (const RegionPrice& r : growing) reach_larger(r.region, freely);
     }
     std::ranges::sort(regions_, {},
-                      [](const RegionPrice& r) { return std::pair(r.region.size(), r.region); });
+                      [](const RegionPrice& r) { return std::pair(r.size(), r.region); });
     return std::move(regions_);
   }
 
@@ -62,13 +67,25 @@ class Growth {
   void reach(const Region& name) {
     if (seen_.insert(name).second) reached_.push_back(name);
   }
+  void reach(const std::optional<FoundRegion>& found) {
+    if (!found) return;
+    reach(found->name);
+    found_.emplace(found->name, found->faces);
+  }
 
   /// Takes the region if it keeps to the limit.
   void keep(const Region& name) {
     const Price* price = analysis_.known(name, limit_);
     if (!price || price->error > limit_) return;
-    regions_.push_back({name, price->error});
+    regions_.push_back({name, patches_of(name), price->error});
     kept_.insert(name);
+  }
+
+  std::vector<Face> patches_of(const Region& name) const {
+    if (const auto found = found_.find(name); found != found_.end()) return found->second;
+    std::vector<Face> patches;
+    for (const Halfedge top : region_tops(mesh_, name)) patches.push_back(mesh_.face(top));
+    return patches;
   }
 
   std::size_t most_freely() const { return tried_freely * std::size_t(mesh_.face_count()); }
@@ -77,24 +94,29 @@ class Growth {
   /// patches.
   void keep_best_for_a_patch(std::vector<RegionPrice>& regions) const {
     std::ranges::sort(regions, {}, [](const RegionPrice& r) {
-      return std::tuple(r.error / (r.region.size() - 1), -r.region.size(), r.region);
+      return std::tuple(r.error / (r.size() - 1), -r.size(), r.region);
     });
     std::vector<bool> has_better(mesh_.face_slots(), false);
     std::erase_if(regions, [&](const RegionPrice& r) {
       bool is_best = false;
-      for (const Halfedge top : region_tops(mesh_, r.region)) {
-        const int patch = mesh_.face(top).value;
-        is_best = is_best || !has_better[patch];
-        has_better[patch] = true;
+      for (const Face patch : r.patches) {
+        is_best = is_best || !has_better[std::size_t(patch.value)];
+        has_better[std::size_t(patch.value)] = true;
       }
       return !is_best;
     });
   }
 
-  /// Reaches the regions with one row or column more; where all grow `freely`, and so all parts
-  /// have been tried, only those that can be expected to keep to the limit.
+  /// Reaches the regions that are one step larger; where all grow `freely`, and so all parts of
+  /// those without T-junctions have been tried, only those that can be expected to keep to the
+  /// limit.
   void reach_larger(const Region& name, bool freely) {
-    for (Region view : region_views(mesh_, name, region_tops(mesh_, name))) {
+    const std::vector<Halfedge> tops = region_tops(mesh_, name);
+    if (has_junctions_)
+      for (const auto& found : finder_.larger(name))
+        if (found && region_tops(mesh_, found->name).empty()) reach(found);
+    if (tops.empty()) return;
+    for (Region view : region_views(mesh_, name, tops)) {
       ++view.columns;
       const auto larger = region_tops(mesh_, view);
       if (larger.empty()) continue;
@@ -117,7 +139,7 @@ class Growth {
     std::map<std::tuple<Face, int, int>, Chain> chains;
     for (const Region& name : wave)
       if (!analysis_.known(name, limit_)) {
-        const Region view = merging_view(mesh_, name, region_tops(mesh_, name));
+        const Region view = merging_view(mesh_, name);
         chains[{view.face, view.top, view.columns}].wanted.push_back(view);
       }
     std::vector<Chain> list;
@@ -161,8 +183,7 @@ class Growth {
       for (std::size_t k = 0; k < priced[i].regions.size(); ++k) {
         const Region& view = priced[i].regions[k];
         if (priced[i].errors[k])
-          analysis_.prices[region_name(mesh_, view, region_tops(mesh_, view))] = {
-              *priced[i].errors[k], true};
+          analysis_.prices[name_of(view)] = {*priced[i].errors[k], true};
       }
       if (!priced[i].is_priced()) left.push_back(std::move(chains[i]));
     }
@@ -175,7 +196,7 @@ class Growth {
     auto wanted = chain.wanted.begin();
     for (Region view = *wanted;;) {
       const Price price = find_price(trial, view, limit_);
-      chain.found.emplace_back(region_name(mesh_, view, region_tops(mesh_, view)), price);
+      chain.found.emplace_back(name_of(view), price);
       if (wanted != chain.wanted.end() && *wanted == view) ++wanted;
       ++view.rows;
       if (price.error <= limit_ && goes_on_to(view)) continue;
@@ -191,8 +212,13 @@ class Growth {
     const std::vector<Halfedge> tops = region_tops(mesh_, view);
     if (tops.empty()) return false;
     const Region name = region_name(mesh_, view, tops);
-    return !analysis_.known(name, limit_) &&
-           merging_view(mesh_, name, region_tops(mesh_, name)) == view;
+    return !analysis_.known(name, limit_) && merging_view(mesh_, name) == view;
+  }
+
+  /// The name of a region that is seen in its merging_view.
+  Region name_of(const Region& view) const {
+    const std::vector<Halfedge> tops = region_tops(mesh_, view);
+    return tops.empty() ? view : region_name(mesh_, view, tops);
   }
 
   MergeTrial& trial_;
@@ -202,6 +228,10 @@ class Growth {
   const double limit_;
   StopWatch& watch_;
   const double error_;
+  const bool has_junctions_;
+  RegionFinder finder_{mesh_};
+  /// The patches of regions that the finder has found.
+  std::map<Region, std::vector<Face>> found_;
   ParallelTrials<MergeTrial> trials_;
   std::unique_ptr<BatchPrices> batches_;
   std::set<Region> seen_, kept_;
@@ -218,12 +248,10 @@ std::vector<RegionPrice> price_regions(MergeTrial& trial, Analysis& analysis, do
   return Growth(trial, analysis, limit, watch).run();
 }
 
-std::vector<RegionPrice> regions_with(const Mesh& mesh, const std::vector<RegionPrice>& regions,
-                                      Face patch) {
+std::vector<RegionPrice> regions_with(const std::vector<RegionPrice>& regions, Face patch) {
   std::vector<RegionPrice> found;
   std::ranges::copy_if(regions, std::back_inserter(found), [&](const RegionPrice& r) {
-    return std::ranges::any_of(region_tops(mesh, r.region),
-                               [&](Halfedge top) { return mesh.face(top) == patch; });
+    return std::ranges::find(r.patches, patch) != r.patches.end();
   });
   return found;
 }

@@ -103,26 +103,22 @@ void merge_named_edges(const SimplifyOptions& options, MergeTrial& trial) {
 
 void select(const SimplifyOptions& options, MergeTrial& trial, Analysis& analysis,
             StopWatch& watch) {
-  const Mesh& mesh = trial.mesh();
+  const auto by_seed = [&](auto order) {
+    return [order, seed = options.seed](const Mesh& mesh) { return order(mesh, seed); };
+  };
   switch (options.method) {
     case Method::random:
-      return try_edges(trial, random_order(mesh, options.seed), watch);
+      return try_edges(trial, by_seed(random_order), watch);
     case Method::grid:
-      return try_edges(trial, grid_order(mesh, options.seed), watch);
+      return try_edges(trial, by_seed(grid_order), watch);
     case Method::dual_grid:
-      return try_edges(trial, dual_grid_order(mesh, options.seed), watch);
-    case Method::motorcycle: {
-      const std::vector<EdgePrice> prices = price_edges(trial, analysis, watch);
-      const auto graph = motorcycle_graph(mesh, prices, options.kappa * options.epsilon);
-      return try_edges(trial, motorcycle_order(mesh, graph, options.seed), watch);
-    }
+      return try_edges(trial, by_seed(dual_grid_order), watch);
+    case Method::motorcycle:
+      return select_motorcycle(trial, analysis, {options.kappa, options.seed}, watch);
     case Method::gqe:
-    case Method::gqe1: {
-      const auto regions = price_regions(trial, analysis, options.epsilon, watch);
-      return select_gqe(trial, regions, {options.omega, options.method == Method::gqe1}, watch);
-    }
+    case Method::gqe1:
     case Method::best:
-      break;  // Run::select_best
+      return merge_by_gqe(trial, analysis, {options.omega, options.method == Method::gqe1}, watch);
     case Method::lines:
       return take_out_lines(trial, watch);
     case Method::manual:
@@ -152,19 +148,14 @@ void undo_last(MergeTrial& trial, Method method) {
   while (method == Method::lines && trial.depth() > 0 && !find_grid(trial.mesh()));
 }
 
-/// Blocks are painted in another order than faces, which shows where a mesh lies over itself.
-/// Should the error as written be too large, the last merges are taken back, ever more at a
-/// time.
-void verify(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
+/// Takes the last merges back, ever more at a time, until the mesh as it will be written keeps to
+/// epsilon.
+void take_back(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
-    if (measure(trial.mesh(), trial.measure(), options, result)) return;
     for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, options.method);
+    if (trial.depth() > 0 && measure(trial.mesh(), trial.measure(), options, result)) break;
   }
-  // What is not changed is not written either, so that only another original makes a difference.
-  const FrameError start =
-      options.original ? trial.measure().whole_frame(trial.mesh()) : FrameError();
-  result.error = start.mean;
-  result.local_error = start.local;
+  trial.measure_again();
 }
 
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
@@ -199,28 +190,24 @@ class Run {
     std::optional<FittedMesh> best;
     try {
       if (options_.method == Method::best)
-        best = select_best();
+        best = select_best(result);
       else
-        select(options_, trial_, analysis_, watch_);
+        merge_what_fits(result);
     } catch (...) {
       trial_.undo_all();
       throw;
     }
+    if (best) {
+      mesh_ = std::move(best->mesh);
+      keeps_as_written(mesh_, result);
+    }
     result.evaluations = trial_.evaluations();
     if (trial_.has_device()) result.renderer = options_.device->info().name;
     result.error_added_up = best ? best->error : trial_.error();
-    result.seconds.select = watch_.seconds() - result.seconds.rasterize;
-
-    if (best) {
-      mesh_ = std::move(best->mesh);
-      measure(mesh_, trial_.measure(), options_, result);
-    } else {
-      verify(trial_, options_, result);
-    }
     result.patches_after = mesh_.face_count();
     result.stopped = why_stopped(watch_, result);
     result.seconds.total = watch_.seconds();
-    result.seconds.verify = result.seconds.total - result.seconds.rasterize - result.seconds.select;
+    result.seconds.select = result.seconds.total - result.seconds.rasterize - result.seconds.verify;
     return result;
   }
 
@@ -241,12 +228,41 @@ class Run {
     return error;
   }
 
-  /// Merges as gqe does; the mesh that fits make of that, where they keep to epsilon.
-  std::optional<FittedMesh> select_best() {
+  /// Measures the whole frame of the mesh as it will be written, as measure does.
+  bool keeps_as_written(const Mesh& mesh, SimplifyResult& result) {
+    const double before = watch_.seconds();
+    const bool keeps = measure(mesh, trial_.measure(), options_, result);
+    result.seconds.verify += watch_.seconds() - before;
+    return keeps;
+  }
+
+  /// Merges until nothing more fits. Blocks are painted in another order than faces, which shows
+  /// where a mesh lies over itself. Where the error as written is too large, the last merges are
+  /// taken back, what writing adds is left free from then on, and what still fits is merged.
+  void merge_what_fits(SimplifyResult& result) {
+    for (bool goes_on = true; goes_on;) {
+      const std::size_t depth = trial_.depth();
+      Analysis afresh{analysis_.key, {}};
+      select(options_, trial_, depth == 0 ? analysis_ : afresh, watch_);
+      if (trial_.depth() == 0 || keeps_as_written(mesh_, result)) break;
+      trial_.lower_epsilon(options_.epsilon - (result.error - trial_.error()));
+      take_back(trial_, options_, result);
+      goes_on = trial_.depth() > depth && options_.method != Method::manual;
+    }
+    if (trial_.depth() > 0) return;
+    // What is not changed is not written either, so that only another original makes a difference.
+    const FrameError start = options_.original ? trial_.measure().whole_frame(mesh_) : FrameError();
+    result.error = start.mean;
+    result.local_error = start.local;
+  }
+
+  /// Merges as gqe does. Returns the mesh that fits make of that, where it has fewer patches or as
+  /// many with a smaller error.
+  std::optional<FittedMesh> select_best(SimplifyResult& result) {
     // Both before anything is merged.
     const auto target = std::make_shared<const FitTarget>(original_, frame_);
     const auto start = trial_.fork();
-    const auto regions = price_regions(trial_, analysis_, options_.epsilon, watch_);
+    const auto regions = price_regions(trial_, analysis_, trial_.room(), watch_);
     select_gqe(trial_, regions, {options_.omega, false}, watch_);
     const auto written = [this](const Mesh& mesh) {
       SimplifyResult result;
@@ -254,7 +270,14 @@ class Run {
       const bool keeps = measure(mesh, trial_.measure(), options_, result);
       return FitContext::Written{result.error, keeps};
     };
-    return merge_and_fit(start->trial, trial_, regions, {target, written, options_.omega}, watch_);
+    const FitContext context{target, written, options_.omega};
+    std::optional<FittedMesh> best = merge_and_fit(start->trial, trial_, regions, context, watch_);
+    merge_what_fits(result);
+    if (best && best->mesh.face_count() > mesh_.face_count()) best = fit(trial_, context, watch_);
+    if (!best || best->mesh.face_count() > mesh_.face_count()) return std::nullopt;
+    const bool as_many = best->mesh.face_count() == mesh_.face_count();
+    if (as_many && result.error <= written(best->mesh).error) return std::nullopt;
+    return best;
   }
 
   const SimplifyOptions& options_;

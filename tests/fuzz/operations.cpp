@@ -104,8 +104,7 @@ class Operations {
   void merge_some_region() {
     const unsigned shape = choices_.byte();
     const Region region{face(), int(shape % 4), 1 + int(shape / 4 % 4), 1 + int(shape / 16 % 4)};
-    const std::vector<Halfedge> tops = region_tops(mesh_, region);
-    if (!tops.empty()) merge_region(journal_, region, tops);
+    merge_region(journal_, region);
   }
 
   void undo() {

@@ -174,8 +174,10 @@ TEST(Draw, motorcycle_parts_beside_each_other_differ) {
 TEST(Draw, regions_are_shown_one_by_one_or_all) {
   const Mesh mesh = grid_mesh({.rows = 2, .columns = 3});
   const std::vector<RegionPrice> all{
-      {{Face{0}, 0, 1, 2}, 0.001}, {{Face{0}, 0, 2, 3}, 0.02}, {{Face{1}, 0, 2, 2}, 0.01}};
-  const std::vector<RegionPrice> regions = regions_with(mesh, all, Face{0});
+      {{Face{0}, 0, 1, 2}, {Face{0}, Face{1}}, 0.001},
+      {{Face{0}, 0, 2, 3}, {Face{0}, Face{1}, Face{2}, Face{3}, Face{4}, Face{5}}, 0.02},
+      {{Face{1}, 0, 2, 2}, {Face{1}, Face{2}, Face{4}, Face{5}}, 0.01}};
+  const std::vector<RegionPrice> regions = regions_with(all, Face{0});
   ASSERT_EQ(regions.size(), 2u);
   const Subject subject(mesh, Affine{});
   const Drawing one = draw_regions(subject, Face{0}, regions, 1),

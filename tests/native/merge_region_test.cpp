@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "mesh/validate.h"
+#include "ops/region_finder.h"
 #include "random_meshes.h"
 
 /// Regions merged one after another, against each merged from scratch.
@@ -25,10 +31,9 @@ Merged result(const Journal& journal) {
 }
 
 Merged from_scratch(const Mesh& start, const Region& region) {
-  const std::vector<Halfedge> tops = region_tops(start, region);
   Mesh mesh = start;
   Journal journal(mesh);
-  return !tops.empty() && merge_region(journal, region, tops) ? result(journal) : Merged{};
+  return merge_region(journal, region).valid() ? result(journal) : Merged{};
 }
 
 /// Grids, noisy and with T-junctions.
@@ -61,7 +66,10 @@ TEST(RegionMerger, gives_the_same_as_each_region_from_scratch) {
       const Merged expected = from_scratch(start, region);
       const bool can = !expected.patches.empty();
       ASSERT_EQ(merger.merge(region), can);
-      ASSERT_EQ(journal.depth(), can ? std::size_t(region.size() - 1) : 0u);
+      ASSERT_EQ(journal.depth(), std::size_t(start.face_count() - mesh.face_count()));
+      if (!region_tops(start, region).empty() && can) {
+        ASSERT_EQ(journal.depth(), std::size_t(region.size() - 1));
+      }
       ASSERT_EQ(result(journal), can ? expected : (Merged{patches(start), {}}));
       merged += can && region.size() > 1;
     }
@@ -78,11 +86,74 @@ TEST(MergingView, has_at_least_as_many_columns_as_rows_and_is_the_same_region) {
   for (int rows = 1; rows <= 4; ++rows)
     for (int columns = 1; columns <= 4; ++columns) {
       const Region region{Face{0}, 0, rows, columns};
-      const std::vector<Halfedge> tops = region_tops(mesh, region);
-      const Region view = merging_view(mesh, region, tops);
+      const Region view = merging_view(mesh, region);
       EXPECT_GE(view.columns, view.rows);
-      EXPECT_EQ(region_name(mesh, view, region_tops(mesh, view)), region_name(mesh, region, tops));
+      EXPECT_EQ(region_name(mesh, view, region_tops(mesh, view)),
+                region_name(mesh, region, region_tops(mesh, region)));
     }
+}
+
+/// The patches that become one where a region is merged, in rising order; none where it cannot be.
+std::vector<Face> merged_patches(const Mesh& start, const Region& region) {
+  Mesh mesh = start;
+  Journal journal(mesh);
+  const Face face = merge_region(journal, region);
+  if (!face.valid()) return {};
+  EXPECT_EQ(validate(mesh), std::vector<std::string>{});
+  std::vector<Face> merged;
+  for (const Face f : start.faces())
+    if (f == face || !mesh[f].alive) merged.push_back(f);
+  return merged;
+}
+
+TEST(RegionFinder, names_each_region_by_one_of_its_corners_and_its_patches) {
+  int with_junctions = 0;
+  for (const Mesh& start : start_meshes()) {
+    RegionFinder finder(start);
+    std::map<std::vector<Face>, Region> names;
+    for (const Halfedge edge : start.halfedges()) {
+      if (start.is_bar(edge) || !start[edge].twin.valid()) continue;
+      const auto found = finder.around(edge);
+      if (!found) continue;
+      std::vector<FoundRegion> regions{*found};
+      for (const auto& larger : finder.larger(found->name)) {
+        if (!larger) continue;
+        EXPECT_TRUE(std::ranges::includes(larger->faces, found->faces));
+        EXPECT_GT(larger->faces.size(), found->faces.size());
+        regions.push_back(*larger);
+      }
+      for (const FoundRegion& region : regions) {
+        EXPECT_EQ(merged_patches(start, region.name), region.faces);
+        EXPECT_EQ(finder.find(region.name)->name, region.name);
+        // One name for one set of patches, from whichever curve it is reached.
+        EXPECT_EQ(names.try_emplace(region.faces, region.name).first->second, region.name);
+        const auto tops = region_tops(start, region.name);
+        with_junctions += tops.empty();
+        if (!tops.empty()) {
+          EXPECT_EQ(region_name(start, region.name, tops), region.name);
+        }
+      }
+    }
+  }
+  EXPECT_GT(with_junctions, 100);
+}
+
+TEST(RegionFinder, finds_the_whole_of_a_locally_refined_patch) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Mesh mesh = test::locally_refined(ColorModel::bicubic, seed, 16);
+    RegionFinder finder(mesh);
+    for (const Halfedge edge : mesh.halfedges()) {
+      if (mesh.is_bar(edge) || !mesh[edge].twin.valid()) continue;
+      std::optional<FoundRegion> region = finder.around(edge);
+      ASSERT_TRUE(region);
+      for (bool grows = true; grows;) {
+        grows = false;
+        for (const auto& larger : finder.larger(region->name))
+          if (larger && larger->faces.size() > region->faces.size()) region = larger, grows = true;
+      }
+      EXPECT_EQ(region->faces.size(), 16u);
+    }
+  }
 }
 
 }  // namespace

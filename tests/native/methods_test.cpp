@@ -100,6 +100,19 @@ std::vector<int> some_edges(const Mesh& original) {
   return edges;
 }
 
+/// Whether what a method leaves is all that it can do: best goes on with what it has fitted, and
+/// manual merges what is named.
+bool leaves_nothing(Method method) {
+  return method != Method::best && method != Method::manual;
+}
+
+/// The patches that are left where a method runs once more on what it has made of the original.
+int patches_of_second_run(const Mesh& original, Mesh mesh, SimplifyOptions options) {
+  options.analysis = nullptr;
+  options.original = std::make_shared<const Mesh>(original);
+  return simplify(mesh, options).patches_after;
+}
+
 /// Runs all methods at two thresholds. `price_again`: the second run knows no prices from the
 /// first.
 void run_all(const Mesh& original, bool price_again) {
@@ -136,6 +149,9 @@ void run_all(const Mesh& original, bool price_again) {
       EXPECT_EQ(simplify(again, options).error, result.error);
       EXPECT_EQ(patches(again), patches(mesh));
 
+      if (leaves_nothing(method)) {
+        EXPECT_EQ(patches_of_second_run(original, mesh, options), mesh.face_count());
+      }
       if (method == Method::manual) {
         EXPECT_EQ(mesh.face_count(), original.face_count() - int(options.edges.size()));
       }
@@ -183,21 +199,78 @@ INSTANTIATE_TEST_SUITE_P(Methods, SharedMeshes, ::testing::ValuesIn(shared_meshe
 INSTANTIATE_TEST_SUITE_P(Methods, Samples, ::testing::ValuesIn(samples), test_name);
 INSTANTIATE_TEST_SUITE_P(Methods, OwnMeshes, ::testing::ValuesIn(own_meshes), test_name);
 
-TEST(Methods, leave_few_patches_where_all_could_go) {
-  // Exact parts of one patch (Perfect6): every method but random finds that one.
-  const Mesh one = test::grid_mesh(
-      {.rows = 1, .columns = 1, .position_noise = 0.2, .color_model = ColorModel::bicubic}, 4);
-  const Mesh parts = build_mesh(subdivided(one, 5));
+/// Exact parts of one patch: n x n of them (Perfect6).
+Mesh parts_of_one(int n) {
+  return build_mesh(subdivided(
+      test::grid_mesh(
+          {.rows = 1, .columns = 1, .position_noise = 0.2, .color_model = ColorModel::bicubic}, 4),
+      n));
+}
+
+TEST(Methods, leave_one_patch_of_the_parts_of_one) {
   for (const Method method : all_methods) {
     if (method == Method::manual) continue;
-    Mesh mesh = parts;
+    Mesh mesh = parts_of_one(5);
     SimplifyOptions options;
     options.method = method;
     options.epsilon = 0.02;
     options.resolution = 200;
     simplify(mesh, options);
-    // By chance, T-junctions can end up round a patch, so that nothing can be merged any more.
-    EXPECT_LE(mesh.face_count(), method == Method::random ? 15 : 1) << name(method);
+    EXPECT_EQ(mesh.face_count(), 1) << name(method);
+  }
+}
+
+TEST(Methods, leave_one_patch_whatever_the_order_or_no_edge_that_can_be_merged) {
+  const Mesh parts = parts_of_one(6);
+  for (const Method method : {Method::random, Method::grid, Method::dual_grid, Method::motorcycle})
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      Mesh mesh = parts;
+      SimplifyOptions options;
+      options.method = method;
+      options.epsilon = 1;
+      options.resolution = 40;
+      options.seed = seed;
+      simplify(mesh, options);
+      // By chance, T-junctions can end up so that every merge would make a cycle (paper 6.1).
+      if (method != Method::random) {
+        EXPECT_EQ(mesh.face_count(), 1) << name(method) << ", seed " << seed;
+      }
+      for (const Halfedge edge : mesh.halfedges())
+        EXPECT_NE(can_merge(mesh, edge), MergeObstacle::none) << name(method) << ", seed " << seed;
+    }
+}
+
+TEST(Methods, see_across_junctions) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Mesh refined = test::locally_refined(ColorModel::bicubic, seed, 16);
+    for (const Method method : {Method::gqe, Method::gqe1, Method::best}) {
+      Mesh mesh = refined;
+      SimplifyOptions options;
+      options.method = method;
+      options.resolution = 100;
+      EXPECT_EQ(simplify(mesh, options).patches_after, 1) << name(method) << ", seed " << seed;
+    }
+  }
+}
+
+TEST(Methods, leave_nothing_for_a_second_run) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    std::mt19937 random(seed);
+    const MeshParts parts = test::grid_parts(
+        {.rows = 6, .columns = 5, .position_noise = 0.05, .color_noise = 0.03}, random);
+    const Mesh original = seed % 2 == 0 ? build_mesh(parts) : test::changed_mesh(parts, seed, 8);
+    for (const Method method : all_methods) {
+      if (!leaves_nothing(method) || (method == Method::lines && !find_grid(original))) continue;
+      SimplifyOptions options;
+      options.method = method;
+      options.epsilon = 0.02;
+      options.resolution = 100;
+      options.seed = seed;
+      Mesh mesh = original;
+      const int once = simplify(mesh, options).patches_after;
+      EXPECT_EQ(patches_of_second_run(original, mesh, options), once)
+          << name(method) << ", seed " << seed;
+    }
   }
 }
 

@@ -169,10 +169,10 @@ Items priced_items(Mesh mesh, MetricKind metric, double epsilon) {
   Analysis analysis;
   StopWatch watch{0, {}};
   Items items;
-  for (const auto& [region, error] : price_regions(trial, analysis, epsilon, watch)) {
+  for (const RegionPrice& r : price_regions(trial, analysis, epsilon, watch)) {
     PackingItem& item =
-        items.emplace_back(PackingItem{PatchSet(mesh.face_slots()), region.size() - 1, error});
-    for (const Halfedge top : region_tops(mesh, region)) item.patches.add(mesh.face(top));
+        items.emplace_back(PackingItem{PatchSet(mesh.face_slots()), r.size() - 1, r.error});
+    for (const Face patch : r.patches) item.patches.add(patch);
   }
   return items;
 }

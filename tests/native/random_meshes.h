@@ -42,4 +42,19 @@ inline Mesh without_own_tangents(Mesh mesh) {
   return mesh;
 }
 
+/// One patch, locally refined by exact splits until it has so many: T-junctions, nested ones among
+/// them, that can all go again.
+inline Mesh locally_refined(ColorModel model, unsigned seed, int patches) {
+  Mesh mesh = grid_mesh({.rows = 1, .columns = 1, .position_noise = 0.2, .color_model = model}, seed);
+  std::mt19937 random(seed);
+  Journal journal(mesh);
+  while (mesh.face_count() < patches) {
+    std::vector<Halfedge> leaves;
+    for (const Halfedge h : mesh.halfedges())
+      if (mesh.is_leaf(h)) leaves.push_back(h);
+    split(journal, leaves[random() % leaves.size()], 0.3 + 0.4 * double(random() % 1000) / 1000);
+  }
+  return mesh;
+}
+
 }  // namespace gradmesh::test

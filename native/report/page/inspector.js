@@ -178,9 +178,10 @@ class Inspector {
       oninput: () => show(Number(range.value) - 1),
     });
     const tell = (i) => {
-      const { rows, columns, error, fitted } = regions[i];
+      const { rows, columns, error, fitted, faces } = regions[i];
+      const size = faces.length === rows * columns ? `${rows} \u00d7 ${columns}` : faces.length;
       text.replaceChildren(
-        make("b", {}, `${rows} \u00d7 ${columns} patches`),
+        make("b", {}, `${size} patches`),
         make("span", {}, `error ${short(error, 3)}`),
         fitted === null ? "" : make("span", {}, `fitted ${short(fitted, 3)}`),
         make("small", { class: "quiet" }, `${i + 1} of ${regions.length}`),
