@@ -19,6 +19,8 @@ struct SimplifyArguments {
   SimplifyOptions options;
   AnalysisPaths analyses;
   WriteOptions writing;
+  /// Changes nothing.
+  bool visible_only = false;
   bool quiet = false, preview = false;
 };
 
@@ -135,8 +137,9 @@ void add_simplify(CLI::App& program) {
       ->excludes(patches);
   add_original_option(command, a->original);
   add_resolution_option(command, a->options.resolution);
-  command.add_flag("--visible-only", a->options.visible_only,
-                   "Pixels that the object's own outline hides do not count");
+  command.add_flag("!--whole-mesh", a->options.visible_only,
+                   "What outlines, clip paths and masks hide of the mesh counts too");
+  command.add_flag("--visible-only", a->visible_only, "What is done anyway; for older scripts");
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -15,6 +15,7 @@
 #include "mesh/color_model.h"
 #include "mesh/smooth_colors.h"
 #include "mesh/subdivide.h"
+#include "raster/overlaps.h"
 #include "simplify/adapt.h"
 
 namespace gradmesh {
@@ -94,7 +95,7 @@ class Converter {
     MeshParts patches = parts(options_.subdivide.value_or(1));
     if (patches.color_model == ColorModel::bilinear) patches = as_bicubic(std::move(patches));
     const Mesh mesh = build_mesh(patches);
-    keep_better(conversion, std::make_unique<HemeshDocument>(write_hemesh(mesh), from_.name()));
+    measure(conversion, std::make_unique<HemeshDocument>(write_hemesh(mesh), from_.name()));
     return conversion;
   }
 
@@ -138,25 +139,19 @@ class Converter {
         .mesh;
   }
 
-  /// In the first way that keeps to epsilon, or else the best.
   void write_svg(const SvgPage& page, const Mesh& mesh, Conversion& conversion) const {
     const std::string outline = outline_path(conversion.original);
     const std::string label = mesh_label(mesh.face_count()).in(from_.translation());
-    for (const std::vector<Block>& blocks : possible_blocks(mesh)) {
-      const SvgDocument svg =
-          new_svg(page, outline, {mesh, blocks, frame_.coons_tolerance, label, mesh.face_count()});
-      keep_better(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
-      if (conversion.error <= options_.epsilon) return;
-    }
+    const BlockForm form = block_form(mesh, frame_.coons_tolerance, find_overlaps(mesh, frame_));
+    const SvgDocument svg = new_svg(page, outline, {mesh, form, label, mesh.face_count()});
+    measure(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
   }
 
-  /// Measures the document and takes it unless the one there is as good.
-  void keep_better(Conversion& conversion, std::unique_ptr<Document> document) const {
+  /// Takes the document and measures it.
+  void measure(Conversion& conversion, std::unique_ptr<Document> document) const {
     const Mesh mesh = document->mesh(document->meshes().front());
-    const double error = mean(metric_->map(rasterizer_->paint(mesh, frame_)));
-    if (conversion.document && conversion.error <= error) return;
+    conversion.error = mean(metric_->map(rasterizer_->paint(mesh, frame_)));
     conversion.document = std::move(document);
-    conversion.error = error;
   }
 
   const Document& from_;

@@ -13,6 +13,7 @@
 #include "io/zip.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
+#include "mesh/grid.h"
 #include "mesh/smooth_colors.h"
 #include "mesh/subdivide.h"
 
@@ -92,6 +93,13 @@ Frame Document::frame(const MeshEntry& entry, const Mesh& mesh, int resolution) 
   return naming(entry, [&] { return fit_frame(mesh, view(entry), resolution, padding()); });
 }
 
+Frame Document::seen_frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const {
+  Frame frame = this->frame(entry, mesh, resolution);
+  if (const auto area = visible_area(entry))
+    frame.hidden = std::make_shared<HiddenPixels>(*area, frame);
+  return frame;
+}
+
 Image Document::render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer,
                        const Document* other) const {
   const Mesh painted = mesh(entry);
@@ -144,8 +152,8 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   Method& method = start.options.method;
   if (start.mesh.is_smooth() && method != Method::manual) method = Method::lines;
   start.options.masks_opacity = !stays_one_gradient(entry, method);
-  start.options.ways_to_write = [this, entry, method](const Mesh& mesh, const Frame& frame) {
-    return ways_to_write(entry, method, mesh, frame);
+  start.options.as_written = [this, entry, method](const Mesh& mesh, const Frame& frame) {
+    return as_written(entry, method, mesh, frame);
   };
   const AnalysisKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   if (options.device_if_faster && !start.mesh.is_smooth())
@@ -175,6 +183,39 @@ void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& optio
       describe(m.entry), gradmesh::name(m.mesh.color_model()), error);
 }
 
+SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const {
+  const SimplifyOptions& options = start.options;
+  SimplifyResult result = gradmesh::simplify(mesh, options);
+  const bool none = result.patches_after == result.patches_before;
+  const bool has_target = options.patches || options.ratio;
+  if (options.method == Method::manual || stays_one_gradient(entry, options.method) || has_target ||
+      !stays_one_gradient(entry, Method::lines) || !find_grid(start.mesh) ||
+      result.stopped == Stopped::cancelled || result.stopped == Stopped::budget ||
+      (!none && !pays_for_blocks(mesh, result.frame)))
+    return result;
+
+  SimplifyOptions by_lines = options;
+  by_lines.method = Method::lines;
+  by_lines.analysis = nullptr;
+  by_lines.masks_opacity = false;
+  by_lines.as_written = [&](const Mesh& m, const Frame& f) {
+    return as_written(entry, Method::lines, m, f);
+  };
+  if (options.time_budget > 0) {
+    by_lines.time_budget = options.time_budget - result.seconds.total;
+    if (by_lines.time_budget <= 0) return result;
+  }
+  Mesh other = start.mesh;
+  SimplifyResult lines = gradmesh::simplify(other, by_lines);
+  if (lines.patches_after > result.patches_after || lines.patches_after == lines.patches_before)
+    return result;
+  lines.evaluations += result.evaluations;
+  lines.seconds.select += result.seconds.total;
+  lines.seconds.total += result.seconds.total;
+  mesh = std::move(other);
+  return lines;
+}
+
 std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
                                                            const SimplifyOptions& options,
                                                            const AnalysisPaths& analyses) const {
@@ -195,7 +236,7 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
     if (!original) original = std::make_shared<const Mesh>(starts[i].mesh);
     SimplifiedMesh& m =
         meshes.emplace_back(SimplifiedMesh{entries[i], starts[i].mesh, {}, std::move(original)});
-    m.result = naming(m.entry, [&] { return gradmesh::simplify(m.mesh, starts[i].options); });
+    m.result = naming(m.entry, [&] { return simplified(m.entry, starts[i], m.mesh); });
     check_start(m, options);
   }
   files.save();

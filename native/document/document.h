@@ -108,6 +108,8 @@ class Document {
   virtual FramePadding padding() const = 0;
   /// The frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
+  /// The same where only what is seen counts, as by default.
+  Frame seen_frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
   /// Paints a mesh in its own frame or, where there is another document, in that of its counterpart
   /// there (common_frames.h), so that the two pictures can be laid on each other.
   Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer,
@@ -126,7 +128,7 @@ class Document {
   std::shared_ptr<const Mesh> given_original(const MeshEntry& entry) const;
 
   /// What a run over a mesh begins with: the mesh, in the colour model that is asked for, and the
-  /// options with what this document sets: the view, the padding, the ways to write, the original
+  /// options with what this document sets: the view, the padding, how it is written, the original
   /// where that is another mesh, the method where the mesh is smooth, which is then `lines` unless
   /// the person names edges, and the analysis, which is one of `files`.
   struct Start {
@@ -137,7 +139,9 @@ class Document {
 
   /// Simplifies the selected meshes in place, each against `options.original`, its given_original,
   /// the original that it remembers, unless a person has edited it since, or itself as it was.
-  /// Those that cannot be read are only reported. A mesh that does not come out with fewer patches
+  /// Those that cannot be read are only reported. Where nothing is merged, or what is left needs a
+  /// mask for opacities or lies over itself, the method `lines` is tried as well, and its one mesh
+  /// gradient taken where it leaves no more patches. A mesh that does not come out with fewer patches
   /// stays as it is. In another colour model than its own it is converted first, which counts
   /// towards the error. Where an analysis is loaded, there must be one for each of the meshes.
   /// Where this throws, the document is as it was. Throws std::invalid_argument as
@@ -197,14 +201,17 @@ class Document {
   virtual std::shared_ptr<const Mesh> remembered_original(const MeshEntry&) const {
     return nullptr;
   }
-  /// What the object shows of the mesh, where that is known; nothing: all.
+  /// What is seen of the mesh, where that is known; nothing: all.
   virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
   /// Whether what a method leaves of the mesh is written as one mesh gradient on the same object,
   /// and not as blocks.
   virtual bool stays_one_gradient(const MeshEntry&, Method) const { return false; }
-  /// SimplifyOptions::ways_to_write, for the mesh that a method leaves.
-  virtual std::vector<Mesh> ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
-                                          const Frame& frame) const = 0;
+  /// Whether there is something to pay for blocks: a mask for opacities, or an order of painting
+  /// that must be kept, as the mesh lies over itself.
+  virtual bool pays_for_blocks(const Mesh&, const Frame&) const { return false; }
+  /// SimplifyOptions::as_written, for the mesh that a method leaves.
+  virtual WrittenSurface as_written(const MeshEntry& entry, Method method,
+                                    const Mesh& mesh, const Frame& frame) const = 0;
   /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
   virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;
@@ -221,6 +228,8 @@ class Document {
   std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
                                          const SimplifyOptions& options,
                                          const AnalysisPaths& analyses) const;
+  /// Simplifies the mesh of `start`, and by lines where that is better.
+  SimplifyResult simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const;
   /// Throws where the document cannot hold the colour model that is asked for.
   void check_color_model(const SimplifyOptions& options) const;
   /// Throws where a mesh was above epsilon from the start, in another colour model or document.

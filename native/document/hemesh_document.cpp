@@ -32,8 +32,8 @@ std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& 
   return entries_;
 }
 
-std::vector<Mesh> HemeshDocument::ways_to_write(const MeshEntry&, Method, const Mesh& mesh,
-                                                const Frame&) const {
+WrittenSurface HemeshDocument::as_written(const MeshEntry&, Method, const Mesh& mesh,
+                                          const Frame&) const {
   return {build_mesh(read_hemesh(text_of(mesh), name()))};
 }
 

@@ -19,8 +19,8 @@ class HemeshDocument : public Document {
 
  protected:
   Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
-  std::vector<Mesh> ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
-                                  const Frame& frame) const override;
+  WrittenSurface as_written(const MeshEntry& entry, Method method,
+                            const Mesh& mesh, const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;

@@ -1,7 +1,6 @@
 #include "document/svg_meshes.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "error/edit_error.h"
 #include "io/blocks.h"
@@ -17,6 +16,7 @@
 #include "io/xml_node.h"
 #include "mesh/build.h"
 #include "mesh/grid.h"
+#include "raster/overlaps.h"
 
 namespace gradmesh {
 namespace {
@@ -38,6 +38,17 @@ Message why_unpainted(const xmlNode* node) {
     if (svg_name(outer) == "clipPath")
       return Message("it is in a clipPath, of which nothing is painted");
   return Message("it is not painted by a mesh gradient");
+}
+
+/// How a mesh that was measured in the frame is written as blocks.
+BlockForm block_form(const Mesh& mesh, const Frame& frame) {
+  return block_form(mesh, frame.coons_tolerance, find_overlaps(mesh, frame));
+}
+
+/// What is hidden today may be seen another time.
+std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
+  frame.hidden = nullptr;
+  return find_overlaps(mesh, frame);
 }
 
 /// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
@@ -174,21 +185,26 @@ std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const
   std::optional<VisibleArea> area = gradmesh::visible_area(svg_, o);
   if (area && o.gradient) {
     const Affine to_mesh = mesh_to_user(svg_, o).inverse();
-    for (std::vector<glm::dvec2>& polygon : area->outline)
-      for (glm::dvec2& p : polygon) p = to_mesh.point(p);
+    for (std::vector<FilledOutline>& set : area->sets)
+      for (FilledOutline& filled : set)
+        for (std::vector<glm::dvec2>& polygon : filled.outline)
+          for (glm::dvec2& p : polygon) p = to_mesh.point(p);
   }
   return area;
 }
 
-std::vector<Mesh> SvgMeshes::ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
-                                           const Frame& frame) const {
+bool SvgMeshes::pays_for_blocks(const Mesh& mesh, const Frame& frame) const {
+  const std::vector<Overlap> overlaps = find_overlaps(mesh, frame);
+  return !overlaps.empty() || gradmesh::block_form(mesh, 0, overlaps).masks_opacity;
+}
+
+WrittenSurface SvgMeshes::as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
+                                     const Frame& frame) const {
   if (stays_one_gradient(entry, method))
     return {readable_mesh(gradient_parts(mesh, frame.coons_tolerance),
                           mesh_to_gradient(svg_, object(entry)))};
-  std::vector<Mesh> ways;
-  for (const std::vector<Block>& blocks : possible_blocks(mesh))
-    ways.push_back(readable_mesh(block_parts(mesh, blocks, frame.coons_tolerance)));
-  return ways;
+  const BlockForm form = block_form(mesh, frame);
+  return {readable_mesh(block_parts(mesh, form)), form.masks_opacity};
 }
 
 void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
@@ -205,12 +221,13 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
     std::string original;
     if (writing.remember_original) {
       if (entry.simplified && !has_given_originals()) original = original_memory(entry);
-      if (original.empty()) original = remember(*measured);
+      if (original.empty())
+        original = remember(*measured, all_overlaps(*measured, result.frame));
     }
     const std::string label =
         mesh_label(result.patches_after, before, metric, result.error).in(translation());
-    const std::vector<Block> blocks = possible_blocks(mesh)[result.way];
-    write_mesh(svg_, o, {mesh, blocks, result.frame.coons_tolerance, label, before, original});
+    const BlockForm form = block_form(mesh, result.frame);
+    write_mesh(svg_, o, {mesh, form, label, before, original});
   }
   list_meshes();
 }
@@ -255,18 +272,13 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   SimplifyResult result;
   result.patches_before = original->face_count();
   result.patches_after = edited.face_count();
-  result.frame = frame(entry, *original, resolution);
+  result.frame = seen_frame(entry, *original, resolution);
   const EditError error(*original, edited, result.frame, metric);
-  result.error = std::numeric_limits<double>::infinity();
   // A rectangle that was one mesh gradient stays one.
   if (!entry.simplified && find_grid(edited)) result.method = Method::lines;
-  const std::vector<Mesh> ways =
-      naming(entry, [&] { return ways_to_write(entry, result.method, edited, result.frame); });
-  for (int way = 0; way < int(ways.size()); ++way)
-    if (const double e = error.whole_frame(ways[std::size_t(way)]).mean; e < result.error) {
-      result.error = e;
-      result.way = way;
-    }
+  const WrittenSurface written =
+      naming(entry, [&] { return as_written(entry, result.method, edited, result.frame); });
+  result.error = error.whole_frame(written.mesh, written.masks_opacity).mean;
   WriteOptions writing;
   writing.remember_original = !entry.simplified || remembers(entry);
   replace({{entry, edited, result, original}}, metric, writing);
@@ -288,15 +300,17 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
   mark_changed();
 }
 
-Message SvgMeshes::updated_label(const MeshEntry& group, const Mesh& written) const {
+Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenSurface& written) const {
   const xmlNode* node = object(group).node;
-  const int patches = written.face_count(), before = patches_before(node);
+  const int patches = written.mesh.face_count(), before = patches_before(node);
   const auto memory = attribute(node, "original", gradmesh_namespace);
   const auto parts = memory ? recall(*memory) : std::nullopt;
   if (!parts) return mesh_label(patches, before);
   const Mesh original = build_mesh(*parts);
   const SimplifyOptions usual;
-  const EditError error(original, written, frame(group, original, usual.resolution), usual.metric);
+  const EditError error(original, written.mesh,
+                        frame(group, original, usual.resolution), usual.metric,
+                        written.masks_opacity);
   return mesh_label(patches, before, usual.metric, error.error());
 }
 
@@ -304,11 +318,11 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
   struct Edited {
     const MeshObject& group;
     Mesh mesh;
-    std::vector<Block> blocks;
-    double coons_tolerance;
+    BlockForm form;
     std::string label;
     int patches_before;
-    bool remembers;
+    /// What the group remembers from now on.
+    std::string original;
   };
   // All are read before the first is written.
   std::vector<UpdateReport> reports;
@@ -319,22 +333,23 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     reports.push_back({entry.id, int(group.parts.patches.size()), group.edited});
     if (!group.edited) continue;
     Mesh mesh = naming(entry, [&] { return build_mesh(group.parts); });
-    const double tolerance = frame(entry, mesh, SimplifyOptions().resolution).coons_tolerance;
+    const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
     // Painted in the order of before, in which the person has seen them.
-    std::vector<Block> blocks = possible_blocks(mesh)[1];
-    const Mesh written =
-        naming(entry, [&] { return readable_mesh(block_parts(mesh, blocks, tolerance)); });
+    const std::vector<Overlap> overlaps = find_overlaps(mesh, frame);
+    BlockForm form = gradmesh::block_form(mesh, frame.coons_tolerance, overlaps);
+    const WrittenSurface written = naming(entry, [&] {
+      return WrittenSurface{readable_mesh(block_parts(mesh, form)), form.masks_opacity};
+    });
     std::string label = updated_label(entry, written).in(translation());
-    edited.push_back({object(entry), std::move(mesh), std::move(blocks), tolerance,
-                      std::move(label), patches_before(object(entry).node), remembers(entry)});
+    std::string original = remembers(entry) ? remember(mesh, overlaps) : "";
+    edited.push_back({object(entry), std::move(mesh), std::move(form), std::move(label),
+                      patches_before(object(entry).node), std::move(original)});
   }
   if (reports.empty())
     throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
   for (const Edited& e : edited)
-    write_mesh(svg_, e.group,
-               {e.mesh, e.blocks, e.coons_tolerance, e.label, e.patches_before,
-                e.remembers ? remember(e.mesh) : ""});
+    write_mesh(svg_, e.group, {e.mesh, e.form, e.label, e.patches_before, e.original});
   list_meshes();
   return reports;
 }

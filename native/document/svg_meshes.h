@@ -45,8 +45,9 @@ class SvgMeshes : public Document {
   bool stays_one_gradient(const MeshEntry& entry, Method method) const override {
     return method == Method::lines && object(entry).gradient;
   }
-  std::vector<Mesh> ways_to_write(const MeshEntry& entry, Method method, const Mesh& mesh,
-                                  const Frame& frame) const override;
+  bool pays_for_blocks(const Mesh& mesh, const Frame& frame) const override;
+  WrittenSurface as_written(const MeshEntry& entry, Method method,
+                            const Mesh& mesh, const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
@@ -62,7 +63,7 @@ class SvgMeshes : public Document {
   /// empty where it remembers nothing, or nothing that counts since it was edited.
   std::string original_memory(const MeshEntry& group) const;
   /// Of a group that was edited, as it will be written: how far it is from what it remembers.
-  Message updated_label(const MeshEntry& group, const Mesh& written) const;
+  Message updated_label(const MeshEntry& group, const WrittenSurface& written) const;
   void list_meshes();
   /// MeshEntry::refused, found by reading the mesh and placing it.
   std::optional<Message> refusal(const MeshEntry& entry) const;

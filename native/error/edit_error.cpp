@@ -154,8 +154,10 @@ void EditError::describe(const Journal& journal, std::size_t depth, EditTile& ti
               state_->overlaps ? &state_->painting : nullptr, tile);
 }
 
-FrameError EditError::whole_frame(const Mesh& mesh) const {
-  const Plane map = fixed_->metric->map(paint_whole(mesh, fixed_->frame).image);
+FrameError EditError::whole_frame(const Mesh& mesh, std::optional<bool> masks_opacity) const {
+  Frame frame = fixed_->frame;
+  frame.masked_opacity = masks_opacity.value_or(frame.masked_opacity);
+  const Plane map = fixed_->metric->map(paint_whole(mesh, frame).image);
   const std::optional<LocalBound>& bound = fixed_->local_bound;
   return {mean(map), largest_local_mean(map), !bound || bound->holds(map)};
 }

@@ -83,8 +83,9 @@ class EditError {
   /// Goes back to an earlier state, after the journal did.
   void restore(std::shared_ptr<const State> state);
 
-  /// Paints and measures everything afresh.
-  FrameError whole_frame(const Mesh& mesh) const;
+  /// Paints and measures everything afresh, with opacities in a mask as for all edits unless it
+  /// says otherwise.
+  FrameError whole_frame(const Mesh& mesh, std::optional<bool> masks_opacity = std::nullopt) const;
 
   /// Whoever measures many edits at once on the device, from what has been accepted so far. Throws
   /// DeviceError.

@@ -11,10 +11,14 @@ using Outline = std::vector<std::vector<glm::dvec2>>;
 /// Which points lie inside an outline, as SVG's fill-rule.
 enum class FillRule { nonzero, evenodd };
 
-/// What of a mesh is seen: what lies inside an outline in mesh units.
-struct VisibleArea {
+struct FilledOutline {
   Outline outline;
   FillRule rule = FillRule::nonzero;
+};
+
+/// What of a mesh is seen: what lies, in mesh units, inside of any outline of each of these sets.
+struct VisibleArea {
+  std::vector<std::vector<FilledOutline>> sets;
 };
 
 }  // namespace gradmesh

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "mesh/mesh.h"
@@ -29,17 +28,26 @@ Halfedge block_side(const Mesh& mesh, const Block::Cell& cell, int side);
 /// The cell's patch with the block's top as its top.
 Patch block_patch(const Mesh& mesh, const Block::Cell& cell);
 
-/// Cuts the mesh into blocks: the largest rectangle (by patches) first, then the largest of what is
-/// left. Every face is in exactly one. The order is that of painting: those of the largest area
-/// lie below, so that a click finds the smaller ones.
-std::vector<Block> find_blocks(const Mesh& mesh);
+/// How a mesh is written as a group of blocks.
+struct BlockForm {
+  /// In the order in which they are painted.
+  std::vector<Block> blocks;
+  /// As of Frame::coons_tolerance.
+  double coons_tolerance = 0;
+  /// Whether the opacities are in a mask over opaque blocks; otherwise the blocks hold them.
+  bool masks_opacity = false;
+};
 
-/// The ways to write a mesh: those blocks in the order above, and each where its first face comes
-/// in the order of the mesh, for meshes that lie over themselves, where the order is seen.
-std::array<std::vector<Block>, 2> possible_blocks(const Mesh& mesh);
+/// Cuts the mesh into blocks: the largest rectangle (by patches) first, then the largest of what is
+/// left. Every face is in exactly one. They are painted so that all faces lie over one another as
+/// `overlaps` says, and then those of the largest area first, so that a click finds the smaller
+/// ones. Neighbouring blocks both paint the pixels between them, and where blocks lie over one
+/// another both are seen: so opacities are in a mask unless no such place is translucent.
+BlockForm block_form(const Mesh& mesh, double coons_tolerance,
+                     const std::vector<Overlap>& overlaps = {});
 
 /// The mesh as a reader of these blocks finds it: patches as they will be written, in the order
 /// in which they will be painted, and all curves.
-MeshParts block_parts(const Mesh& mesh, const std::vector<Block>& blocks, double coons_tolerance);
+MeshParts block_parts(const Mesh& mesh, const BlockForm& form);
 
 }  // namespace gradmesh

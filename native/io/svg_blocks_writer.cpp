@@ -29,15 +29,15 @@ BlocksWriter::BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMe
       fallback_(std::move(fallback)) {}
 
 Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) const {
-  const bool color = channel == MeshChannel::color;
+  const bool color = channel != MeshChannel::opacity;
   const double margin = seam_margin();
   const Box mesh_box = bounding_box(written_.mesh, {});
-  const GradientFormat format{.coons_tolerance = written_.coons_tolerance,
+  const GradientFormat format{.coons_tolerance = written_.form.coons_tolerance,
                               .channel = channel,
                               .rounding = rounding_within(mesh_box)};
   Box box;
   int face = 0;
-  for (const Block& block : written_.blocks) {
+  for (const Block& block : written_.form.blocks) {
     const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
                                                       format, id_ + (color ? "-mesh" : "-opacity"));
     xmlNode* path = add_child(parent, "path");
@@ -55,9 +55,8 @@ Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) c
 
 std::string BlocksWriter::style(const std::string& gradient, MeshChannel channel) const {
   std::string style = "fill:url(#" + gradient + ")";
-  if (channel == MeshChannel::color && !fallback_.empty()) style += " " + fallback_;
-  // Blocks are opaque: two may paint a pixel between them. What the object's paint and opacity
-  // leave to inherit must not act here.
+  if (channel != MeshChannel::opacity && !fallback_.empty()) style += " " + fallback_;
+  // What the object's paint and opacity leave to inherit must not act here.
   return style + ";fill-rule:nonzero;fill-opacity:1;stroke:none";
 }
 

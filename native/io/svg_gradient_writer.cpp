@@ -62,16 +62,16 @@ class GradientWriter {
   std::string color_style(const glm::dvec4& color) const {
     const glm::dvec4 limited = glm::clamp(color, 0.0, 1.0);
     const bool opaque = format_.channel != MeshChannel::both;
-    const glm::dvec3 shown(format_.channel == MeshChannel::opacity ? glm::dvec4(limited.a)
-                                                                   : limited);
+    const glm::dvec3 shown = format_.channel == MeshChannel::opacity ? mask_color(limited.a)
+                                                                     : glm::dvec3(limited);
     return "stop-color:" + color_text(shown) +
            ";stop-opacity:" + (opaque ? "1" : opacity_text(limited.a));
   }
 
   std::string opacity_text(double opacity) const {
     if (format_.exact) return format_exactly(opacity);
-    return format_.byte_opacity ? format_exactly(std::round(opacity * 255) / 255)
-                                : format_number(opacity);
+    return format_.masked_opacity ? format_exactly(mask_opacity(mask_color(opacity)))
+                                  : format_number(opacity);
   }
 
   std::string color_text(const glm::dvec3& color) const {

@@ -11,19 +11,18 @@
 
 namespace gradmesh {
 
-/// What of the colours a gradient holds. Blocks are written opaque, since neighbours both paint the
-/// pixels between them; the opacities of a mesh that has any are written as greys, for a mask. What
-/// paints nothing (svg_memory.h) or all by itself (svg_mesh_writer.h) can hold both.
+/// What of the colours a gradient holds: where opacities are in a mask (BlockForm), they are
+/// written as mask_color, and the blocks opaque. Elsewhere a gradient holds both.
 enum class MeshChannel { color, opacity, both };
 
 struct GradientFormat {
   /// How far an interior point may be from the Coons patch's without `tensor` being written.
   double coons_tolerance = 0;
-  MeshChannel channel = MeshChannel::color;
+  MeshChannel channel = MeshChannel::both;
   /// Numbers and colours to the last bit, instead of as many digits as Inkscape keeps, and bytes.
   bool exact = false;
-  /// Whether opacities have 8 bits too, as the greys of a mask have.
-  bool byte_opacity = true;
+  /// Whether opacities are those that a mask can hold.
+  bool masked_opacity = false;
   /// From the mesh's coordinates to those of the gradient.
   Affine place = {};
   Rounding rounding = {};

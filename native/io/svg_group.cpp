@@ -4,6 +4,7 @@
 #include <charconv>
 #include <map>
 
+#include "geom/written.h"
 #include "io/svg_mesh.h"
 #include "io/svg_number.h"
 #include "io/svg_transform.h"
@@ -130,13 +131,14 @@ MeshParts read_blocks(const SvgDocument& document, const xmlNode* group, const x
   return parts;
 }
 
-void set_opacities(const xmlNode* group, const MeshParts& greys, MeshParts& parts) {
-  if (greys.patches.size() != parts.patches.size())
+void set_opacities(const xmlNode* group, const MeshParts& lights, MeshParts& parts) {
+  if (lights.patches.size() != parts.patches.size())
     fail(group, Message("its mask does not hold the opacities of all its blocks"));
   for (std::size_t f = 0; f < parts.patches.size(); ++f) {
     for (const int i : {0, 3})
       for (const int j : {0, 3})
-        parts.patches[f].c[i][j].color.a = greys.patches[f].c[i][j].color.r;
+        parts.patches[f].c[i][j].color.a =
+            mask_opacity(glm::dvec3(lights.patches[f].c[i][j].color));
     make_color_bilinear(parts.patches[f]);
   }
 }
@@ -212,7 +214,7 @@ std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks) {
     return text;
   };
   std::string text;
-  for (const CurveParts& curve : block_parts(mesh, blocks, 0).curves) {
+  for (const CurveParts& curve : block_parts(mesh, {blocks}).curves) {
     const bool whole = curve.a.breaks.empty() && curve.b.breaks.empty();
     if (whole && inside[std::size_t(curve.a.halfedges[0])]) continue;
     text += (text.empty() ? "" : "; ") + format_side(curve.a) + " | " + format_side(curve.b);

@@ -24,7 +24,8 @@ namespace gradmesh {
 ///                   moved; may be absent
 ///   label           on the group: its inkscape:label as it was written
 ///   face            on a block's path: number of its first face; the others follow row by row
-///   opacity         on the mask that holds the opacities, as blocks in grey, where there are any
+///   opacity         on the mask that holds the opacities, as blocks whose luminance they are, where
+///                   the blocks do not hold them themselves
 ///   kept-for        on a hidden original: the id of the object that was simplified (svg_kept.h)
 ///   outer           on groups around the group that stand for the same object
 /// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A
@@ -40,7 +41,7 @@ int patches_before(const xmlNode* group);
 
 /// Whether the element is the mask that holds the opacities of some group's mesh.
 bool is_opacity_mask(const xmlNode* node);
-/// The mask that holds the opacities of the group's mesh; null where the mesh is opaque.
+/// The mask that holds the opacities of the group's mesh; null where its blocks do.
 xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group);
 
 /// Which faces of its group's mesh a block holds.

@@ -80,18 +80,20 @@ MeshParts read(const std::string& text) {
 
 }  // namespace
 
-std::string remember(const Mesh& mesh) {
+std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps) {
   if (mesh.color_model() == ColorModel::bicubic) return packed(write_hemesh(mesh));
-  // In the order of the faces, so that what lies over itself is painted as it was.
-  const std::vector<Block> blocks = possible_blocks(mesh)[1];
-  return packed(group_document(mesh, blocks, {rounding(mesh), MeshChannel::both, true}));
+  const BlockForm form = block_form(mesh, rounding(mesh), overlaps);
+  return packed(group_document(mesh, form.blocks,
+                               {.coons_tolerance = form.coons_tolerance,
+                                .channel = MeshChannel::both,
+                                .exact = true}));
 }
 
-std::string remember_as_written(const Mesh& mesh, const std::vector<Block>& blocks,
-                                double coons_tolerance) {
-  return packed(group_document(mesh, blocks,
-                               {.coons_tolerance = coons_tolerance,
+std::string remember_as_written(const Mesh& mesh, const BlockForm& form) {
+  return packed(group_document(mesh, form.blocks,
+                               {.coons_tolerance = form.coons_tolerance,
                                 .channel = MeshChannel::both,
+                                .masked_opacity = form.masks_opacity,
                                 .rounding = rounding_within(bounding_box(mesh, {}))}));
 }
 

@@ -16,13 +16,13 @@ namespace gradmesh {
 /// document with such a group (svg_group.h), of gradients and nothing else, in `bicubic` a .hemesh
 /// file.
 
-/// The mesh with all its digits. Empty where it is too large for an attribute.
-std::string remember(const Mesh& mesh);
+/// The mesh with all its digits, whose faces lie over one another as `overlaps` says. Empty where
+/// it is too large for an attribute.
+std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps = {});
 
-/// The mesh in just the numbers that a document holds in which these blocks are written. Empty as
-/// above.
-std::string remember_as_written(const Mesh& mesh, const std::vector<Block>& blocks,
-                                double coons_tolerance);
+/// The mesh in just the numbers that a document holds in which it is written in this form. Empty
+/// as above.
+std::string remember_as_written(const Mesh& mesh, const BlockForm& form);
 
 /// The mesh that an attribute holds, one that can be built; nothing where it is damaged.
 std::optional<MeshParts> recall(std::string_view memory);

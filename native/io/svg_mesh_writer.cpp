@@ -49,8 +49,6 @@ void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const 
   const Affine place = mesh_to_gradient(document, object);
   write_block_rows(gradient, mesh, whole_block(mesh),
                    {.coons_tolerance = coons_tolerance,
-                    .channel = MeshChannel::both,
-                    .byte_opacity = false,
                     .place = place,
                     .rounding = rounding_within(bounding_box(mesh, place))});
 

@@ -33,12 +33,12 @@ SvgDocument new_svg(const SvgPage& page, const std::string& outline, const Writt
   MeshObject object{.node = child_elements(document.root(), "path").front(), .id = "mesh"};
   document.set_id(object.node, object.id);
   const std::string gradient =
-      write_block_gradient(document, defs, written.mesh, written.blocks.front(),
-                           {written.coons_tolerance}, "mesh-gradient");
+      write_block_gradient(document, defs, written.mesh, written.form.blocks.front(),
+                           {written.form.coons_tolerance}, "mesh-gradient");
   object.gradient = document.find(gradient);
   set_attribute(object.node, "d", outline);
   set_attribute(object.node, "style", "fill:url(#" + gradient + ");stroke:none");
-  if (is_rectangle(written.mesh, written.blocks))
+  if (is_rectangle(written.mesh, written.form.blocks))
     set_attribute(object.node, "label", written.label, inkscape_namespace, "inkscape");
   else
     write_mesh(document, object, written);

@@ -8,9 +8,11 @@
 
 namespace gradmesh {
 
-/// What the object shows of its mesh, in its user space: the inside of its own shape or, of a group
-/// of blocks, of the shape that clips the group. Nothing where that is not known here: strokes and
-/// text. Throws InputError at geometry that cannot be read.
+/// What is seen of the object's mesh, in its user space: the inside of its own shape, and of the
+/// clip paths and masks of itself and of the groups around it. What is not known here counts as
+/// seen: text and strokes, clip paths and masks that hold something else than shapes or that follow
+/// the object's box, and what is clipped or masked around an object that is used elsewhere too.
+/// Nothing where nothing is known. Throws InputError at geometry that cannot be read.
 std::optional<VisibleArea> visible_area(const SvgDocument& document, const MeshObject& object);
 
 }  // namespace gradmesh

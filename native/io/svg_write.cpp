@@ -180,9 +180,9 @@ class MeshWriter {
     own("version", "1");
     own("role", is_stroke() ? "stroke" : "fill");
     own("patches-before", std::to_string(written_.patches_before));
-    own("curves", format_curves(written_.mesh, written_.blocks));
+    own("curves", format_curves(written_.mesh, written_.form.blocks));
     own("original", written_.original);
-    own("written", remember_as_written(written_.mesh, written_.blocks, written_.coons_tolerance));
+    own("written", remember_as_written(written_.mesh, written_.form));
     own("label", written_.label);
     set_attribute(group, "label", written_.label, inkscape_namespace, "inkscape");
     // The group around it, where there is one, is what the person sees first.
@@ -191,11 +191,12 @@ class MeshWriter {
       set_attribute(outer, "label", written_.label, inkscape_namespace, "inkscape");
   }
 
-  /// The blocks and, where the mesh is not opaque, the mask of their opacities.
+  /// The blocks and, where they do not hold the opacities, the mask that does.
   Box write_blocks(xmlNode* group, xmlNode* before) {
     const BlocksWriter writer(document_, defs_, written_, id_, fallback_);
-    const Box box = writer.write(group, before, MeshChannel::color);
-    if (is_translucent(written_.mesh)) {
+    const Box box = writer.write(
+        group, before, written_.form.masks_opacity ? MeshChannel::color : MeshChannel::both);
+    if (written_.form.masks_opacity) {
       xmlNode* mask = add_child(defs_, "mask");
       const std::string id = document_.give_id(mask, id_ + "-opacity-mask");
       set_attribute(mask, "opacity", "1", gradmesh_namespace, "gradmesh");

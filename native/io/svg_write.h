@@ -13,10 +13,7 @@ namespace gradmesh {
 struct WrittenMesh {
   /// The mesh in the object's user space, colour model `bilinear`.
   const Mesh& mesh;
-  /// In the order in which they are painted.
-  const std::vector<Block>& blocks;
-  /// As of Frame::coons_tolerance.
-  double coons_tolerance;
+  const BlockForm& form;
   /// For the person, such as "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
   std::string label;
   int patches_before;

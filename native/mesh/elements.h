@@ -57,6 +57,13 @@ struct FaceRecord {
   bool operator==(const FaceRecord&) const = default;
 };
 
+/// Of two faces that lie over one another, with none between them somewhere.
+struct Overlap {
+  Face below, above;
+
+  auto operator<=>(const Overlap&) const = default;
+};
+
 /// Which part of its parent a child spans, in the parent's direction. A stem spans one point.
 struct Interval {
   double first = 0, second = 1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace gradmesh {
 namespace {
@@ -38,7 +39,7 @@ std::vector<std::vector<Crossing>> crossings(const Outline& outline, const Affin
 }
 
 /// Marks the pixels of a row that a line meets inside the polygons.
-void mark(std::vector<Crossing> line, FillRule rule, std::vector<char>& seen) {
+void mark(std::vector<Crossing> line, FillRule rule, std::span<char> seen) {
   std::ranges::sort(line, {}, &Crossing::x);
   const auto width = double(seen.size());
   int winding = 0;
@@ -52,7 +53,22 @@ void mark(std::vector<Crossing> line, FillRule rule, std::vector<char>& seen) {
   }
 }
 
-std::vector<HiddenPixels::Run> unmarked(const std::vector<char>& seen) {
+/// Unmarks the pixels of which none of the outlines holds anything.
+void hide_beyond(const std::vector<FilledOutline>& outlines, const Affine& to_pixels,
+                 Raster<char, 1>& seen) {
+  Raster<char, 1> inside(seen.window(), false);
+  for (const FilledOutline& filled : outlines) {
+    const auto lines = crossings(filled.outline, to_pixels, seen.height * lines_a_row + 1);
+    for (int y = 0; y < seen.height; ++y)
+      for (int k = 0; k <= lines_a_row; ++k)
+        mark(lines[std::size_t(y) * lines_a_row + std::size_t(k)], filled.rule,
+             {inside.at(0, y), std::size_t(seen.width)});
+  }
+  for (std::size_t i = 0; i < seen.samples.size(); ++i)
+    seen.samples[i] = seen.samples[i] && inside.samples[i];
+}
+
+std::vector<HiddenPixels::Run> unmarked(std::span<const char> seen) {
   std::vector<HiddenPixels::Run> runs;
   for (auto at = seen.begin(); at != seen.end();) {
     const auto begin = std::find(at, seen.end(), false);
@@ -65,13 +81,10 @@ std::vector<HiddenPixels::Run> unmarked(const std::vector<char>& seen) {
 }  // namespace
 
 HiddenPixels::HiddenPixels(const VisibleArea& area, const Frame& frame) {
-  const auto lines = crossings(area.outline, frame.to_pixels, frame.height * lines_a_row + 1);
-  for (int y = 0; y < frame.height; ++y) {
-    std::vector<char> seen(std::size_t(frame.width), false);
-    for (int k = 0; k <= lines_a_row; ++k)
-      mark(lines[std::size_t(y) * lines_a_row + std::size_t(k)], area.rule, seen);
-    rows_.push_back(unmarked(seen));
-  }
+  Raster<char, 1> seen(frame.width, frame.height, true);
+  for (const std::vector<FilledOutline>& set : area.sets) hide_beyond(set, frame.to_pixels, seen);
+  for (int y = 0; y < frame.height; ++y) rows_.push_back(
+    unmarked({seen.at(0, y), std::size_t(frame.width)}));
 }
 
 void HiddenPixels::hide(Window window, Painting& painting) const {

@@ -9,7 +9,7 @@
 
 namespace gradmesh {
 
-/// Pixels of a frame that are never painted: those of which the outline shows nothing.
+/// Pixels of a frame that are never painted: those of which nothing is seen.
 class HiddenPixels {
  public:
   /// Pixels [begin, end) of a row.

@@ -39,7 +39,7 @@ struct ReadyFace {
 Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
   Patch patch = mesh.patch(face);
   if (mesh.color_model() == ColorModel::bilinear)
-    patch = as_written(patch, frame.coons_tolerance, frame.masked_opacity);
+    patch = as_written(patch, frame.coons_tolerance);
   return patch;
 }
 
@@ -49,6 +49,15 @@ void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
   tessellator_.start(mesh, frame);
   for (const Face f : mesh.faces()) paint_face(mesh, frame, f, painting.window(), painting);
   hide(frame, painting.window(), painting);
+}
+
+void Painter::paint_alone(const Mesh& mesh, const Frame& frame, Face face, Window within,
+                          Painting& painting) {
+  fill(painting.top, within, TopFace().sample());
+  fill(painting.image, within, white);
+  tessellator_.start(mesh, frame);
+  paint_face(mesh, frame, face, within, painting);
+  hide(frame, within, painting);
 }
 
 void Painter::repaint(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched,

@@ -17,6 +17,10 @@ class Painter {
   /// Paints the whole of the painting's window, which lies inside the frame.
   void paint(const Mesh& mesh, const Frame& frame, Painting& painting);
 
+  /// Paints one face and nothing else over `within`, which lies inside the painting's window.
+  void paint_alone(const Mesh& mesh, const Frame& frame, Face face, Window within,
+                   Painting& painting);
+
   /// Brings the painting of a mesh up to date for the mesh as it is now. `touched`, in rising
   /// order, are the faces whose patch or outline changed; some may be gone and some new. `within`
   /// holds their pixels before and after, as far as they lie in the painting's window. A smooth

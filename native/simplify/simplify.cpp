@@ -10,6 +10,7 @@
 #include "error/merge_trial.h"
 #include "mesh/grid.h"
 #include "ops/merge.h"
+#include "raster/painting.h"
 #include "select/best.h"
 #include "select/gqe.h"
 #include "select/grid.h"
@@ -58,12 +59,16 @@ int threads_for(const Frame& frame, int asked) {
   return int(threads);
 }
 
+bool is_blank(const Painting& painting) {
+  return std::ranges::all_of(painting.top.samples,
+                             [](std::uint32_t sample) { return sample == 0; });
+}
+
 /// Where nothing is painted whatever is merged costs nothing, though Inkscape may still show a
-/// line.
-void check_seen(EditError& error, const SimplifyOptions& options) {
-  if (options.visible) return;
-  if (std::ranges::all_of(error.state()->painting.top.samples,
-                          [](std::uint32_t sample) { return sample == 0; }))
+/// line. Where all is hidden nobody does.
+void check_painted(const Mesh& mesh, Frame frame, const SimplifyOptions& options) {
+  frame.hidden = nullptr;
+  if (is_blank(paint_whole(mesh, frame)))
     throw InputError(
         "the mesh is so thin that it covers no pixel at a resolution of {0}, so that no error "
         "could be measured.",
@@ -130,16 +135,16 @@ void select(const SimplifyOptions& options, MergeTrial& trial, Analysis& analysi
 /// to epsilon and the local bound.
 bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& options,
              SimplifyResult& result) {
-  std::vector<Mesh> ways;
-  if (options.ways_to_write) ways = options.ways_to_write(mesh, result.frame);
-  if (ways.empty()) ways.push_back(mesh);
-  for (result.way = 0; result.way < int(ways.size()); ++result.way) {
-    const FrameError found = error.whole_frame(ways[result.way]);
-    result.error = found.mean;
-    result.local_error = found.local;
-    if (found.keeps_to(options.epsilon)) return true;
+  FrameError found;
+  if (options.as_written) {
+    const WrittenSurface written = options.as_written(mesh, result.frame);
+    found = error.whole_frame(written.mesh, written.masks_opacity);
+  } else {
+    found = error.whole_frame(mesh);
   }
-  return false;
+  result.error = found.mean;
+  result.local_error = found.local;
+  return found.keeps_to(options.epsilon);
 }
 
 /// Takes the last merge back or, where only whole lines may go, the merges of the last line.
@@ -148,8 +153,8 @@ void undo_last(MergeTrial& trial, Method method) {
   while (method == Method::lines && trial.depth() > 0 && !find_grid(trial.mesh()));
 }
 
-/// Takes the last merges back, ever more at a time, until the mesh as it will be written keeps to
-/// epsilon.
+/// What is written is rounded. Takes the last merges back, ever more at a time, until the mesh as it
+/// will be written keeps to epsilon.
 void take_back(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
     for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, options.method);
@@ -224,7 +229,7 @@ class Run {
   EditError measured_error() const {
     EditError error(original_, mesh_, frame_, options_.metric, options_.masks_opacity,
                     options_.max_local_error);
-    check_seen(error, options_);
+    if (is_blank(error.state()->painting)) check_painted(mesh_, frame_, options_);
     return error;
   }
 

@@ -36,6 +36,13 @@ inline constexpr Method all_methods[] = {Method::random,     Method::grid,  Meth
                                          Method::motorcycle, Method::gqe,   Method::gqe1,
                                          Method::best,       Method::lines, Method::manual};
 
+/// A mesh as a document holds it.
+struct WrittenSurface {
+  Mesh mesh;
+  /// Whether its opacities are in a mask (Frame::masked_opacity).
+  bool masks_opacity = false;
+};
+
 struct SimplifyOptions {
   Method method = Method::best;
   MetricKind metric = MetricKind::flip;
@@ -73,16 +80,16 @@ struct SimplifyOptions {
   /// From mesh units to what the person sees, up to scale.
   Affine view;
   FramePadding padding;
-  /// Of a document's mesh (Document::simplify): whether only what its object shows counts.
-  bool visible_only = false;
+  /// Of a document's mesh (Document::simplify): whether only what is seen of it counts.
+  bool visible_only = true;
   /// What is seen of the mesh: the rest does not count, as if it were not painted. All by default.
   std::optional<VisibleArea> visible;
-  /// Whether a translucent mesh of the model `bilinear` is written with its opacities in a mask.
+  /// Whether a translucent mesh of the model `bilinear` may be written with its opacities in a mask,
+  /// which is then charged to every edit.
   bool masks_opacity = true;
-  /// The mesh as a reader will find it, in each way in which it can be written: the error that
-  /// counts is that of the first way that keeps to epsilon and the local bound. Empty: it is
-  /// written as it is.
-  std::function<std::vector<Mesh>(const Mesh&, const Frame&)> ways_to_write;
+  /// The mesh as a reader will find it, whose error is the one that counts. Empty: it is written
+  /// as it is.
+  std::function<WrittenSurface(const Mesh&, const Frame&)> as_written;
   /// The picture that counts, where that is not the mesh as given.
   std::shared_ptr<const Mesh> original;
   /// Prices known from earlier runs; what is priced anew is added. Its key must be that of the
@@ -103,8 +110,6 @@ struct SimplifyResult {
   /// Error of the mesh as selected, added up from what single merges changed. That of the whole
   /// frame but for roundings, unless the mesh is written in another way or with fewer merges.
   double error_added_up = 0;
-  /// Which of the ways to write it has this error.
-  int way = 0;
   int evaluations = 0;
   /// Where regions were priced to the end: the device's name, or "software".
   std::string renderer = "software";

@@ -141,7 +141,7 @@ def simplify(
     ratio: Optional[float] = None,
     resolution: int = 700,
     color_model: Optional[str] = None,
-    visible_only: bool = False,
+    visible_only: bool = True,
     seed: int = 0,
     omega: float = 0.75,
     kappa: float = 0.05,
@@ -171,7 +171,8 @@ def simplify(
     at most 1) of those there are, with as small an error as the method finds.
     color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
     are then made bilinear first, which counts towards the error.
-    visible_only: pixels that the object's own outline hides do not count towards the error.
+    visible_only: what the object's outline, clip paths and masks hide of the mesh, its own and those
+    of groups around it, does not count towards the error.
     method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
     "gqe1" weigh patches saved against error by `omega`; "best" goes on from "gqe" and fits what it

@@ -151,9 +151,8 @@ void require_writable(const Mesh& mesh) {
         const Mesh recalled = build_mesh(*remembered);
         require_sound(recalled);
         require(recalled.face_count() == mesh.face_count(), "no patch is lost");
-        for (const std::vector<Block>& blocks : possible_blocks(mesh))
-          if (mesh.color_model() == ColorModel::bilinear)
-            require_sound(build_mesh(block_parts(mesh, blocks, 0.01)));
+        if (mesh.color_model() == ColorModel::bilinear)
+          require_sound(build_mesh(block_parts(mesh, block_form(mesh, 0.01))));
         require_sound(build_mesh(subdivided(mesh, 2)));
       },
       "what is written can be read");

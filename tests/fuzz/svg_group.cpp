@@ -43,11 +43,11 @@ void check(const std::string& text) {
     require_sound(mesh);
     must_accept(
         [&] {
-          const std::vector<Block> blocks = find_blocks(mesh);
-          const Mesh written = build_mesh(block_parts(mesh, blocks, 0));
+          const BlockForm form = block_form(mesh, 0);
+          const Mesh written = build_mesh(block_parts(mesh, form));
           require_sound(written);
           require(written.face_count() == mesh.face_count(), "no patch is lost");
-          format_curves(mesh, blocks);
+          format_curves(mesh, form.blocks);
         },
         "a mesh that was read can be written");
     require_sound(build_mesh(reconcile(parts).parts));

@@ -67,13 +67,13 @@ bool write_blocks(SvgDocument& document, const MeshObject& object, Mesh mesh) {
   const std::string original = remember(mesh);
   const int before = mesh.face_count();
   merge_some(mesh);
-  const std::vector<Block> blocks = possible_blocks(mesh)[0];
-  const MeshParts parts = block_parts(mesh, blocks, tolerance);
+  const BlockForm form = block_form(mesh, tolerance);
+  const MeshParts parts = block_parts(mesh, form);
   const Mesh expected = build_mesh(parts);
   require_sound(expected);
   // Documents refuse the others before they write.
   if (!std::ranges::all_of(parts.patches, is_within_limits)) return false;
-  write_mesh(document, object, {mesh, blocks, tolerance, "label", before, original});
+  write_mesh(document, object, {mesh, form, "label", before, original});
 
   const auto [again, group] = reopened(document, object.id, object.role);
   require(is_mesh_group(group.node) && patches_before(group.node) == before, "it is a group");

@@ -107,8 +107,8 @@ TEST_F(OnDevice, paints_opacities_and_leaves_hidden_pixels_white) {
         frame.to_pixels.inverse().point(0.5 * glm::dvec2(frame.width, frame.height));
     const double unit = radius / std::sqrt(std::abs(frame.to_pixels.determinant()));
     VisibleArea area;
-    area.outline = {{centre + unit * glm::dvec2(-1, -1), centre + unit * glm::dvec2(1, -1),
-                     centre + unit * glm::dvec2(0, 1)}};
+    area.sets = {{{{{centre + unit * glm::dvec2(-1, -1), centre + unit * glm::dvec2(1, -1),
+                     centre + unit * glm::dvec2(0, 1)}}}}};
     frame.hidden = std::make_shared<HiddenPixels>(area, frame);
     expect_same_picture(*rasterizer, mesh, frame);
   }

@@ -21,8 +21,12 @@ Frame pixels(int width, int height) {
   return frame;
 }
 
+VisibleArea inside(const Outline& outline, FillRule rule = FillRule::nonzero) {
+  return {{{{outline, rule}}}};
+}
+
 TEST(HiddenPixels, all_that_a_rectangle_does_not_touch) {
-  const HiddenPixels hidden({{{{2, 1.2}, {5.5, 1.2}, {5.5, 2.8}, {2, 2.8}}}}, pixels(8, 4));
+  const HiddenPixels hidden(inside({{{2, 1.2}, {5.5, 1.2}, {5.5, 2.8}, {2, 2.8}}}), pixels(8, 4));
   EXPECT_EQ(hidden.row(0), (Runs{{0, 8}}));
   EXPECT_EQ(hidden.row(1), (Runs{{0, 2}, {6, 8}}));
   EXPECT_EQ(hidden.row(2), (Runs{{0, 2}, {6, 8}}));
@@ -31,8 +35,18 @@ TEST(HiddenPixels, all_that_a_rectangle_does_not_touch) {
 
 TEST(HiddenPixels, holes_follow_the_fill_rule) {
   const Outline ring{{{0, 0}, {9, 0}, {9, 1}, {0, 1}}, {{3, 0}, {6, 0}, {6, 1}, {3, 1}}};
-  EXPECT_EQ(HiddenPixels({ring, FillRule::evenodd}, pixels(9, 1)).row(0), (Runs{{3, 6}}));
-  EXPECT_EQ(HiddenPixels({ring, FillRule::nonzero}, pixels(9, 1)).row(0), Runs{});
+  EXPECT_EQ(HiddenPixels(inside(ring, FillRule::evenodd), pixels(9, 1)).row(0), (Runs{{3, 6}}));
+  EXPECT_EQ(HiddenPixels(inside(ring), pixels(9, 1)).row(0), Runs{});
+}
+
+TEST(HiddenPixels, seen_is_what_some_outline_of_each_set_holds) {
+  const auto columns = [](double from, double to) {
+    return FilledOutline{{{{from, 0}, {to, 0}, {to, 1}, {from, 1}}}};
+  };
+  const VisibleArea area{{{columns(0, 3), columns(5, 9)}, {columns(2, 7)}}};
+  EXPECT_EQ(HiddenPixels(area, pixels(9, 1)).row(0), (Runs{{0, 2}, {3, 5}, {7, 9}}));
+  EXPECT_EQ(HiddenPixels({{{}}}, pixels(9, 1)).row(0), (Runs{{0, 9}}));
+  EXPECT_EQ(HiddenPixels({}, pixels(9, 1)).row(0), Runs{});
 }
 
 /// Against each pixel's own distance to a circle.
@@ -42,7 +56,7 @@ TEST(HiddenPixels, a_pixel_is_hidden_where_the_outline_stays_away) {
     const double angle = 2 * std::numbers::pi * i / 2000;
     circle.push_back({50.3 + 40 * std::cos(angle), 49.8 + 40 * std::sin(angle)});
   }
-  const HiddenPixels hidden({{circle}}, pixels(100, 100));
+  const HiddenPixels hidden(inside({circle}), pixels(100, 100));
   int seen = 0;
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 100; ++x) {
@@ -67,7 +81,7 @@ TEST(HiddenPixels, windows_still_add_up_to_the_whole_frame) {
         test::grid_mesh({.rows = 5, .columns = 4, .position_noise = 0.1, .color_noise = 0.3}, 3);
     Frame frame = fit_frame(mesh, {}, 180);
     frame.hidden = std::make_shared<HiddenPixels>(
-        VisibleArea{{{{30, 40}, {350, 90}, {300, 480}, {120, 330}}}}, frame);
+        inside({{{30, 40}, {350, 90}, {300, 480}, {120, 330}}}), frame);
     EditError error(mesh, mesh, frame, metric);
     const Mesh original = mesh;
     Journal journal(mesh);
@@ -88,7 +102,7 @@ TEST(HiddenPixels, what_is_hidden_costs_nothing) {
   Frame frame = fit_frame(mesh, {}, 200);
   // The left half.
   frame.hidden = std::make_shared<HiddenPixels>(
-      VisibleArea{{{{0, 0}, {200, 0}, {200, 200}, {0, 200}}}}, frame);
+      inside({{{0, 0}, {200, 0}, {200, 200}, {0, 200}}}), frame);
   EditError error(mesh, mesh, frame, MetricKind::flip);
   Journal journal(mesh);
   merge(journal, test::between(mesh, Face{3}, Face{7}));

@@ -210,12 +210,12 @@ TEST(Lines, are_taken_back_whole_where_what_is_written_costs_more) {
   const Mesh original = noisy_grid(4, 4, 11);
   SimplifyOptions options = line_options(0.3);
   std::vector<int> seen;
-  options.ways_to_write = [&](const Mesh& mesh, const Frame&) {
+  options.as_written = [&](const Mesh& mesh, const Frame&) {
     EXPECT_TRUE(find_grid(mesh));
     seen.push_back(mesh.face_count());
     // As if coarse meshes could not be written.
-    if (mesh.face_count() >= 12) return std::vector<Mesh>{mesh};
-    return std::vector<Mesh>{build_mesh({{test::straight_patch({})}, {}, ColorModel::bilinear})};
+    if (mesh.face_count() >= 12) return WrittenSurface{mesh};
+    return WrittenSurface{build_mesh({{test::straight_patch({})}, {}, ColorModel::bilinear})};
   };
   Mesh mesh = original;
   const SimplifyResult result = simplify(mesh, options);

@@ -63,7 +63,7 @@ TEST(Memory, keeps_a_mesh_to_the_last_bits) {
     ASSERT_TRUE(parts);
     const Mesh back = build_mesh(*parts);
     EXPECT_EQ(test::junctions(mesh), test::junctions(back));
-    EXPECT_LE(difference_of(in_blocks(mesh, possible_blocks(mesh)[1]), patches(back)), 1e-10);
+    EXPECT_LE(difference_of(in_blocks(mesh, block_form(mesh, 0).blocks), patches(back)), 1e-10);
     junctions += test::junctions(mesh);
   }
   EXPECT_GT(junctions, 50u);
@@ -97,7 +97,7 @@ TEST(Memory, of_what_was_written_has_the_numbers_of_the_document) {
         "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
         "d.svg");
     const Mesh mesh = random_mesh(seed);
-    write_mesh(document, mesh_objects(document).at(0), {mesh, find_blocks(mesh), 0.01, "", 16});
+    write_mesh(document, mesh_objects(document).at(0), {mesh, block_form(mesh, 0.01), "", 16});
     const xmlNode* group = mesh_objects(document).at(0).node;
     const auto written = recall(*attribute(group, "written", gradmesh_namespace));
     ASSERT_TRUE(written);

@@ -116,7 +116,7 @@ TEST(MeshOutline, parts_that_lie_over_one_another_turn_the_same_way) {
 
 /// The new document of a bilinear mesh, as it reads back.
 std::unique_ptr<Document> written(const Mesh& mesh) {
-  const std::vector<Block> blocks = find_blocks(mesh);
+  const std::vector<Block> blocks = block_form(mesh, 0).blocks;
   const SvgDocument svg = new_svg({20, 20}, outline_path(mesh), {mesh, blocks, 1e-6, "label", 1});
   return Document::parse(svg.serialize(), "new.svg");
 }
@@ -129,7 +129,7 @@ TEST(NewSvg, a_rectangle_is_one_gradient_and_a_ring_stays_closed) {
 
   // One block holds a ring as well, but only blocks remember that its ends are joined.
   const Mesh ring = build_mesh(test::ring(8));
-  EXPECT_EQ(find_blocks(ring).size(), 1u);
+  EXPECT_EQ(block_form(ring, 0).blocks.size(), 1u);
   const auto closed = written(ring);
   EXPECT_TRUE(closed->meshes()[0].simplified);
   EXPECT_EQ(boundary_leaves(closed->mesh(closed->meshes()[0])), 16);
@@ -152,7 +152,7 @@ TEST(Blocks, are_found_however_the_faces_are_turned) {
   for (CurveParts& curve : parts.curves)
     for (CurveSide* side : {&curve.a, &curve.b})
       for (int& h : side->halfedges) h = h / 4 * 4 + (h % 4 - h / 4 % 4 + 4) % 4;
-  const std::vector<Block> blocks = find_blocks(build_mesh(parts));
+  const std::vector<Block> blocks = block_form(build_mesh(parts), 0).blocks;
   ASSERT_EQ(blocks.size(), 1u);
   EXPECT_EQ(blocks[0].cells.size(), 20u);
 }

@@ -36,7 +36,7 @@ SvgDocument document_of(const std::string& body) {
 }
 
 void write(SvgDocument& document, const MeshObject& object, const Mesh& mesh) {
-  write_mesh(document, object, {mesh, find_blocks(mesh), 0.001, "label", 9});
+  write_mesh(document, object, {mesh, block_form(mesh, 0.001), "label", 9});
 }
 
 std::string after_writing(const std::string& body, const Mesh& mesh, int which = 0) {
@@ -405,11 +405,11 @@ TEST(SvgGroup, says_what_is_missing) {
 }
 
 TEST(Blocks, hold_every_face_once_and_whole_grids_in_one) {
-  EXPECT_EQ(find_blocks(grid_mesh({.rows = 7, .columns = 5})).size(), 1u);
+  EXPECT_EQ(block_form(grid_mesh({.rows = 7, .columns = 5}), 0).blocks.size(), 1u);
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Mesh mesh = random_mesh(seed);
     std::set<Face> faces;
-    for (const Block& block : find_blocks(mesh)) {
+    for (const Block& block : block_form(mesh, 0).blocks) {
       EXPECT_EQ(block.cells.size(), std::size_t(block.rows * block.columns));
       for (const Block::Cell& cell : block.cells) EXPECT_TRUE(faces.insert(cell.face).second);
       for (int i = 0; i < block.rows; ++i)
@@ -433,7 +433,7 @@ TEST(Blocks, are_cut_where_colors_step) {
   MeshParts parts = test::grid_parts({.rows = 1, .columns = 2}, random);
   for (int i : {0, 3}) parts.patches[1].c[i][0].color = {1, 0, 1, 1};
   make_color_bilinear(parts.patches[1]);
-  EXPECT_EQ(find_blocks(build_mesh(parts)).size(), 2u);
+  EXPECT_EQ(block_form(build_mesh(parts), 0).blocks.size(), 2u);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ def simplified(tmp_path_factory):
     files, told = {}, {}
     for sample in PAINTED:
         files[sample], report = folder / f"{sample}.svg", folder / "report.json"
-        options = ["--method", "lines", "--epsilon", EPSILON, "--report", report]
+        options = ["--method", "lines", "--whole-mesh", "--epsilon", EPSILON, "--report", report]
         done = run("simplify", SAMPLES / f"{sample}.svg", "-o", files[sample], *options)
         assert (done.returncode, done.stderr) == (0, "")
         told |= {mesh["id"]: mesh for mesh in json.loads(report.read_text())["meshes"]}
@@ -111,7 +111,7 @@ def test_from_python_as_from_the_command_line(simplified):
     files, told = simplified
     document = gradmesh.load(SAMPLES / "fruit.svg")
     assert [mesh.smooth for mesh in document.meshes] == [False]
-    (result,) = gradmesh.simplify(document, method="lines", epsilon=EPSILON)
+    (result,) = gradmesh.simplify(document, method="lines", epsilon=EPSILON, visible_only=False)
     assert (result.method, result.error) == ("lines", told["pear"]["error"])
     assert document.to_bytes() == files["fruit"].read_bytes()
     (mesh,) = document.meshes

@@ -80,7 +80,7 @@ class Group:
 def simplified(tmp_path_factory):
     path = tmp_path_factory.mktemp("update") / "fruit.svg"
     document = gradmesh.load(FRUIT)
-    gradmesh.simplify(document, method="motorcycle")
+    gradmesh.simplify(document, method="motorcycle", visible_only=False)
     gradmesh.save(document, path)
     return path
 

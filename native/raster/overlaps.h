@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "mesh/elements.h"
+#include "mesh/mesh.h"
+#include "raster/frame.h"
+
+namespace gradmesh {
+
+/// Which faces lie over which, as far as it is seen in the frame: at some pixel both are painted,
+/// and no other face between them. In rising order.
+std::vector<Overlap> find_overlaps(const Mesh& mesh, const Frame& frame);
+
+}  // namespace gradmesh
