@@ -116,8 +116,8 @@ TEST(MeshOutline, parts_that_lie_over_one_another_turn_the_same_way) {
 
 /// The new document of a bilinear mesh, as it reads back.
 std::unique_ptr<Document> written(const Mesh& mesh) {
-  const std::vector<Block> blocks = block_form(mesh, 0).blocks;
-  const SvgDocument svg = new_svg({20, 20}, outline_path(mesh), {mesh, blocks, 1e-6, "label", 1});
+  const BlockForm form = block_form(mesh, 1e-6);
+  const SvgDocument svg = new_svg({20, 20}, outline_path(mesh), {mesh, form, "label", 1});
   return Document::parse(svg.serialize(), "new.svg");
 }
 
