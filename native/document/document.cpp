@@ -191,7 +191,7 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
   if (options.method == Method::manual || stays_one_gradient(entry, options.method) || has_target ||
       !stays_one_gradient(entry, Method::lines) || !find_grid(start.mesh) ||
       result.stopped == Stopped::cancelled || result.stopped == Stopped::budget ||
-      (!none && !pays_for_blocks(mesh, result.frame)))
+      (!none && !needs_mask(mesh, result.frame)))
     return result;
 
   SimplifyOptions by_lines = options;

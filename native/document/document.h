@@ -140,7 +140,7 @@ class Document {
   /// Simplifies the selected meshes in place, each against `options.original`, its given_original,
   /// the original that it remembers, unless a person has edited it since, or itself as it was.
   /// Those that cannot be read are only reported. Where nothing is merged, or what is left needs a
-  /// mask for opacities or lies over itself, the method `lines` is tried as well, and its one mesh
+  /// mask for opacities, the method `lines` is tried as well, and its one mesh
   /// gradient taken where it leaves no more patches. A mesh that does not come out with fewer patches
   /// stays as it is. In another colour model than its own it is converted first, which counts
   /// towards the error. Where an analysis is loaded, there must be one for each of the meshes.
@@ -206,9 +206,8 @@ class Document {
   /// Whether what a method leaves of the mesh is written as one mesh gradient on the same object,
   /// and not as blocks.
   virtual bool stays_one_gradient(const MeshEntry&, Method) const { return false; }
-  /// Whether there is something to pay for blocks: a mask for opacities, or an order of painting
-  /// that must be kept, as the mesh lies over itself.
-  virtual bool pays_for_blocks(const Mesh&, const Frame&) const { return false; }
+  /// Whether a mesh is written as blocks with its opacities in a mask.
+  virtual bool needs_mask(const Mesh&, const Frame&) const { return false; }
   /// SimplifyOptions::as_written, for the mesh that a method leaves.
   virtual WrittenSurface as_written(const MeshEntry& entry, Method method,
                                     const Mesh& mesh, const Frame& frame) const = 0;

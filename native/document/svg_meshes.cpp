@@ -193,9 +193,8 @@ std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const
   return area;
 }
 
-bool SvgMeshes::pays_for_blocks(const Mesh& mesh, const Frame& frame) const {
-  const std::vector<Overlap> overlaps = find_overlaps(mesh, frame);
-  return !overlaps.empty() || gradmesh::block_form(mesh, 0, overlaps).masks_opacity;
+bool SvgMeshes::needs_mask(const Mesh& mesh, const Frame& frame) const {
+  return block_form(mesh, frame).masks_opacity;
 }
 
 WrittenSurface SvgMeshes::as_written(const MeshEntry& entry, Method method, const Mesh& mesh,

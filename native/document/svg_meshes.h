@@ -45,7 +45,7 @@ class SvgMeshes : public Document {
   bool stays_one_gradient(const MeshEntry& entry, Method method) const override {
     return method == Method::lines && object(entry).gradient;
   }
-  bool pays_for_blocks(const Mesh& mesh, const Frame& frame) const override;
+  bool needs_mask(const Mesh& mesh, const Frame& frame) const override;
   WrittenSurface as_written(const MeshEntry& entry, Method method,
                             const Mesh& mesh, const Frame& frame) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,

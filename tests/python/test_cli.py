@@ -321,7 +321,7 @@ def test_render(tmp_path):
 @pytest.mark.parametrize("metric, epsilon", [("flip", 0.01), ("ssim", 0.005)])
 def test_compare(tmp_path, metric, epsilon):
     fruit, out, report = SAMPLES / "fruit.svg", tmp_path / "out.svg", tmp_path / "report.json"
-    options = ["--metric", metric, "--epsilon", epsilon, "--report", report]
+    options = ["--metric", metric, "--epsilon", epsilon, "--report", report, "--whole-mesh"]
     gradmesh("simplify", fruit, "-o", out, *QUICK, *options)
     for svg in (fruit, out):
         gradmesh("render", svg, "-o", tmp_path / f"{svg.stem}.png")
