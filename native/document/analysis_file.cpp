@@ -85,10 +85,6 @@ Analysis from_json(const Json& json) {
 
 /// Says how the key of an analysis differs from the one that is wanted.
 InputError other_key(const std::string& file, const AnalysisKey& found, const AnalysisKey& wanted) {
-  // With the size of the picture goes which of its pixels are hidden.
-  if (found.width != wanted.width || found.height != wanted.height)
-    return InputError("{0}: this analysis was made at {1} x {2} pixels, not {3} x {4} pixels.",
-                      file, found.width, found.height, wanted.width, wanted.height);
   if (found.original != wanted.original)
     return InputError("{0}: this analysis is of another mesh, or the mesh was changed since.",
                       file);
@@ -98,7 +94,11 @@ InputError other_key(const std::string& file, const AnalysisKey& found, const An
   if (found.color_model != wanted.color_model)
     return InputError("{0}: this analysis was made in the color model {1}, not {2}.", file,
                       name(found.color_model), name(wanted.color_model));
-  return InputError("{0}: this analysis was made before the mesh was moved or transformed.", file);
+  if (found.width != wanted.width || found.height != wanted.height)
+    return InputError("{0}: this analysis was made at {1} x {2} pixels, not {3} x {4} pixels.",
+                      file, found.width, found.height, wanted.width, wanted.height);
+  return InputError(
+      "{0}: this analysis was made before the mesh was moved, transformed or clipped.", file);
 }
 
 /// How much of two keys is the same, the more telling parts first.

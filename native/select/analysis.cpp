@@ -43,7 +43,7 @@ AnalysisKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& fr
   add(content, mesh);
   for (const glm::dvec2 p : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)})
     for (int i = 0; i < 2; ++i) content.add(frame.to_pixels.point(p)[i]);
-  if (frame.hidden) add(picture, *frame.hidden, frame.height);
+  if (frame.hidden) add(content, *frame.hidden, frame.height);
   return {picture.value(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
 }
 

@@ -14,9 +14,9 @@ namespace gradmesh {
 
 /// What the prices of an analysis depend on.
 struct AnalysisKey {
-  /// Hash of the original mesh, whose picture counts, and of the pixels that are hidden.
+  /// Hash of the original mesh, whose picture counts.
   std::uint64_t original = 0;
-  /// Hash of the mesh that is merged, and of where it lies in the frame.
+  /// Hash of the mesh that is merged, of where it lies in the frame, and of what is hidden there.
   std::uint64_t content = 0;
   MetricKind metric = MetricKind::flip;
   /// Size of the frame in pixels.

@@ -157,7 +157,7 @@ TEST(AnalysisFile, says_what_differs) {
   EXPECT_EQ(refused(mesh, other), start + "was made at 80 x 80 pixels, not 90 x 90 pixels.");
   other = options;
   other.view = Affine::scaling({-1, 1});
-  EXPECT_EQ(refused(mesh, other), start + "was made before the mesh was moved or transformed.");
+  EXPECT_EQ(refused(mesh, other), start + "was made before the mesh was moved, transformed or clipped.");
   std::mt19937 random(1);
   MeshParts parts = test::grid_parts({}, random);
   parts.color_model = ColorModel::bicubic;
