@@ -22,7 +22,7 @@ FRUIT = SAMPLES / "fruit.svg"
 
 def run_again(path, method="grid", **options):
     document = gradmesh.load(path)
-    (result,) = gradmesh.simplify(document, method=method, epsilon=EPSILON, **options)
+    (result,) = gradmesh.simplify(document, method=method, epsilon=EPSILON, visible_only=False, **options)
     gradmesh.save(document, path)
     return result
 
