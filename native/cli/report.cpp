@@ -10,6 +10,7 @@
 #include "document/common_frames.h"
 #include "document/renderer.h"
 #include "io/atomic_file.h"
+#include "raster/hidden.h"
 
 namespace gradmesh {
 namespace {
@@ -79,9 +80,13 @@ void run_report(ReportArguments& a, const CLI::App& command) {
   files.save();
 
   const Mesh mesh_after = after->mesh(entry_after);
-  const auto [first, second] =
+  auto [first, second] =
       common_frames({before.get(), entry, start.mesh}, {after.get(), entry_after, mesh_after},
                     a.options.resolution);
+  // What the run did not count is not shown either.
+  if (start.options.visible && before->kind() == after->kind())
+    for (Frame* frame : {&first, &second})
+      frame->hidden = std::make_shared<HiddenPixels>(*start.options.visible, *frame);
   const auto file_name = [](const std::string& path) {
     return std::filesystem::path(path).filename().string();
   };

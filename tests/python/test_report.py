@@ -37,7 +37,7 @@ class Fruit:
     def __init__(self, folder):
         names = ("after.svg", "run.json", "prices.json", "report.html")
         self.after, self.run, self.prices, self.page = (folder / name for name in names)
-        made("simplify", FRUIT, "-o", self.after, *COARSE, "--whole-mesh", "--method", "gqe",
+        made("simplify", FRUIT, "-o", self.after, *COARSE, "--method", "gqe",
              "--report", self.run, "--save-analysis", self.prices)  # fmt: skip
         self.options = ("--run", self.run, "--load-analysis", self.prices)
         made("report", FRUIT, self.after, "-o", self.page, *self.options)
@@ -79,7 +79,7 @@ def test_regions_are_those_of_the_analysis(fruit):
 def test_fits_lower_the_prices_of_regions(fruit, tmp_path):
     assert all(r["fitted"] is None for r in fruit.data["before"]["regions"])  # gqe does not fit
     after, told, page = (tmp_path / name for name in ("best.svg", "best.json", "best.html"))
-    made("simplify", FRUIT, "-o", after, *COARSE, "--whole-mesh", "--method", "best", "--report", told)
+    made("simplify", FRUIT, "-o", after, *COARSE, "--method", "best", "--report", told)
     made("report", FRUIT, after, "-o", page, "--run", told)
     regions = page_data(page)["before"]["regions"]
     assert all(r["fitted"] <= r["error"] for r in regions)
