@@ -123,6 +123,8 @@ void add_report(CLI::App& program) {
   add_analysis_options(command, a->analyses);
   add_threads_option(command, a->options.threads);
   add_renderer_option(command, a->renderer);
+  command.add_flag("!--whole-mesh", a->options.visible_only,
+                   "SVG: what is hidden of the mesh counts too");
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a, &command] { run_report(*a, command); });
 }
