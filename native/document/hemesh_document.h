@@ -14,7 +14,7 @@ class HemeshDocument : public Document {
   Mesh mesh(const MeshEntry&) const override { return mesh_; }
   /// y points down in the file already.
   Affine view(const MeshEntry&) const override { return {}; }
-  /// As the authors of the paper do (FACTS 7).
+  /// As the authors of the paper do.
   FramePadding padding() const override { return {.share = 0, .length = 0.03}; }
 
  protected:

@@ -8,7 +8,7 @@
 namespace gradmesh {
 
 /// The path that a block is painted through: its outline, grown outwards by half of the block's
-/// smaller side, but at least by `margin` (DESIGN: so anti-aliasing never shows a seam, and there
+/// smaller side, but at least by `margin` (so that anti-aliasing never shows a seam, and there
 /// is room to edit). A closed polygon for the fill rule nonzero, in mesh units.
 std::vector<glm::dvec2> grown_outline(const Mesh& mesh, const Block& block, double margin);
 

@@ -32,7 +32,7 @@ class GradientWriter {
 
  private:
   /// Sides that the patches above and to the left have given already are left out; so are
-  /// colours (FACTS 1).
+  /// colours.
   void write_patch(xmlNode* node, int row, int column) {
     const Block::Cell& cell = block_.cell(row, column);
     const Patch patch = block_patch(mesh_, cell);

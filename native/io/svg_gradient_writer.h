@@ -33,7 +33,7 @@ void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
                       const GradientFormat& format);
 
 /// Adds to `defs` a meshgradient in userSpaceOnUse that holds the block, in Inkscape's own form
-/// (FACTS 1: closing end points present). Each point is rounded once and written absolutely, so
+/// (closing end points present). Each point is rounded once and written absolutely, so
 /// that blocks that share it name the very same coordinates and Inkscape's mesh tool joins them.
 /// Returns the gradient's id, which begins with `prefix`.
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,

@@ -12,7 +12,7 @@
 
 namespace gradmesh {
 
-/// A simplified mesh in a document is a group of blocks (DESIGN). Attributes of our own namespace
+/// A simplified mesh in a document is a group of blocks. Attributes of our own namespace
 /// say how the blocks hang together; shapes and colours are those of the blocks themselves.
 ///   version         on the group: 1
 ///   role            on the group: fill or stroke, what the mesh paints
