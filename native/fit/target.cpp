@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "raster/hidden.h"
+
 namespace gradmesh {
 namespace {
 
@@ -67,7 +69,13 @@ std::optional<glm::dvec3> FitTarget::color_at(glm::dvec2 place) const {
   return largest(high - low) > edge_in_picture ? nearest : sum;
 }
 
+bool FitTarget::is_hidden(glm::dvec2 place) const {
+  return frame_.hidden &&
+         frame_.hidden->contains(int(std::floor(place.x)), int(std::floor(place.y)));
+}
+
 std::optional<FitTarget::OutlinePoint> FitTarget::outline_near(glm::dvec2 place) const {
+  if (is_hidden(place)) return {};
   const int column = int(std::floor(place.x / reach)), row = int(std::floor(place.y / reach));
   std::optional<OutlinePoint> nearest;
   double least = reach * reach;
@@ -98,7 +106,7 @@ void FitTarget::add_outline(const Cubic<Value>& curve) {
     const glm::dvec2 along = line.derivative(double(i) / steps);
     const double speed = glm::length(along);
     std::vector<OutlinePoint>* cell = cell_at(place);
-    if (cell && speed > 0) cell->push_back({place, glm::dvec2(-along.y, along.x) / speed});
+    if (cell && speed > 0 && !is_hidden(place)) cell->push_back({place, glm::dvec2(-along.y, along.x) / speed});
   }
 }
 

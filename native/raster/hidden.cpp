@@ -87,6 +87,11 @@ HiddenPixels::HiddenPixels(const VisibleArea& area, const Frame& frame) {
     unmarked({seen.at(0, y), std::size_t(frame.width)}));
 }
 
+bool HiddenPixels::contains(int x, int y) const {
+  if (y < 0 || y >= int(rows_.size())) return false;
+  return std::ranges::any_of(row(y), [x](Run run) { return run.begin <= x && x < run.end; });
+}
+
 void HiddenPixels::hide(Window window, Painting& painting) const {
   window = window.clipped(painting.window());
   for (int y = window.y0; y < window.y1; ++y)

@@ -23,6 +23,8 @@ class HiddenPixels {
   /// edge and at quarters between: so never one of which more than a sliver is seen.
   HiddenPixels(const VisibleArea& area, const Frame& frame);
 
+  /// Whether the pixel is hidden; those beyond the frame are not.
+  bool contains(int x, int y) const;
   const std::vector<Run>& row(int y) const { return rows_[std::size_t(y)]; }
   /// Makes them white again, in the window.
   void hide(Window window, Painting& painting) const;

@@ -3,6 +3,7 @@
 #include "error/fit_trial.h"
 #include "random_meshes.h"
 #include "raster/folds.h"
+#include "raster/hidden.h"
 #include "same_mesh.h"
 
 /// Fits: the mesh is linear in what they may change, and they come closer to the picture.
@@ -97,6 +98,45 @@ TEST(Fit, finds_back_what_was_moved) {
                   EditError(original, original, frame, MetricKind::flip).whole_frame(mesh).mean,
                   1e-9);
     }
+}
+
+/// What nobody sees asks for nothing: the rim of a mesh is hidden, so that a patch at its border is
+/// fitted to what is seen of it alone, whatever its border looked like.
+TEST(Fit, is_not_held_by_what_is_hidden) {
+  const Mesh original = test::grid_mesh({.rows = 3, .columns = 3, .color_noise = 0.2}, 1);
+  Frame frame = fit_frame(original, {}, 200);
+  const Window border = pixel_bounds(original.patch(Face{0}), frame)
+                            .united(pixel_bounds(original.patch(Face{8}), frame));
+  constexpr double rim = 6;
+  const double left = border.x0 + rim, right = border.x1 - rim;
+  const double top = border.y0 + rim, bottom = border.y1 - rim;
+  const VisibleArea seen{
+      {{{{{{left, top}, {right, top}, {right, bottom}, {left, bottom}}}, FillRule::nonzero}}}};
+  // The outline of the area is in pixels here.
+  Frame pixels = frame;
+  pixels.to_pixels = {};
+  frame.hidden = std::make_shared<HiddenPixels>(seen, pixels);
+
+  const auto target = std::make_shared<const FitTarget>(original, frame);
+  const glm::dvec2 hidden(border.x0 + rim / 2, (top + bottom) / 2);
+  EXPECT_FALSE(target->color_at(hidden));
+  EXPECT_FALSE(target->outline_near(hidden));
+  EXPECT_FALSE(target->outline_near({left + 1, hidden.y}));
+
+  // The border goes outwards, where nobody sees it, and the colours with it.
+  Mesh mesh = original;
+  Journal journal(mesh);
+  journal.begin();
+  for (const Unknown& unknown : unknowns_of(mesh, {Face{3}})) {
+    Value by;
+    by.position = {-8, 0};
+    change(journal, unknown, by);
+  }
+  const Mesh moved = mesh;
+  FitTrial trial(mesh, EditError(original, mesh, frame, MetricKind::flip), target);
+  const double before = trial.error();
+  trial.improve({Face{3}}, 8);
+  EXPECT_LT(trial.error(), 0.25 * before);
 }
 
 TEST(FitTrial, prices_and_refused_merges_leave_everything_as_it_was) {

@@ -79,8 +79,8 @@ def test_regions_are_those_of_the_analysis(fruit):
 def test_fits_lower_the_prices_of_regions(fruit, tmp_path):
     assert all(r["fitted"] is None for r in fruit.data["before"]["regions"])  # gqe does not fit
     after, told, page = (tmp_path / name for name in ("best.svg", "best.json", "best.html"))
-    made("simplify", FRUIT, "-o", after, *COARSE, "--method", "best", "--report", told, "--whole-mesh")
-    made("report", FRUIT, after, "-o", page, "--run", told, "--whole-mesh")
+    made("simplify", FRUIT, "-o", after, *COARSE, "--method", "best", "--report", told)
+    made("report", FRUIT, after, "-o", page, "--run", told)
     regions = page_data(page)["before"]["regions"]
     assert all(r["fitted"] <= r["error"] for r in regions)
     shares = sorted(r["fitted"] / r["error"] for r in regions if r["error"] > 0)
