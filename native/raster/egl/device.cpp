@@ -1,5 +1,6 @@
 #include "raster/egl/device.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -53,7 +54,15 @@ std::vector<Place> places() {
   return found;
 }
 
+/// Whether the library with the functions of OpenGL, or OpenGL ES, is installed. EGL may offer a
+/// context without it; libepoxy then ends the program at the first call.
+bool has_library(bool es) {
+  const auto opens = [](const char* name) { return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr; };
+  return es ? opens("libGLESv2.so.2") : opens("libOpenGL.so.0") || opens("libGL.so.1");
+}
+
 EGLContext make_context(EGLDisplay display, bool es) {
+  if (!has_library(es)) return EGL_NO_CONTEXT;
   if (!eglBindAPI(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) return EGL_NO_CONTEXT;
   const bool is_robust =
       has_extension(eglQueryString(display, EGL_EXTENSIONS), "EGL_EXT_create_context_robustness");
