@@ -55,6 +55,11 @@ void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model)
       ->check(CLI::IsMember({"bilinear", "bicubic"}));
 }
 
+void add_whole_mesh_option(CLI::App& command, bool& visible_only) {
+  command.add_flag("!--whole-mesh", visible_only,
+                   "SVG: what outlines, clip paths and masks hide of the mesh counts too");
+}
+
 void add_threads_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "0: all cores")
       ->check(CLI::NonNegativeNumber)

@@ -16,6 +16,8 @@ void add_resolution_option(CLI::App& command, int& resolution);
 void add_epsilon_option(CLI::App& command, double& epsilon);
 void add_kappa_option(CLI::App& command, double& kappa);
 void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model);
+/// `--whole-mesh` makes `visible_only` false.
+void add_whole_mesh_option(CLI::App& command, bool& visible_only);
 void add_threads_option(CLI::App& command, int& threads);
 /// --renderer.
 void add_renderer_option(CLI::App& command, std::string& renderer);

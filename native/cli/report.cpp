@@ -123,8 +123,7 @@ void add_report(CLI::App& program) {
   add_analysis_options(command, a->analyses);
   add_threads_option(command, a->options.threads);
   add_renderer_option(command, a->renderer);
-  command.add_flag("!--whole-mesh", a->options.visible_only,
-                   "SVG: what is hidden of the mesh counts too");
+  add_whole_mesh_option(command, a->options.visible_only);
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a, &command] { run_report(*a, command); });
 }

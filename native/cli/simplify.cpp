@@ -137,8 +137,7 @@ void add_simplify(CLI::App& program) {
       ->excludes(patches);
   add_original_option(command, a->original);
   add_resolution_option(command, a->options.resolution);
-  command.add_flag("!--whole-mesh", a->options.visible_only,
-                   "What outlines, clip paths and masks hide of the mesh counts too");
+  add_whole_mesh_option(command, a->options.visible_only);
   command.add_flag("--visible-only", a->visible_only, "What is done anyway; for older scripts");
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)
