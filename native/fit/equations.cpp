@@ -16,6 +16,9 @@ namespace {
 constexpr double anchor = 0.5 / 255;
 /// What an outline that is off by a pixel counts.
 constexpr double outline_weight = 0.2;
+/// The same of an outline that nobody sees. It is held loosely, so that a person who opens the
+/// mesh tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
+constexpr double hidden_outline_weight = 0.05;
 /// Differences above this are more likely of another surface, beyond an edge: they count less.
 constexpr double outlier = 0.08;
 
@@ -102,9 +105,10 @@ Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& tar
     const double size =
         s.by_u.row(i).head<2>().squaredNorm() + s.by_v.row(i).head<2>().squaredNorm();
     if (s.area(i) * double(n) < flat * size) continue;
-    if (const auto wanted = target.color_at({s.at(i, 0), s.at(i, 1)}))
+    const glm::dvec2 place(s.at(i, 0), s.at(i, 1));
+    if (const auto wanted = target.color_at(place))
       compare(s, i, *wanted);
-    else
+    else if (!target.is_hidden(place))
       pull_back(s, i, target);
   }
   return s;
@@ -235,7 +239,8 @@ void add_outline(const Patch& patch, const InfluencedFace& face, const Columns& 
     if (!outline) continue;
     const glm::dvec2 normal = outline->normal;
     const double off = glm::dot(line.at(t) - outline->place, normal);
-    const double weight = outline_weight * outline_weight * glm::length(line.derivative(t)) / steps;
+    const double by_pixel = target.is_hidden(line.at(t)) ? hidden_outline_weight : outline_weight;
+    const double weight = by_pixel * by_pixel * glm::length(line.derivative(t)) / steps;
     const SideRow row = side_row(face, columns, local, side, t);
     for (const auto& [a, share_a] : row)
       for (int d = 0; d < 2; ++d) {

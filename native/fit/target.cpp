@@ -75,7 +75,6 @@ bool FitTarget::is_hidden(glm::dvec2 place) const {
 }
 
 std::optional<FitTarget::OutlinePoint> FitTarget::outline_near(glm::dvec2 place) const {
-  if (is_hidden(place)) return {};
   const int column = int(std::floor(place.x / reach)), row = int(std::floor(place.y / reach));
   std::optional<OutlinePoint> nearest;
   double least = reach * reach;
@@ -106,7 +105,7 @@ void FitTarget::add_outline(const Cubic<Value>& curve) {
     const glm::dvec2 along = line.derivative(double(i) / steps);
     const double speed = glm::length(along);
     std::vector<OutlinePoint>* cell = cell_at(place);
-    if (cell && speed > 0 && !is_hidden(place)) cell->push_back({place, glm::dvec2(-along.y, along.x) / speed});
+    if (cell && speed > 0) cell->push_back({place, glm::dvec2(-along.y, along.x) / speed});
   }
 }
 

@@ -31,13 +31,13 @@ class FitTarget {
   struct OutlinePoint {
     glm::dvec2 place, normal;
   };
-  /// The closest point of an outline that is seen; none where there is none within a few pixels,
-  /// and none for a place that is hidden.
+  /// The closest point of an outline; none where there is none within a few pixels.
   std::optional<OutlinePoint> outline_near(glm::dvec2 place) const;
 
- private:
-  /// Whether nobody sees the pixel of this place, so that nothing is asked of what lies there.
+  /// Whether nobody sees the pixel of this place.
   bool is_hidden(glm::dvec2 place) const;
+
+ private:
   void add_outline(const Cubic<Value>& curve);
   std::vector<OutlinePoint>* cell_at(glm::dvec2 place);
 

@@ -120,8 +120,7 @@ TEST(Fit, is_not_held_by_what_is_hidden) {
   const auto target = std::make_shared<const FitTarget>(original, frame);
   const glm::dvec2 hidden(border.x0 + rim / 2, (top + bottom) / 2);
   EXPECT_FALSE(target->color_at(hidden));
-  EXPECT_FALSE(target->outline_near(hidden));
-  EXPECT_FALSE(target->outline_near({left + 1, hidden.y}));
+  EXPECT_TRUE(target->is_hidden(hidden));
 
   // The border goes outwards, where nobody sees it, and the colours with it.
   Mesh mesh = original;
