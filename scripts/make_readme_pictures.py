@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the README's pictures into docs/images/, all from the real thing.
+"""Writes the pictures of the README and the manual into docs/images/, all from the real thing.
 
     make_readme_pictures.py       (after scripts/setup)
 
