@@ -1,4 +1,4 @@
-"""The folders of native/ include themselves and lower ranks only (README, "Architecture")."""
+"""The folders of native/ include themselves and lower ranks only (docs/architecture.md)."""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The extension uses of inkex what every Inkscape from 1.0 to 1.4 has (README, "Which Inkscape")."""
+"""The extension uses of inkex what every Inkscape from 1.0 to 1.4 has (docs/manual.md)."""
 
 import ast
 import importlib
