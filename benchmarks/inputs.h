@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "document/document.h"
+#include "app/document.h"
 
 namespace gradmesh::bench {
 

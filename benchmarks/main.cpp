@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "cases.h"
-#include "io/image_file.h"
+#include "files/image_file.h"
 
 namespace gradmesh::bench {
 namespace {

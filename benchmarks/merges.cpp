@@ -1,9 +1,9 @@
 #include <set>
 
 #include "cases.h"
-#include "error/merge_trial.h"
 #include "mesh/region.h"
-#include "ops/merge_region.h"
+#include "ops/merge/merge_region.h"
+#include "trial/merge_trial.h"
 
 namespace gradmesh::bench {
 namespace {

@@ -1,6 +1,6 @@
+#include "raster/painting.h"
 #include "bilinear.h"
 #include "cases.h"
-#include "raster/painting.h"
 
 namespace gradmesh::bench {
 namespace {

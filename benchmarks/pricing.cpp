@@ -1,8 +1,8 @@
 /// What the renderers differ in: pricing, of a mesh of 1,600 patches at 1000 pixels.
 #include "block_mesh.h"
 #include "cases.h"
-#include "error/batch_prices.h"
 #include "mesh/region.h"
+#include "pricing/batch_prices.h"
 
 namespace gradmesh::bench {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <cstring>
 
+#include "app/convert.h"
+#include "app/devices.h"
+#include "app/document.h"
+#include "app/draw_document.h"
+#include "app/edits.h"
+#include "app/info.h"
 #include "base/error.h"
-#include "document/convert.h"
-#include "document/document.h"
-#include "document/draw_document.h"
-#include "document/edits.h"
-#include "document/info.h"
-#include "document/renderer.h"
 #include "mesh/mesh.h"
 
 namespace py = pybind11;

@@ -1,10 +1,10 @@
 #include <cstdio>
 
+#include "app/devices.h"
+#include "app/document.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
-#include "document/document.h"
-#include "document/renderer.h"
 
 namespace gradmesh {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <iostream>
 
+#include "app/devices.h"
 #include "base/limits.h"
-#include "document/renderer.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "document/document.h"
+#include "app/document.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {

@@ -1,10 +1,10 @@
 #include <cstdio>
 
+#include "app/common_frames.h"
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "document/common_frames.h"
-#include "io/image_file.h"
+#include "files/image_file.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {

@@ -1,4 +1,4 @@
-#include "document/convert.h"
+#include "app/convert.h"
 
 #include <cstdio>
 

@@ -1,9 +1,9 @@
 #include <cstdio>
 
+#include "app/devices.h"
+#include "app/document.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "document/document.h"
-#include "document/renderer.h"
 
 namespace gradmesh {
 namespace {
@@ -33,8 +33,9 @@ void print_choice(const DevicesArguments& a, const std::vector<DeviceInfo>& devi
     return;
   }
   if (a.in.empty()) {
-    std::printf("\nauto takes %s where that is faster; gradmesh devices IN tells for which meshes.\n",
-                device->info().name.c_str());
+    std::printf(
+        "\nauto takes %s where that is faster; gradmesh devices IN tells for which meshes.\n",
+        device->info().name.c_str());
     return;
   }
   std::printf("\n");

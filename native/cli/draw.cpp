@@ -1,9 +1,9 @@
+#include "app/draw_document.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
-#include "document/draw_document.h"
-#include "io/atomic_file.h"
+#include "files/atomic_file.h"
 
 namespace gradmesh {
 namespace {

@@ -2,8 +2,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/info.h"
 #include "cli/commands.h"
-#include "document/info.h"
 
 namespace gradmesh {
 namespace {

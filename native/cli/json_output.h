@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "document/document.h"
+#include "app/document.h"
 
 namespace gradmesh {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "document/document.h"
+#include "app/document.h"
 
 namespace gradmesh {
 

@@ -1,9 +1,9 @@
+#include "app/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/one_mesh.h"
-#include "document/renderer.h"
-#include "io/image_file.h"
-#include "raster/egl/egl_rasterizer.h"
+#include "device/egl_rasterizer.h"
+#include "files/image_file.h"
 
 namespace gradmesh {
 namespace {

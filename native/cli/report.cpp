@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "app/common_frames.h"
+#include "app/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
-#include "document/common_frames.h"
-#include "document/renderer.h"
-#include "io/atomic_file.h"
+#include "files/atomic_file.h"
 #include "raster/hidden.h"
 
 namespace gradmesh {

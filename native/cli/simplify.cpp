@@ -1,13 +1,13 @@
 #include <cstdio>
 
+#include "app/convert.h"
+#include "app/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/json_output.h"
 #include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
-#include "document/convert.h"
-#include "document/renderer.h"
-#include "io/atomic_file.h"
+#include "files/atomic_file.h"
 
 namespace gradmesh {
 namespace {

@@ -1,7 +1,7 @@
 #include <cstdio>
 
+#include "app/document.h"
 #include "cli/commands.h"
-#include "document/document.h"
 
 namespace gradmesh {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "draw/drawing.h"
 #include "draw/subject.h"
-#include "select/edges.h"
-#include "select/motorcycle.h"
-#include "select/regions.h"
+#include "methods/edges.h"
+#include "methods/motorcycle.h"
+#include "methods/regions.h"
 
 namespace gradmesh {
 

@@ -39,8 +39,7 @@ Shape region_border(const Subject& subject, const RegionPrice& region, double wi
       path.move(curve.p0.position);
       path.curve(curve);
     }
-  return {path.text(), {.stroke = region_color, .stroke_width = width},
-          describe(subject, region)};
+  return {path.text(), {.stroke = region_color, .stroke_width = width}, describe(subject, region)};
 }
 
 void list(Legend& legend, const Subject& subject, const std::vector<RegionPrice>& regions,
@@ -76,11 +75,9 @@ Drawing draw_regions(const Subject& subject, Face patch, const std::vector<Regio
   const double width = (one ? 3 : 0.8) * subject.line_width();
   Layer layer{subject.say(Message("Regions")), {}, {}};
   for (int i = 0; i < int(regions.size()); ++i)
-    if (!one || i == shown)
-      layer.shapes.push_back(region_area(subject, regions[i], opacity));
+    if (!one || i == shown) layer.shapes.push_back(region_area(subject, regions[i], opacity));
   for (int i = 0; i < int(regions.size()); ++i)
-    if (!one || i == shown)
-      layer.shapes.push_back(region_border(subject, regions[i], width));
+    if (!one || i == shown) layer.shapes.push_back(region_border(subject, regions[i], width));
   const Style chosen{.fill = patch_color,
                      .fill_opacity = 0.85,
                      .stroke = patch_color,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/svg_number.h"
+#include "formats/text/number.h"
 
 namespace gradmesh {
 namespace {

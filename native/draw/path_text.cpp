@@ -1,6 +1,6 @@
 #include "draw/path_text.h"
 
-#include "io/svg_number.h"
+#include "formats/text/number.h"
 
 namespace gradmesh {
 

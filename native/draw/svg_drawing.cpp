@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "io/base64.h"
-#include "io/image_file.h"
-#include "io/svg_number.h"
+#include "files/base64.h"
+#include "files/image_file.h"
+#include "formats/text/number.h"
 
 namespace gradmesh {
 namespace {

@@ -57,7 +57,8 @@ std::vector<Halfedge> region_tops(const Mesh& mesh, const Region& region) {
 std::array<Region, 4> region_views(const Mesh& mesh, const Region& region,
                                    const std::vector<Halfedge>& tops) {
   const int rows = region.rows, columns = region.columns;
-  const Halfedge top_right = tops[columns - 1], bottom_left = tops[tops.size() - std::size_t(columns)];
+  const Halfedge top_right = tops[columns - 1],
+                 bottom_left = tops[tops.size() - std::size_t(columns)];
   return {region, region_at(mesh, mesh.next(top_right), columns, rows),
           region_at(mesh, mesh.next(mesh.next(tops.back())), rows, columns),
           region_at(mesh, mesh.prev(bottom_left), columns, rows)};

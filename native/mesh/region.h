@@ -9,12 +9,12 @@
 namespace gradmesh {
 
 /// A tensor product region (paper 6.3): an area bounded by four curves, which can be merged into
-/// one patch. It starts at the patch `face`, whose side `top` (counted as in Mesh::sides) is its top
-/// there. From there it is `columns` - 1 steps wide to the right, and then `rows` - 1 steps high
-/// downwards. Where it has nothing but whole edges and regular points inside, a step is one column
-/// or row of patches. In general a step takes in the smallest area that lies across all of the
-/// curve, whatever T-junctions are inside (ops/merge_region.h). A region stays what it is while
-/// patches around it are merged.
+/// one patch. It starts at the patch `face`, whose side `top` (counted as in Mesh::sides) is its
+/// top there. From there it is `columns` - 1 steps wide to the right, and then `rows` - 1 steps
+/// high downwards. Where it has nothing but whole edges and regular points inside, a step is one
+/// column or row of patches. In general a step takes in the smallest area that lies across all of
+/// the curve, whatever T-junctions are inside (ops/merge/merge_region.h). A region stays what it is
+/// while patches around it are merged.
 struct Region {
   Face face;
   int top = 0;

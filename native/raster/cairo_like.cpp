@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "geom/written.h"
-#include "mesh/smooth_colors.h"
+#include "form/smooth_colors.h"
+#include "form/written_patch.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {

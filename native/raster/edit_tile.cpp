@@ -14,8 +14,7 @@ void copy(const Bicubic<float>& from, float* to) {
 TilePatch tile_patch(Face face, const Refinement& refinement, const PatchColor& color) {
   TilePatch patch = {};
   for (int axis = 0; axis < 2; ++axis) copy(refinement.position[axis], patch.position[axis]);
-  for (int channel = 0; channel < 4; ++channel)
-    copy(color.channels[channel], patch.color[channel]);
+  for (int channel = 0; channel < 4; ++channel) copy(color.channels[channel], patch.color[channel]);
   copy(refinement.most, patch.most);
   std::ranges::copy(refinement.start_u, patch.start_u);
   std::ranges::copy(refinement.start_v, patch.start_v);
@@ -25,7 +24,8 @@ TilePatch tile_patch(Face face, const Refinement& refinement, const PatchColor& 
   patch.x = refinement.x;
   patch.y = refinement.y;
   patch.number = std::uint32_t(face.value) + 1;
-  patch.flags = (color.bilinear ? TilePatch::bilinear : 0) | (color.opaque ? TilePatch::opaque : 0) |
+  patch.flags = (color.bilinear ? TilePatch::bilinear : 0) |
+                (color.opaque ? TilePatch::opaque : 0) |
                 (color.masked_opacity ? TilePatch::masked_opacity : 0);
   return patch;
 }
@@ -34,8 +34,8 @@ void add_span(Window row, int x0, int x1, int parameters, EditTile& tile) {
   const int from = std::max(x0, row.x0), to = std::min(x1, row.x1);
   if (from >= to) return;
   const int first = (from - x0) / most_length, end = (to - 1 - x0) / most_length + 1;
-  tile.spans.push_back({int(tile.patches.size()) - 1, row.y0, x0, x1, first, tile.segments,
-                        parameters});
+  tile.spans.push_back(
+      {int(tile.patches.size()) - 1, row.y0, x0, x1, first, tile.segments, parameters});
   tile.segments += end - first;
 }
 

@@ -38,8 +38,8 @@ struct FramePadding {
 /// The frame of the paper's section 5: the longer side of the mesh's bounding box, padded, gets
 /// `resolution` pixels; the other side is cut to a whole number. `view` turns mesh units into what
 /// the person sees, up to scale, which is where the box is taken.
-/// Throws InputError where the mesh has no size, or one beyond reason, and where the frame is beyond
-/// the limits on resolution or memory.
+/// Throws InputError where the mesh has no size, or one beyond reason, and where the frame is
+/// beyond the limits on resolution or memory.
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding = {});
 
 /// About how many bytes it takes to measure errors in the frame on so many threads, as found by

@@ -83,8 +83,8 @@ std::vector<HiddenPixels::Run> unmarked(std::span<const char> seen) {
 HiddenPixels::HiddenPixels(const VisibleArea& area, const Frame& frame) {
   Raster<char, 1> seen(frame.width, frame.height, true);
   for (const std::vector<FilledOutline>& set : area.sets) hide_beyond(set, frame.to_pixels, seen);
-  for (int y = 0; y < frame.height; ++y) rows_.push_back(
-    unmarked({seen.at(0, y), std::size_t(frame.width)}));
+  for (int y = 0; y < frame.height; ++y)
+    rows_.push_back(unmarked({seen.at(0, y), std::size_t(frame.width)}));
 }
 
 bool HiddenPixels::contains(int x, int y) const {

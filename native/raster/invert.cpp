@@ -59,7 +59,8 @@ void find_start(D d, const Refinement& refinement, V x, V y, V& u, V& v) {
   V least = hn::Set(d, 1e30F);
   for (int i = 0; i <= start_cells; ++i)
     for (int j = 0; j <= start_cells; ++j) {
-      const V u_here = hn::Set(d, float(i) / start_cells), v_here = hn::Set(d, float(j) / start_cells);
+      const V u_here = hn::Set(d, float(i) / start_cells),
+              v_here = hn::Set(d, float(j) / start_cells);
       const Position<V> at = position(d, refinement, u_here, v_here);
       const V dx = hn::Sub(x, at.x.value), dy = hn::Sub(y, at.y.value);
       const V distance = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));

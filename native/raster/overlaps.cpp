@@ -24,7 +24,8 @@ std::vector<Overlap> find_overlaps(const Mesh& mesh, const Frame& frame) {
   Painting alone(frame.window());
   Raster<std::uint32_t, 1> top(frame.window());
   for (const Face face : mesh.faces()) {
-    const Window seen = pixel_bounds(painted_patch(mesh, frame, face), frame).clipped(frame.window());
+    const Window seen =
+        pixel_bounds(painted_patch(mesh, frame, face), frame).clipped(frame.window());
     painter.paint_alone(mesh, frame, face, seen, alone);
     for_each_run(alone.top, seen, [&](Window run, TopFace) {
       for (int x = run.x0; x < run.x1; ++x) {

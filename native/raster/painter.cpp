@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "geom/written.h"
-#include "mesh/smooth_colors.h"
+#include "form/smooth_colors.h"
+#include "form/written_patch.h"
 #include "raster/hidden.h"
 
 namespace gradmesh {
@@ -38,8 +38,7 @@ struct ReadyFace {
 
 Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
   Patch patch = mesh.patch(face);
-  if (mesh.color_model() == ColorModel::bilinear)
-    patch = as_written(patch, frame.coons_tolerance);
+  if (mesh.color_model() == ColorModel::bilinear) patch = as_written(patch, frame.coons_tolerance);
   return patch;
 }
 

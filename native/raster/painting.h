@@ -56,8 +56,7 @@ void for_each_run(const Raster<std::uint32_t, 1>& top, Window window, const F& f
     for (int end = 0, begin = 0; begin < window.width(); begin = end) {
       for (end = begin + 1; end < window.width() && row[end] == row[begin];) ++end;
       const TopFace here(row[begin]);
-      if (here.face().valid())
-        f(Window{window.x0 + begin, y, window.x0 + end, y + 1}, here);
+      if (here.face().valid()) f(Window{window.x0 + begin, y, window.x0 + end, y + 1}, here);
     }
   }
 }

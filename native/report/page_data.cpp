@@ -5,9 +5,9 @@
 #include <ranges>
 
 #include "draw/heat_scale.h"
-#include "io/base64.h"
-#include "io/image_file.h"
-#include "io/mesh_json.h"
+#include "files/base64.h"
+#include "files/image_file.h"
+#include "formats/json/elements.h"
 #include "metric/local_mean.h"
 #include "raster/rasterizer.h"
 

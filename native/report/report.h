@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "methods/edges.h"
+#include "methods/regions.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
-#include "select/edges.h"
-#include "select/regions.h"
 
 namespace gradmesh {
 

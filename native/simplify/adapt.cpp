@@ -9,15 +9,15 @@
 #include <queue>
 
 #include "base/limits.h"
-#include "error/color_trial.h"
-#include "error/fit_trial.h"
 #include "fit/corner_colors.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "mesh/dependence.h"
 #include "mesh/subdivide.h"
 #include "ops/refresh.h"
-#include "ops/split.h"
+#include "ops/split/split.h"
+#include "trial/color_trial.h"
+#include "trial/fit_trial.h"
 
 namespace gradmesh {
 namespace {

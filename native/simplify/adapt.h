@@ -27,7 +27,7 @@ struct AdaptedMesh {
 /// The mesh in the colour model `bilinear`, its patches split where that is needed until the error
 /// is at most epsilon. New patches end in T-junctions; the 8-bit colours of corners are chosen to
 /// come close (fit/corner_colors.h), and where that is not enough twists and tangents are fitted to
-/// the picture (error/fit_trial.h). Where no number of patches up to the limit (base/limits.h)
+/// the picture (trial/fit_trial.h). Where no number of patches up to the limit (base/limits.h)
 /// keeps to epsilon, that with the least error that was found.
 AdaptedMesh adapted(const Mesh& mesh, const AdaptOptions& options);
 

@@ -7,17 +7,17 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/parallel.h"
-#include "error/merge_trial.h"
 #include "mesh/grid.h"
-#include "ops/merge.h"
+#include "methods/best.h"
+#include "methods/gqe.h"
+#include "methods/grid.h"
+#include "methods/lines.h"
+#include "methods/motorcycle.h"
+#include "methods/random.h"
+#include "ops/merge/merge.h"
 #include "raster/painting.h"
-#include "select/best.h"
-#include "select/gqe.h"
-#include "select/grid.h"
-#include "select/lines.h"
-#include "select/motorcycle.h"
-#include "select/random.h"
 #include "simplify/target.h"
+#include "trial/merge_trial.h"
 
 namespace gradmesh {
 namespace {
@@ -76,7 +76,8 @@ void check_painted(const Mesh& mesh, Frame frame, const SimplifyOptions& options
 }
 
 /// The prices that this run may use and add to.
-Analysis& analysis_for(const AnalysisKey& key, const SimplifyOptions& options, Analysis& own) {
+PriceTable& analysis_for(const PriceTableKey& key, const SimplifyOptions& options,
+                         PriceTable& own) {
   if (!options.analysis) return own = {key, {}};
   if (options.analysis->prices.empty()) options.analysis->key = key;
   if (options.analysis->key != key)
@@ -106,7 +107,7 @@ void merge_named_edges(const SimplifyOptions& options, MergeTrial& trial) {
   }
 }
 
-void select(const SimplifyOptions& options, MergeTrial& trial, Analysis& analysis,
+void select(const SimplifyOptions& options, MergeTrial& trial, PriceTable& analysis,
             StopWatch& watch) {
   const auto by_seed = [&](auto order) {
     return [order, seed = options.seed](const Mesh& mesh) { return order(mesh, seed); };
@@ -153,8 +154,8 @@ void undo_last(MergeTrial& trial, Method method) {
   while (method == Method::lines && trial.depth() > 0 && !find_grid(trial.mesh()));
 }
 
-/// What is written is rounded. Takes the last merges back, ever more at a time, until the mesh as it
-/// will be written keeps to epsilon.
+/// What is written is rounded. Takes the last merges back, ever more at a time, until the mesh as
+/// it will be written keeps to epsilon.
 void take_back(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
     for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, options.method);
@@ -247,7 +248,7 @@ class Run {
   void merge_what_fits(SimplifyResult& result) {
     for (bool goes_on = true; goes_on;) {
       const std::size_t depth = trial_.depth();
-      Analysis afresh{analysis_.key, {}};
+      PriceTable afresh{analysis_.key, {}};
       select(options_, trial_, depth == 0 ? analysis_ : afresh, watch_);
       if (trial_.depth() == 0 || keeps_as_written(mesh_, result)) break;
       trial_.lower_epsilon(options_.epsilon - (result.error - trial_.error()));
@@ -292,8 +293,8 @@ class Run {
   const Frame frame_;
   const ThreadLimit limit_;
   MergeTrial trial_;
-  Analysis own_analysis_;
-  Analysis& analysis_;
+  PriceTable own_analysis_;
+  PriceTable& analysis_;
 };
 
 }  // namespace
@@ -331,7 +332,7 @@ std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& option
   return Run(copy, options).fits(regions);
 }
 
-AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options) {
+PriceTableKey analysis_key(const Mesh& mesh, const SimplifyOptions& options) {
   check(options);
   const Mesh& original = options.original ? *options.original : mesh;
   return analysis_key(original, mesh, measured_frame(original, options), options.metric);

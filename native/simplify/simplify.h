@@ -10,12 +10,12 @@
 #include "base/affine.h"
 #include "base/progress.h"
 #include "mesh/mesh.h"
+#include "methods/edges.h"
+#include "methods/regions.h"
 #include "metric/metric.h"
+#include "pricing/price_table.h"
 #include "raster/frame.h"
 #include "raster/hidden.h"
-#include "select/analysis.h"
-#include "select/edges.h"
-#include "select/regions.h"
 
 namespace gradmesh {
 
@@ -27,8 +27,8 @@ enum class Method {
   motorcycle,
   gqe,
   gqe1,
-  best,    ///< gqe, fitted to the picture and merged on (select/best.h)
-  lines,   ///< whole rows and columns, of a mesh that is one rectangle (select/lines.h)
+  best,    ///< gqe, fitted to the picture and merged on (methods/best.h)
+  lines,   ///< whole rows and columns, of a mesh that is one rectangle (methods/lines.h)
   manual,  ///< the edges that the caller names (B.2)
 };
 
@@ -84,8 +84,8 @@ struct SimplifyOptions {
   bool visible_only = true;
   /// What is seen of the mesh: the rest does not count, as if it were not painted. All by default.
   std::optional<VisibleArea> visible;
-  /// Whether a translucent mesh of the model `bilinear` may be written with its opacities in a mask,
-  /// which is then charged to every edit.
+  /// Whether a translucent mesh of the model `bilinear` may be written with its opacities in a
+  /// mask, which is then charged to every edit.
   bool masks_opacity = true;
   /// The mesh as a reader will find it, whose error is the one that counts. Empty: it is written
   /// as it is.
@@ -94,7 +94,7 @@ struct SimplifyOptions {
   std::shared_ptr<const Mesh> original;
   /// Prices known from earlier runs; what is priced anew is added. Its key must be that of the
   /// mesh and these options, or it must be empty. May be null.
-  Analysis* analysis = nullptr;
+  PriceTable* analysis = nullptr;
   ProgressCallback progress;
 };
 
@@ -136,13 +136,13 @@ SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
 std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options);
 std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options);
 
-/// What those regions cost once each is fitted to the picture (select/best.h), in their order.
+/// What those regions cost once each is fitted to the picture (methods/best.h), in their order.
 /// Throws as simplify does.
 std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& options,
                                  const std::vector<RegionPrice>& regions);
 
 /// The key of the analysis that belongs to this mesh and these options. Throws as simplify does.
-AnalysisKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);
+PriceTableKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);
 
 /// Throws std::invalid_argument where a resolution is not 16 to the limit on it, in pixels.
 void check_resolution(int resolution);

@@ -79,7 +79,7 @@ class TargetSearch {
   const int patches_;
   const double budget_;
   StopWatch watch_{0, {}};
-  Analysis analysis_;
+  PriceTable analysis_;
   bool over_ = false, found_ = false;
   SimplifyResult best_;
   Mesh best_mesh_;

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/analysis_file.h"
 #include "base/hash.h"
-#include "document/analysis_file.h"
 #include "meshes.h"
 #include "target.h"
 
@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 void check_file(std::string_view text) {
   static const Mesh mesh = test::grid_mesh({.rows = 3, .columns = 2});
   accepts([&] {
-    for (const Analysis& analysis : parse_analyses(text, input_name)) misfit(analysis, mesh);
+    for (const PriceTable& analysis : parse_analyses(text, input_name)) misfit(analysis, mesh);
   });
 }
 

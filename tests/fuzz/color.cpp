@@ -1,4 +1,4 @@
-#include "io/svg_color.h"
+#include "formats/svg/values/color.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {

@@ -1,8 +1,8 @@
 #include <optional>
 #include <string>
 
-#include "io/hemesh_reader.h"
-#include "io/hemesh_writer.h"
+#include "formats/hemesh/read_hemesh.h"
+#include "formats/hemesh/write_hemesh.h"
 #include "mesh/build.h"
 #include "target.h"
 

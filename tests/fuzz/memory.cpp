@@ -1,9 +1,9 @@
 #include <optional>
 #include <string>
 
-#include "io/base64.h"
-#include "io/svg_memory.h"
-#include "io/zip.h"
+#include "files/base64.h"
+#include "files/zip.h"
+#include "formats/svg/write/memory.h"
 #include "mesh/build.h"
 #include "target.h"
 

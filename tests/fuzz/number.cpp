@@ -1,13 +1,13 @@
 #include <cmath>
 #include <string>
 
-#include "io/svg_document.h"
-#include "io/svg_length.h"
-#include "io/svg_number.h"
-#include "io/svg_scanner.h"
-#include "io/svg_transform.h"
-#include "io/xml_edit.h"
-#include "io/xml_node.h"
+#include "formats/svg/read/document.h"
+#include "formats/svg/values/length.h"
+#include "formats/svg/values/transform.h"
+#include "formats/svg/xml/edit.h"
+#include "formats/svg/xml/node.h"
+#include "formats/text/number.h"
+#include "formats/text/scanner.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {

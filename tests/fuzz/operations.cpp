@@ -4,15 +4,15 @@
 #include <random>
 
 #include "branch_meshes.h"
-#include "io/blocks.h"
-#include "io/svg_memory.h"
+#include "form/blocks.h"
+#include "formats/svg/write/memory.h"
 #include "mesh/region.h"
 #include "mesh/subdivide.h"
-#include "ops/merge.h"
-#include "ops/merge_faces.h"
-#include "ops/merge_region.h"
-#include "ops/split.h"
-#include "ops/split_line.h"
+#include "ops/merge/merge.h"
+#include "ops/merge/merge_faces.h"
+#include "ops/merge/merge_region.h"
+#include "ops/split/split.h"
+#include "ops/split/split_line.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {

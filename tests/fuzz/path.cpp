@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/svg_path.h"
+#include "formats/svg/values/path.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/atomic_file.h"
+#include "files/atomic_file.h"
 #include "target.h"
 
 /// In place of libFuzzer: `fuzz_TARGET FOLDER` calls the target with each file of the folder.

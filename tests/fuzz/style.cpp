@@ -1,11 +1,11 @@
 #include <string>
 
-#include "io/svg_document.h"
-#include "io/svg_objects.h"
-#include "io/svg_scanner.h"
-#include "io/svg_style.h"
-#include "io/xml_edit.h"
-#include "io/xml_node.h"
+#include "formats/svg/read/document.h"
+#include "formats/svg/read/objects.h"
+#include "formats/svg/values/style.h"
+#include "formats/svg/xml/edit.h"
+#include "formats/svg/xml/node.h"
+#include "formats/text/scanner.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {

@@ -1,11 +1,11 @@
 #include <string>
 
-#include "io/svg_document.h"
-#include "io/svg_group.h"
-#include "io/xml_edit.h"
-#include "io/xml_node.h"
+#include "form/reconcile.h"
+#include "formats/svg/read/document.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/xml/edit.h"
+#include "formats/svg/xml/node.h"
 #include "mesh/build.h"
-#include "mesh/reconcile.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {

@@ -1,10 +1,10 @@
 #include <optional>
 #include <string>
 
-#include "document/info.h"
-#include "document/svg_meshes.h"
-#include "io/svg_mesh.h"
-#include "io/svg_visible.h"
+#include "app/info.h"
+#include "app/svg_meshes.h"
+#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/read/visible.h"
 #include "mesh/build.h"
 #include "target.h"
 

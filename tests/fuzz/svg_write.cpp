@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "io/svg_group.h"
-#include "io/svg_memory.h"
-#include "io/svg_mesh.h"
-#include "io/svg_mesh_writer.h"
-#include "io/svg_restore.h"
-#include "io/svg_write.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/read/restore_shape.h"
+#include "formats/svg/write/memory.h"
+#include "formats/svg/write/write_group.h"
+#include "formats/svg/write/write_mesh.h"
 #include "mesh/build.h"
 #include "mesh/grid.h"
-#include "ops/merge.h"
+#include "ops/merge/merge.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {

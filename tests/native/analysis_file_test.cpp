@@ -1,4 +1,4 @@
-#include "document/analysis_file.h"
+#include "app/analysis_file.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <random>
 #include <sstream>
 
+#include "app/document.h"
 #include "base/error.h"
 #include "base/hash.h"
-#include "document/document.h"
-#include "io/atomic_file.h"
+#include "files/atomic_file.h"
 #include "meshes.h"
 #include "random_meshes.h"
 #include "simplify/simplify.h"
@@ -47,21 +47,21 @@ Mesh mixed_mesh() {
   return test::changed_mesh(test::grid_parts(grid, random), 3, 10, 2);
 }
 
-Analysis analysis_of(const Mesh& mesh, SimplifyOptions options) {
-  Analysis analysis;
+PriceTable analysis_of(const Mesh& mesh, SimplifyOptions options) {
+  PriceTable analysis;
   options.analysis = &analysis;
   analyze_regions(mesh, options);
   return analysis;
 }
 
-void write(const std::filesystem::path& path, const std::vector<Analysis>& analyses) {
+void write(const std::filesystem::path& path, const std::vector<PriceTable>& analyses) {
   AnalysisFiles files({{}, path});
-  for (const Analysis& a : analyses) files.start(a.key, Mesh()) = a;
+  for (const PriceTable& a : analyses) files.start(a.key, Mesh()) = a;
   files.save();
 }
 
 /// The prices in the file for this mesh.
-std::map<Region, Price> loaded(const std::filesystem::path& path, const AnalysisKey& key,
+std::map<Region, Price> loaded(const std::filesystem::path& path, const PriceTableKey& key,
                                const Mesh& mesh) {
   return AnalysisFiles({path, {}}).start(key, mesh).prices;
 }
@@ -81,8 +81,8 @@ std::string refusal(const Work& work) {
 TEST(AnalysisFile, gives_back_what_was_written) {
   const Mesh first = mixed_mesh(), second = grid_mesh();
   const SimplifyOptions options = small_options();
-  Analysis a = analysis_of(first, options);
-  const Analysis b = analysis_of(second, options);
+  PriceTable a = analysis_of(first, options);
+  const PriceTable b = analysis_of(second, options);
   a.prices.begin()->second = {INFINITY};
   std::next(a.prices.begin())->second.exact = false;
   const auto path = scratch("prices.json");
@@ -96,7 +96,7 @@ TEST(AnalysisFile, gives_back_what_was_written) {
 TEST(AnalysisFile, what_was_loaded_is_saved_with_what_was_added) {
   const Mesh first = mixed_mesh(), second = grid_mesh();
   SimplifyOptions options = small_options();
-  const Analysis a = analysis_of(first, options), b = analysis_of(second, options);
+  const PriceTable a = analysis_of(first, options), b = analysis_of(second, options);
   const auto path = scratch("prices.json"), more = scratch("more.json");
   write(path, {a, {b.key, {*b.prices.begin()}}});
   AnalysisFiles files({path, more});
@@ -119,11 +119,11 @@ TEST(AnalysisFile, loaded_prices_serve_every_epsilon_below_and_every_omega_and_k
         options.epsilon = epsilon;
         options.omega = omega;
         Mesh fresh = mesh, known = mesh;
-        Analysis priced;
+        PriceTable priced;
         options.analysis = &priced;
         const SimplifyResult without = simplify(fresh, options);
         AnalysisFiles files({path, {}});
-        Analysis& analysis = files.start(analysis_key(mesh, options), mesh);
+        PriceTable& analysis = files.start(analysis_key(mesh, options), mesh);
         const std::size_t prices = analysis.prices.size();
         options.analysis = &analysis;
         const SimplifyResult with = simplify(known, options);
@@ -157,7 +157,8 @@ TEST(AnalysisFile, says_what_differs) {
   EXPECT_EQ(refused(mesh, other), start + "was made at 80 x 80 pixels, not 90 x 90 pixels.");
   other = options;
   other.view = Affine::scaling({-1, 1});
-  EXPECT_EQ(refused(mesh, other), start + "was made before the mesh was moved, transformed or clipped.");
+  EXPECT_EQ(refused(mesh, other),
+            start + "was made before the mesh was moved, transformed or clipped.");
   std::mt19937 random(1);
   MeshParts parts = test::grid_parts({}, random);
   parts.color_model = ColorModel::bicubic;
@@ -204,7 +205,7 @@ TEST(AnalysisFile, refuses_other_and_empty_files) {
 TEST(AnalysisFile, no_damage_passes) {
   const Mesh mesh = grid_mesh();
   const SimplifyOptions options = small_options();
-  const Analysis analysis = analysis_of(mesh, options);
+  const PriceTable analysis = analysis_of(mesh, options);
   const auto path = scratch("prices.json");
   write(path, {analysis});
   const std::string whole = read_bytes(path);
@@ -262,13 +263,13 @@ TEST(AnalysisFile, refuses_brackets_without_end) {
 TEST(AnalysisFile, refuses_regions_that_are_not_in_the_mesh) {
   const Mesh mesh = grid_mesh();
   const SimplifyOptions options = small_options();
-  const AnalysisKey key = analysis_key(mesh, options);
+  const PriceTableKey key = analysis_key(mesh, options);
   const auto path = scratch("prices.json");
   for (const Region& region :
        {Region{Face{-1}, 0, 1, 2}, Region{Face{9}, 0, 1, 2}, Region{Face{0}, 4, 1, 2},
         Region{Face{0}, -1, 1, 2}, Region{Face{0}, 0, 0, 2}, Region{Face{0}, 0, 1, 1 << 30},
         Region{Face{0}, 0, 4, 1}, Region{Face{4}, 2, 2, 2}}) {
-    write(path, {Analysis{key, {{region, {0.5}}}}});
+    write(path, {PriceTable{key, {{region, {0.5}}}}});
     EXPECT_EQ(refusal([&] { loaded(path, key, mesh); }),
               path.string() + ": this analysis has a region that is not in the mesh, at patch " +
                   std::to_string(region.face.value) + ".");

@@ -10,9 +10,9 @@
 #include "draw/backdrop.h"
 #include "draw/heat_scale.h"
 #include "draw/svg_drawing.h"
-#include "io/svg_path.h"
+#include "formats/svg/values/path.h"
 #include "meshes.h"
-#include "ops/split.h"
+#include "ops/split/split.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {

@@ -3,18 +3,18 @@
 #include <filesystem>
 #include <map>
 
+#include "app/devices.h"
+#include "app/document.h"
 #include "branch_meshes.h"
-#include "document/document.h"
-#include "document/renderer.h"
-#include "error/edit_error.h"
+#include "device/device_errors.h"
+#include "device/egl_rasterizer.h"
 #include "mesh/grid.h"
 #include "meshes.h"
-#include "ops/merge.h"
+#include "ops/merge/merge.h"
 #include "random_meshes.h"
-#include "raster/egl/edit_errors.h"
-#include "raster/egl/egl_rasterizer.h"
 #include "raster/hidden.h"
 #include "same_mesh.h"
+#include "trial/edit_error.h"
 
 /// The device against the software path: pictures, errors of edits, and what is merged in the end.
 /// On whatever EGL offers: on Mesa's llvmpipe where there is no hardware.
@@ -147,7 +147,7 @@ TEST_P(SampleOnDevice, is_merged_the_same) {
       std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" / (GetParam() + ".svg");
   for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim}) {
     // What was priced for one method is not priced again for the next.
-    std::map<int, Analysis> prices, prices_on_device;
+    std::map<int, PriceTable> prices, prices_on_device;
     AnalysisFiles none({});
     for (const Method method : all_methods) {
       if (method == Method::manual) continue;
@@ -225,7 +225,7 @@ TEST_F(OnDevice, a_frame_beyond_its_memory_is_refused) {
   Frame frame;
   frame.width = 8192;
   frame.height = 4097;
-  EXPECT_THROW(EditErrors(device_, MetricKind::flip, Image(frame.width, frame.height), frame),
+  EXPECT_THROW(DeviceErrors(device_, MetricKind::flip, Image(frame.width, frame.height), frame),
                DeviceError);
 }
 

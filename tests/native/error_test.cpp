@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "error/edit_error.h"
 #include "random_meshes.h"
+#include "trial/edit_error.h"
 
 namespace gradmesh {
 namespace {

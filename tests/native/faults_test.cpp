@@ -9,9 +9,9 @@
 #include <new>
 #include <random>
 
+#include "app/document.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "document/document.h"
 #include "mesh/validate.h"
 #include "meshes.h"
 

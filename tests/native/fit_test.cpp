@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "error/fit_trial.h"
 #include "random_meshes.h"
 #include "raster/folds.h"
 #include "raster/hidden.h"
 #include "same_mesh.h"
+#include "trial/fit_trial.h"
 
 /// Fits: the mesh is linear in what they may change, and they come closer to the picture.
 namespace gradmesh {

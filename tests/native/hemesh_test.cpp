@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "io/hemesh_file.h"
-#include "io/hemesh_reader.h"
-#include "io/hemesh_writer.h"
+#include "formats/hemesh/hemesh_file.h"
+#include "formats/hemesh/read_hemesh.h"
+#include "formats/hemesh/write_hemesh.h"
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "random_meshes.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "error/edit_error.h"
 #include "metric/metric.h"
 #include "random_meshes.h"
 #include "raster/hidden.h"
+#include "trial/edit_error.h"
 
 namespace gradmesh {
 namespace {
@@ -101,8 +101,8 @@ TEST(HiddenPixels, what_is_hidden_costs_nothing) {
   Mesh mesh = test::grid_mesh({.rows = 2, .columns = 4, .color_noise = 0.5}, 1);
   Frame frame = fit_frame(mesh, {}, 200);
   // The left half.
-  frame.hidden = std::make_shared<HiddenPixels>(
-      inside({{{0, 0}, {200, 0}, {200, 200}, {0, 200}}}), frame);
+  frame.hidden =
+      std::make_shared<HiddenPixels>(inside({{{0, 0}, {200, 0}, {200, 200}, {0, 200}}}), frame);
   EditError error(mesh, mesh, frame, MetricKind::flip);
   Journal journal(mesh);
   merge(journal, test::between(mesh, Face{3}, Face{7}));

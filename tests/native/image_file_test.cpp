@@ -1,4 +1,4 @@
-#include "io/image_file.h"
+#include "files/image_file.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
-#include "io/base64.h"
+#include "files/atomic_file.h"
+#include "files/base64.h"
 
 namespace gradmesh {
 namespace {

@@ -8,7 +8,7 @@
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "meshes.h"
-#include "ops/split.h"
+#include "ops/split/split.h"
 #include "raster/rasterizer.h"
 #include "simplify/simplify.h"
 

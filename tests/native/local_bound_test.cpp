@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <ostream>
 
+#include "app/document.h"
 #include "base/error.h"
-#include "document/document.h"
-#include "error/edit_error.h"
 #include "mesh/color_model.h"
 #include "mesh/grid.h"
 #include "metric/local_mean.h"
 #include "random_meshes.h"
 #include "raster/painting.h"
+#include "trial/edit_error.h"
 
 namespace gradmesh {
 namespace {
@@ -212,7 +212,7 @@ TEST(LocalBound, prices_know_nothing_of_it) {
       test::grid_mesh({.rows = 5, .columns = 5, .position_noise = 0.03, .color_noise = 0.03}, 5);
   SimplifyOptions options;
   options.resolution = 150;
-  Analysis free, bound;
+  PriceTable free, bound;
   options.analysis = &free;
   analyze_regions(mesh, options);
   options.max_local_error = 0.01;

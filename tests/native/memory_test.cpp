@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "geom/written.h"
-#include "io/base64.h"
-#include "io/svg_document.h"
-#include "io/svg_group.h"
-#include "io/svg_memory.h"
-#include "io/svg_write.h"
-#include "io/xml_node.h"
-#include "io/zip.h"
+#include "files/base64.h"
+#include "files/zip.h"
+#include "form/written_patch.h"
+#include "formats/svg/read/document.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/write/memory.h"
+#include "formats/svg/write/write_group.h"
+#include "formats/svg/xml/node.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "random_meshes.h"

@@ -1,4 +1,4 @@
-#include "ops/merge_region.h"
+#include "ops/merge/merge_region.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "mesh/validate.h"
-#include "ops/region_finder.h"
+#include "ops/merge/region_finder.h"
 #include "random_meshes.h"
 
 /// Regions merged one after another, against each merged from scratch.

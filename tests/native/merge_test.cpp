@@ -9,9 +9,9 @@
 #include "mesh/dependence.h"
 #include "mesh/validate.h"
 #include "meshes.h"
-#include "ops/merge.h"
-#include "ops/merge_end.h"
-#include "ops/split.h"
+#include "ops/merge/merge.h"
+#include "ops/merge/merge_end.h"
+#include "ops/split/split.h"
 
 namespace gradmesh {
 namespace {

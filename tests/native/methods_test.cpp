@@ -8,14 +8,14 @@
 #include <ostream>
 #include <set>
 
+#include "app/document.h"
 #include "base/error.h"
 #include "branch_meshes.h"
-#include "document/document.h"
-#include "io/hemesh_reader.h"
+#include "formats/hemesh/read_hemesh.h"
 #include "mesh/grid.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
-#include "ops/merge.h"
+#include "ops/merge/merge.h"
 #include "random_meshes.h"
 #include "simplify/simplify.h"
 
@@ -102,9 +102,7 @@ std::vector<int> some_edges(const Mesh& original) {
 
 /// Whether what a method leaves is all that it can do: best goes on with what it has fitted, and
 /// manual merges what is named.
-bool leaves_nothing(Method method) {
-  return method != Method::best && method != Method::manual;
-}
+bool leaves_nothing(Method method) { return method != Method::best && method != Method::manual; }
 
 /// The patches that are left where a method runs once more on what it has made of the original.
 int patches_of_second_run(const Mesh& original, Mesh mesh, SimplifyOptions options) {
@@ -118,7 +116,7 @@ int patches_of_second_run(const Mesh& original, Mesh mesh, SimplifyOptions optio
 void run_all(const Mesh& original, bool price_again) {
   const std::set<Point> branches = branch_points(original);
   for (const double epsilon : {0.005, 0.03}) {
-    Analysis analysis;
+    PriceTable analysis;
     SimplifyResult of_gqe;
     for (const Method method : all_methods) {
       SCOPED_TRACE(std::string(name(method)) + ", epsilon " + std::to_string(epsilon));

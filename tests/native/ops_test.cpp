@@ -6,9 +6,9 @@
 #include "mesh/dependence.h"
 #include "mesh/validate.h"
 #include "meshes.h"
-#include "ops/merge.h"
+#include "ops/merge/merge.h"
 #include "ops/refresh.h"
-#include "ops/split.h"
+#include "ops/split/split.h"
 #include "random_meshes.h"
 
 namespace gradmesh {

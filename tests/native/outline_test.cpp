@@ -4,11 +4,11 @@
 #include <set>
 #include <sstream>
 
+#include "app/document.h"
 #include "branch_meshes.h"
-#include "document/document.h"
-#include "io/block_outline.h"
-#include "io/mesh_outline.h"
-#include "io/svg_new.h"
+#include "form/block_outline.h"
+#include "formats/svg/write/mesh_outline.h"
+#include "formats/svg/write/write_new.h"
 #include "mesh/boundary.h"
 #include "mesh/subdivide.h"
 #include "random_meshes.h"

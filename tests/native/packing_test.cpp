@@ -1,4 +1,4 @@
-#include "select/packing.h"
+#include "methods/packing.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 
 #include "base/parallel.h"
 #include "base/progress.h"
-#include "io/hemesh_reader.h"
+#include "formats/hemesh/read_hemesh.h"
 #include "mesh/build.h"
-#include "select/regions.h"
+#include "methods/regions.h"
 
 namespace gradmesh {
 namespace {
@@ -166,7 +166,7 @@ TEST(Packing, is_the_same_on_every_thread) {
 Items priced_items(Mesh mesh, MetricKind metric, double epsilon) {
   const Mesh original = mesh;
   MergeTrial trial(mesh, EditError(original, mesh, fit_frame(mesh, {}, 150), metric), epsilon);
-  Analysis analysis;
+  PriceTable analysis;
   StopWatch watch{0, {}};
   Items items;
   for (const RegionPrice& r : price_regions(trial, analysis, epsilon, watch)) {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "meshes.h"
-#include "ops/merge.h"
-#include "ops/split.h"
+#include "ops/merge/merge.h"
+#include "ops/split/split.h"
 
 namespace gradmesh::test {
 
@@ -45,7 +45,8 @@ inline Mesh without_own_tangents(Mesh mesh) {
 /// One patch, locally refined by exact splits until it has so many: T-junctions, nested ones among
 /// them, that can all go again.
 inline Mesh locally_refined(ColorModel model, unsigned seed, int patches) {
-  Mesh mesh = grid_mesh({.rows = 1, .columns = 1, .position_noise = 0.2, .color_model = model}, seed);
+  Mesh mesh =
+      grid_mesh({.rows = 1, .columns = 1, .position_noise = 0.2, .color_model = model}, seed);
   std::mt19937 random(seed);
   Journal journal(mesh);
   while (mesh.face_count() < patches) {

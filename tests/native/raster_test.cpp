@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geom/written.h"
+#include "form/written_patch.h"
 #include "random_meshes.h"
 #include "raster/fill.h"
 #include "raster/painter.h"

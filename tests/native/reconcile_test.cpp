@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "geom/written.h"
-#include "mesh/reconcile.h"
+#include "form/reconcile.h"
+#include "form/written_patch.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "random_meshes.h"

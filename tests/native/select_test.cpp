@@ -8,14 +8,14 @@
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "meshes.h"
-#include "ops/merge_region.h"
-#include "ops/split.h"
+#include "methods/gqe.h"
+#include "methods/grid.h"
+#include "methods/motorcycle.h"
+#include "methods/random.h"
+#include "methods/regions.h"
+#include "ops/merge/merge_region.h"
+#include "ops/split/split.h"
 #include "random_meshes.h"
-#include "select/gqe.h"
-#include "select/grid.h"
-#include "select/motorcycle.h"
-#include "select/random.h"
-#include "select/regions.h"
 
 namespace gradmesh {
 namespace {
@@ -36,7 +36,7 @@ struct Bench {
 
   Mesh mesh;
   MergeTrial trial;
-  Analysis analysis;
+  PriceTable analysis;
   StopWatch watch{0, {}};
 };
 
@@ -202,7 +202,8 @@ TEST(Regions, hold_junctions_where_they_hold_all_that_meets_there) {
   split(journal, mesh.sides(Face{1})[1], 0.5);  // across the middle patch
   Bench b(mesh);
   std::multiset<int> sizes;
-  for (const RegionPrice& r : price_regions(b.trial, b.analysis, 1, b.watch)) sizes.insert(r.size());
+  for (const RegionPrice& r : price_regions(b.trial, b.analysis, 1, b.watch))
+    sizes.insert(r.size());
   // The two halves, both with the patch on either side, and all.
   EXPECT_EQ(sizes, (std::multiset{2, 3, 3, 4}));
 }

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <ostream>
 
-#include "io/hemesh_reader.h"
-#include "io/hemesh_writer.h"
+#include "formats/hemesh/read_hemesh.h"
+#include "formats/hemesh/write_hemesh.h"
 #include "mesh/validate.h"
 #include "random_meshes.h"
 #include "same_mesh.h"

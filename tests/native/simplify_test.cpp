@@ -2,7 +2,7 @@
 
 #include "mesh/validate.h"
 #include "meshes.h"
-#include "ops/split.h"
+#include "ops/split/split.h"
 #include "raster/rasterizer.h"
 #include "simplify/simplify.h"
 

@@ -1,4 +1,4 @@
-#include "mesh/smooth_colors.h"
+#include "form/smooth_colors.h"
 
 #include <gtest/gtest.h>
 

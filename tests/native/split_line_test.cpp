@@ -1,4 +1,4 @@
-// Lines through a whole mesh, and meshes with T-junctions as plain grids (ops/split_line.h).
+// Lines through a whole mesh, and meshes with T-junctions as plain grids (ops/split/split_line.h).
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -8,9 +8,9 @@
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "meshes.h"
-#include "ops/merge_faces.h"
-#include "ops/split.h"
-#include "ops/split_line.h"
+#include "ops/merge/merge_faces.h"
+#include "ops/split/split.h"
+#include "ops/split/split_line.h"
 #include "random_meshes.h"
 
 namespace gradmesh {

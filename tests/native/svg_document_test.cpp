@@ -1,4 +1,4 @@
-#include "io/svg_document.h"
+#include "formats/svg/read/document.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,9 +8,9 @@
 #include <functional>
 
 #include "base/error.h"
-#include "io/atomic_file.h"
-#include "io/svg_mesh.h"
-#include "io/svg_objects.h"
+#include "files/atomic_file.h"
+#include "formats/svg/read/objects.h"
+#include "formats/svg/read/read_mesh.h"
 
 namespace gradmesh {
 namespace {

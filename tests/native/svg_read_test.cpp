@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "base/error.h"
-#include "io/svg_document.h"
-#include "io/svg_mesh.h"
-#include "io/svg_objects.h"
+#include "formats/svg/read/document.h"
+#include "formats/svg/read/objects.h"
+#include "formats/svg/read/read_mesh.h"
 
 namespace gradmesh {
 namespace {

@@ -5,13 +5,13 @@
 #include <numbers>
 #include <vector>
 
-#include "io/svg_color.h"
-#include "io/svg_document.h"
-#include "io/svg_path.h"
-#include "io/svg_scanner.h"
-#include "io/svg_shape.h"
-#include "io/svg_style.h"
-#include "io/svg_transform.h"
+#include "formats/svg/read/document.h"
+#include "formats/svg/values/color.h"
+#include "formats/svg/values/path.h"
+#include "formats/svg/values/shape.h"
+#include "formats/svg/values/style.h"
+#include "formats/svg/values/transform.h"
+#include "formats/text/scanner.h"
 
 namespace gradmesh {
 namespace {

@@ -4,14 +4,14 @@
 #include <map>
 #include <set>
 
+#include "app/document.h"
 #include "base/error.h"
-#include "document/document.h"
-#include "geom/written.h"
-#include "io/block_outline.h"
-#include "io/svg_group.h"
-#include "io/svg_mesh.h"
-#include "io/svg_write.h"
-#include "io/xml_node.h"
+#include "form/block_outline.h"
+#include "form/written_patch.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/write/write_group.h"
+#include "formats/svg/xml/node.h"
 #include "mesh/build.h"
 #include "mesh/validate.h"
 #include "random_meshes.h"

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "branch_meshes.h"
 #include "mesh/validate.h"
-#include "ops/merge.h"
-#include "ops/merge_end.h"
+#include "ops/merge/merge.h"
+#include "ops/merge/merge_end.h"
 
 /// Each case of the paper's 4.3 and 4.4 on a small mesh of its own.
 namespace gradmesh {

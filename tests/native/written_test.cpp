@@ -5,14 +5,14 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/document.h"
 #include "base/error.h"
-#include "document/document.h"
-#include "error/edit_error.h"
-#include "geom/written.h"
-#include "io/blocks.h"
+#include "form/blocks.h"
+#include "form/written_patch.h"
 #include "mesh/build.h"
 #include "random_meshes.h"
 #include "raster/overlaps.h"
+#include "trial/edit_error.h"
 
 namespace gradmesh {
 namespace {
@@ -115,20 +115,19 @@ INSTANTIATE_TEST_SUITE_P(, Documents,
 /// A mesh with T-junctions as a document may hold it; translucent, or lying over itself.
 Mesh random_mesh(unsigned seed, bool translucent, bool wild) {
   std::mt19937 random(seed);
-  const Mesh changed = test::changed_mesh(test::grid_parts({.rows = 4,
-                                                            .columns = 4,
-                                                            .position_noise = wild ? 0.5 : 0.1,
-                                                            .color_noise = 0.3},
-                                                           random),
-                                          seed, 10);
+  const Mesh changed = test::changed_mesh(
+      test::grid_parts(
+          {.rows = 4, .columns = 4, .position_noise = wild ? 0.5 : 0.1, .color_noise = 0.3},
+          random),
+      seed, 10);
   MeshParts parts = block_parts(changed, block_form(changed, 0));
   if (translucent)
     for (Patch& patch : parts.patches)
       for (const int i : {0, 3})
         for (const int j : {0, 3}) {
           Value& corner = patch.c[i][j];
-          corner.color.a =
-              0.6 + 0.4 * std::sin(corner.position.x / 70 + seed) * std::cos(corner.position.y / 60);
+          corner.color.a = 0.6 + 0.4 * std::sin(corner.position.x / 70 + seed) *
+                                     std::cos(corner.position.y / 60);
         }
   for (Patch& patch : parts.patches) make_color_bilinear(patch);
   return build_mesh(parts);

@@ -9,35 +9,45 @@ NATIVE = Path(__file__).resolve().parents[2] / "native"
 
 RANK = {
     "base": 0,
+    "files": 1,
     "geom": 1,
     "metric": 1,
     "mesh": 2,
+    "form": 3,
     "ops": 3,
-    "io": 3,
-    "raster": 3,
-    "fit": 4,
-    "error": 5,
-    "select": 6,
-    "draw": 7,
-    "simplify": 7,
-    "document": 8,
-    "report": 8,
-    "bindings": 9,
-    "cli": 9,
+    "formats": 4,
+    "raster": 4,
+    "device": 5,
+    "fit": 5,
+    "trial": 6,
+    "pricing": 7,
+    "methods": 8,
+    "draw": 9,
+    "simplify": 9,
+    "app": 10,
+    "report": 10,
+    "bindings": 11,
+    "cli": 11,
+}
+
+#: Folders inside of others; those that are not named come before all of these.
+INNER = {
+    "formats": {"text": 0, "json": 1, "hemesh": 1, "svg/xml": 1, "svg/values": 2, "svg/read": 3, "svg/write": 4},
+    "ops": {"merge": 1, "split": 2},
 }
 
 #: Libraries that only some folders may know.
 OWNERS = {
-    r"libxml/": {"io"},
-    r"zlib\.h": {"io"},
-    r"OpenImageIO/": {"io"},
-    r"(EGL|GL|GLES\d?|epoxy)/": {"raster"},
+    r"libxml/": {"formats"},
+    r"zlib\.h": {"files"},
+    r"OpenImageIO/": {"files"},
+    r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
-    r"nlohmann/": {"io", "document", "report", "cli"},
+    r"nlohmann/": {"formats", "app", "report", "cli"},
     r"tbb/": {"base"},
     r"Eigen/": {"fit"},
-    r"glpk\.h": {"select"},
+    r"glpk\.h": {"methods"},
 }
 
 SOURCES = sorted(p for p in NATIVE.rglob("*") if p.suffix in {".h", ".cpp"})
@@ -47,8 +57,18 @@ def includes(path):
     return re.findall(r'^\s*#\s*include\s*["<]([^">]+)[">]', path.read_text(), re.MULTILINE)
 
 
+def inner_rank(path):
+    """Of a path below native/: the rank among the folders inside its own; -1 for files in that itself."""
+    inside = Path(path).parent.parts
+    return INNER[inside[0]]["/".join(inside[1:])] if inside[0] in INNER and len(inside) > 1 else -1
+
+
 def test_every_folder_has_a_rank():
     assert {p.name for p in NATIVE.iterdir() if p.is_dir()} == set(RANK)
+    for folder, ranks in INNER.items():
+        assert {p.parent.relative_to(NATIVE / folder).as_posix() for p in SOURCES if p.is_relative_to(NATIVE / folder)} - {
+            "."
+        } == set(ranks)
     assert len(SOURCES) > 50
 
 
@@ -59,6 +79,8 @@ def test_includes_go_downwards(path):
         target = include.split("/")[0]
         if target in RANK and (NATIVE / include).exists():
             assert target == folder or RANK[target] < RANK[folder], f"{path.name} includes {include}"
+            if target == folder and Path(include).parent != path.relative_to(NATIVE).parent:
+                assert inner_rank(include) < inner_rank(path.relative_to(NATIVE)), f"{path} includes {include}"
         for pattern, owners in OWNERS.items():
             if re.match(pattern, include):
                 assert folder in owners, f"{path.name} includes {include}"

@@ -1,0 +1,323 @@
+#include "app/document.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "app/common_frames.h"
+#include "app/devices.h"
+#include "app/hemesh_document.h"
+#include "app/svg_meshes.h"
+#include "base/limits.h"
+#include "files/atomic_file.h"
+#include "files/zip.h"
+#include "form/smooth_colors.h"
+#include "formats/text/scanner.h"
+#include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/grid.h"
+#include "mesh/subdivide.h"
+
+namespace gradmesh {
+namespace {
+
+void check_edges(const SimplifyOptions& options) {
+  if (options.method == Method::manual && options.edges.empty())
+    throw std::invalid_argument("the method manual needs the edges to merge.");
+  if (options.method != Method::manual && !options.edges.empty())
+    throw std::invalid_argument("edges can be named for the method manual only.");
+}
+
+void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) {
+  const Method m = options.method;
+  if (!analyses.save.empty() && m != Method::motorcycle && m != Method::gqe && m != Method::gqe1 &&
+      m != Method::best)
+    throw std::invalid_argument(std::string("the method ") + name(m) +
+                                " needs no analysis, so there is none to save.");
+}
+
+/// Puts the mesh into the colour model that is asked for. The options returned name the mesh as it
+/// was, where that makes a difference.
+SimplifyOptions in_color_model(SimplifyOptions options, Mesh& mesh) {
+  const ColorModel model = options.color_model.value_or(mesh.color_model());
+  if (model == mesh.color_model()) return options;
+  if (!options.original) options.original = std::make_shared<const Mesh>(mesh);
+  MeshParts parts = subdivided(mesh, 1);
+  mesh = build_mesh(model == ColorModel::bilinear ? as_bilinear(std::move(parts))
+                                                  : as_bicubic(std::move(parts)));
+  return options;
+}
+
+constexpr const char* compressed_extension = ".svgz";
+
+/// Where the content is no XML either, the name says as what it is to be refused.
+bool is_hemesh(std::string_view bytes, const std::string& name) {
+  const bool xml = trimmed(bytes).starts_with('<');
+  return bytes.starts_with("HEMESH") || (!xml && kind_of(name) == DocumentKind::hemesh);
+}
+
+/// What gzip has compressed. The limit on documents is one on what it unpacks to.
+std::string unpacked(std::string_view bytes, const std::string& name) {
+  const std::uint64_t most = limits().document, needed = gunzipped_size(bytes);
+  if (needed > most)
+    throw InputError("{0} unpacks to {1} bytes, {2}.", name, needed,
+                     beyond_limit("document", most, needed));
+  auto text = gunzip(bytes);
+  if (!text) throw InputError("{0} cannot be unpacked: it is damaged.", name);
+  return std::move(*text);
+}
+
+}  // namespace
+
+std::optional<DocumentKind> kind_of(const std::filesystem::path& path) {
+  if (path.extension() == ".svg" || path.extension() == compressed_extension)
+    return DocumentKind::svg;
+  if (path.extension() == ".hemesh") return DocumentKind::hemesh;
+  return std::nullopt;
+}
+
+std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path) {
+  return parse(read_bytes(path), path.string());
+}
+
+std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::string& name) {
+  if (is_gzip(bytes)) {
+    std::unique_ptr<Document> document = parse(unpacked(bytes, name), name);
+    document->compressed_ = bytes;
+    return document;
+  }
+  if (is_hemesh(bytes, name)) return std::make_unique<HemeshDocument>(bytes, name);
+  return std::make_unique<SvgMeshes>(bytes, name);
+}
+
+Frame Document::frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const {
+  return naming(entry, [&] { return fit_frame(mesh, view(entry), resolution, padding()); });
+}
+
+Frame Document::seen_frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const {
+  Frame frame = this->frame(entry, mesh, resolution);
+  if (const auto area = visible_area(entry))
+    frame.hidden = std::make_shared<HiddenPixels>(*area, frame);
+  return frame;
+}
+
+Image Document::render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer,
+                       const Document* other) const {
+  const Mesh painted = mesh(entry);
+  return rasterizer.paint(painted, other ? framed_as(*other, *this, entry, resolution)
+                                         : frame(entry, painted, resolution));
+}
+
+Image Document::render_like_inkscape(const MeshEntry& entry, int resolution,
+                                     const Document* other) const {
+  if (color_model() == ColorModel::bicubic)
+    throw InputError(
+        "{0}: Inkscape cannot paint its bicubic colours; gradmesh convert makes an SVG document "
+        "of it.",
+        name());
+  return render(entry, resolution, *make_cairo_like_rasterizer(), other);
+}
+
+std::vector<MeshReport> Document::reports_of(const std::vector<SimplifiedMesh>& meshes,
+                                             const std::vector<MeshEntry>& refused) {
+  std::vector<MeshReport> reports;
+  for (const SimplifiedMesh& m : meshes) reports.push_back({m.entry.id, m.result});
+  for (const MeshEntry& entry : refused) reports.push_back({entry.id, {}, entry.refused});
+  return reports;
+}
+
+std::shared_ptr<const Mesh> Document::given_original(const MeshEntry& entry) const {
+  if (!originals_) return nullptr;
+  const MeshEntry match = counterpart(*this, entry, *originals_, selected({}).size() == 1);
+  const SeenMesh here{this, entry, mesh(entry)};
+  const SeenMesh there{originals_, match, originals_->mesh(match)};
+  if (here.document->kind() == there.document->kind() && here.view() == there.view())
+    return std::make_shared<const Mesh>(there.mesh);
+  // Smooth colours depend on distances in the units of their own mesh.
+  MeshParts parts = subdivided(there.mesh.is_smooth() ? painted_mesh(there.mesh) : there.mesh, 1);
+  transform(parts, onto(here, there));
+  return std::make_shared<const Mesh>(build_derived_mesh(parts));
+}
+
+Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& options,
+                                AnalysisFiles& files) const {
+  check_color_model(options);
+  Start start{mesh(entry), options};
+  std::shared_ptr<const Mesh>& original = start.options.original;
+  if (!original) original = given_original(entry);
+  if (!original) original = remembered_original(entry);
+  start.options = in_color_model(start.options, start.mesh);
+  start.options.view = view(entry);
+  start.options.padding = padding();
+  if (options.visible_only) start.options.visible = visible_area(entry);
+  Method& method = start.options.method;
+  if (start.mesh.is_smooth() && method != Method::manual) method = Method::lines;
+  start.options.masks_opacity = !stays_one_gradient(entry, method);
+  start.options.as_written = [this, entry, method](const Mesh& mesh, const Frame& frame) {
+    return as_written(entry, method, mesh, frame);
+  };
+  const PriceTableKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
+  if (options.device_if_faster && !start.mesh.is_smooth())
+    start.options.device = automatic_device(
+        start.mesh, frame(entry, start.mesh, options.resolution), options.metric, options.threads);
+  start.options.analysis = &files.start(key, start.mesh);
+  return start;
+}
+
+void Document::check_color_model(const SimplifyOptions& options) const {
+  if (kind() == DocumentKind::svg && options.color_model == ColorModel::bicubic)
+    throw InputError(
+        "{0}: an SVG document cannot hold bicubic colours; gradmesh convert makes a .hemesh file "
+        "of it, which can.",
+        name_);
+}
+
+void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& options) const {
+  if (options.patches || options.ratio) return;
+  if (m.result.patches_after < m.result.patches_before || m.result.error <= options.epsilon) return;
+  // What earlier runs have done to the original that is remembered or given, with a larger epsilon.
+  if ((m.entry.simplified || originals_) && !options.original) return;
+  char error[32];
+  std::snprintf(error, sizeof error, "%.5f", m.result.error);
+  throw InputError(
+      "{0}: before anything is merged, its error in the color model {1} is {2}, above epsilon.",
+      describe(m.entry), gradmesh::name(m.mesh.color_model()), error);
+}
+
+SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const {
+  const SimplifyOptions& options = start.options;
+  SimplifyResult result = gradmesh::simplify(mesh, options);
+  const bool none = result.patches_after == result.patches_before;
+  const bool has_target = options.patches || options.ratio;
+  if (options.method == Method::manual || stays_one_gradient(entry, options.method) || has_target ||
+      !stays_one_gradient(entry, Method::lines) || !find_grid(start.mesh) ||
+      result.stopped == Stopped::cancelled || result.stopped == Stopped::budget ||
+      (!none && !needs_mask(mesh, result.frame)))
+    return result;
+
+  SimplifyOptions by_lines = options;
+  by_lines.method = Method::lines;
+  by_lines.analysis = nullptr;
+  by_lines.masks_opacity = false;
+  by_lines.as_written = [&](const Mesh& m, const Frame& f) {
+    return as_written(entry, Method::lines, m, f);
+  };
+  if (options.time_budget > 0) {
+    by_lines.time_budget = options.time_budget - result.seconds.total;
+    if (by_lines.time_budget <= 0) return result;
+  }
+  Mesh other = start.mesh;
+  SimplifyResult lines = gradmesh::simplify(other, by_lines);
+  if (lines.patches_after > result.patches_after || lines.patches_after == lines.patches_before)
+    return result;
+  lines.evaluations += result.evaluations;
+  lines.seconds.select += result.seconds.total;
+  lines.seconds.total += result.seconds.total;
+  mesh = std::move(other);
+  return lines;
+}
+
+std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
+                                                           const SimplifyOptions& options,
+                                                           const AnalysisPaths& analyses) const {
+  check_edges(options);
+  check_saved(options, analyses);
+  const std::vector<MeshEntry> entries = selected(ids);
+  if (options.method == Method::manual && entries.size() > 1)
+    throw InputError("{0}: there are {1} meshes, and edges can be named of one only.", name_,
+                     entries.size());
+
+  // All are read before the first of them takes its time.
+  AnalysisFiles files(analyses);
+  std::vector<Start> starts;
+  for (const MeshEntry& entry : entries) starts.push_back(start(entry, options, files));
+  std::vector<SimplifiedMesh> meshes;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    auto original = starts[i].options.original;
+    if (!original) original = std::make_shared<const Mesh>(starts[i].mesh);
+    SimplifiedMesh& m =
+        meshes.emplace_back(SimplifiedMesh{entries[i], starts[i].mesh, {}, std::move(original)});
+    m.result = naming(m.entry, [&] { return simplified(m.entry, starts[i], m.mesh); });
+    check_start(m, options);
+  }
+  files.save();
+  return meshes;
+}
+
+std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
+                                           const SimplifyOptions& options,
+                                           const AnalysisPaths& analyses,
+                                           const WriteOptions& writing) {
+  if (writing.keep_original && kind() == DocumentKind::hemesh)
+    throw InputError("{0}: a .hemesh file holds one mesh, so no original can be kept in it.",
+                     name_);
+  std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
+  const std::vector<MeshReport> reports = reports_of(meshes, refused(ids));
+  std::erase_if(meshes, [](const SimplifiedMesh& m) {
+    return m.result.patches_after == m.result.patches_before;
+  });
+  if (!meshes.empty()) {
+    replace(meshes, options.metric, writing);
+    changed_ = true;
+  }
+  return reports;
+}
+
+std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
+                                          SimplifyOptions options,
+                                          const AnalysisPaths& analyses) const {
+  if (options.method == Method::manual) {
+    options.epsilon = 1;
+    options.max_local_error.reset();
+  }
+  return reports_of(simplified(ids, options, analyses), refused(ids));
+}
+
+std::vector<UpdateReport> Document::update(const std::vector<std::string>& ids) {
+  std::vector<UpdateReport> reports = update_edited(selected(ids));
+  for (const UpdateReport& report : reports) changed_ = changed_ || report.changed;
+  return reports;
+}
+
+std::size_t Document::analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
+                              const AnalysisPaths& analyses) const {
+  AnalysisFiles files(analyses);
+  std::size_t prices = 0;
+  for (const MeshEntry& entry : selected(ids)) {
+    const Start start = this->start(entry, options, files);
+    naming(entry, [&] { analyze_regions(start.mesh, start.options); });
+    prices += start.options.analysis->prices.size();
+  }
+  files.save();
+  return prices;
+}
+
+void Document::check_target(const std::filesystem::path& path) const {
+  if (kind_of(path).value_or(kind()) != kind())
+    throw InputError(
+        "{0} is not of the kind of {1}: gradmesh convert makes a .hemesh file of an SVG document, "
+        "and the reverse.",
+        name_, path.string());
+}
+
+void Document::write_file(const std::filesystem::path& path) const {
+  check_target(path);
+  if (path.extension() != compressed_extension)
+    write_bytes(path, bytes());
+  else
+    write_bytes(path, changed_ || compressed_.empty() ? gzip(bytes()) : compressed_);
+}
+
+Message mesh_label(int patches) { return Message("Gradient mesh: {0} patches", patches); }
+
+Message mesh_label(int patches, int patches_before) {
+  return Message("Gradient mesh: {0} of {1} patches", patches, patches_before);
+}
+
+Message mesh_label(int patches, int patches_before, MetricKind metric, double error) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4f", error);
+  return Message("{0}, {1} {2}", mesh_label(patches, patches_before),
+                 metric == MetricKind::flip ? "FLIP" : "SSIM", digits);
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,51 @@
+#include "app/hemesh_document.h"
+
+#include "formats/hemesh/read_hemesh.h"
+#include "formats/hemesh/write_hemesh.h"
+#include "formats/text/excerpt.h"
+#include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/subdivide.h"
+
+namespace gradmesh {
+namespace {
+
+std::string text_of(const Mesh& mesh) {
+  if (mesh.color_model() == ColorModel::bicubic) return write_hemesh(mesh);
+  return write_hemesh(build_mesh(as_bicubic(subdivided(mesh, 1))));
+}
+
+}  // namespace
+
+HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
+    : Document(name, bytes) {
+  entries_ = {{0, "mesh", std::nullopt, false}};
+  const MeshParts parts = read_hemesh(bytes, name);
+  mesh_ = naming(entries_.front(), [&] { return build_mesh(parts); });
+}
+
+std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& ids) const {
+  for (const std::string& id : ids)
+    if (id != entries_.front().id)
+      throw InputError("{0}: there is no mesh with the id {1}, the only one is called \"mesh\".",
+                       name(), excerpt(id));
+  return entries_;
+}
+
+WrittenSurface HemeshDocument::as_written(const MeshEntry&, Method, const Mesh& mesh,
+                                          const Frame&) const {
+  return {build_mesh(read_hemesh(text_of(mesh), name()))};
+}
+
+void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind,
+                             const WriteOptions&) {
+  text_ = text_of(meshes.front().mesh);
+  mesh_ = build_mesh(read_hemesh(text_, name()));
+}
+
+std::vector<UpdateReport> HemeshDocument::update_edited(const std::vector<MeshEntry>&) {
+  throw InputError("{0}: only meshes that were simplified in an SVG document can be updated.",
+                   name());
+}
+
+}  // namespace gradmesh

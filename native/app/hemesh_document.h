@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/document.h"
+
+namespace gradmesh {
+
+/// A .hemesh file: one mesh, called "mesh".
+class HemeshDocument : public Document {
+ public:
+  HemeshDocument(std::string_view bytes, const std::string& name);
+
+  DocumentKind kind() const override { return DocumentKind::hemesh; }
+  std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
+  Mesh mesh(const MeshEntry&) const override { return mesh_; }
+  /// y points down in the file already.
+  Affine view(const MeshEntry&) const override { return {}; }
+  /// As the authors of the paper do.
+  FramePadding padding() const override { return {.share = 0, .length = 0.03}; }
+
+ protected:
+  Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
+  WrittenSurface as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
+                            const Frame& frame) const override;
+  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+               const WriteOptions& writing) override;
+  std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
+  std::string changed_bytes() const override { return text_; }
+
+ private:
+  /// The mesh as the text holds it, so that half-edges have the numbers that any reader gives them.
+  Mesh mesh_;
+  std::string text_;
+};
+
+}  // namespace gradmesh

@@ -1,0 +1,78 @@
+#include "app/info.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <ranges>
+
+#include "formats/json/elements.h"
+
+namespace gradmesh {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
+  ordered_json role = nullptr;
+  if (entry.role) role = *entry.role == PaintRole::fill ? "fill" : "stroke";
+  if (entry.refused)
+    return {{"id", entry.id},
+            {"role", role},
+            {"simplified", entry.simplified},
+            {"refused", entry.refused->english()}};
+  const Mesh mesh = document.mesh(entry);
+  const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
+  return {{"id", entry.id},
+          {"role", role},
+          {"simplified", entry.simplified},
+          {"color_model", name(mesh.color_model())},
+          {"smooth", mesh.is_smooth()},
+          {"patches", mesh.face_count()},
+          {"points", std::ranges::distance(mesh.points())},
+          {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)},
+          {"elements", elements_json(mesh)}};
+}
+
+/// Objects and arrays down to `depth` with a line for each member; what lies below in one line.
+void append_text(const ordered_json& value, int depth, const std::string& indent,
+                 std::string& out) {
+  if (depth == 0 || !value.is_structured() || value.empty()) {
+    out += value.dump();
+    return;
+  }
+  const std::string inner = indent + "  ";
+  out += value.is_object() ? "{" : "[";
+  bool first = true;
+  for (const auto& [key, member] : value.items()) {
+    out += (first ? "\n" : ",\n") + inner;
+    if (value.is_object()) out += ordered_json(key).dump() + ": ";
+    append_text(member, depth - 1, inner, out);
+    first = false;
+  }
+  out += "\n" + indent + (value.is_object() ? "}" : "]");
+}
+
+}  // namespace
+
+ordered_json info_json(const Document& document) {
+  ordered_json meshes = ordered_json::array(), unused = ordered_json::array();
+  for (const MeshEntry& entry : document.meshes())
+    if (!entry.kept) meshes.push_back(mesh_json(document, entry));
+  for (const UnusedMesh& mesh : document.unused())
+    unused.push_back({{"id", mesh.id}, {"patches", mesh.patches}});
+  // Says that there is none.
+  if (meshes.empty() && unused.empty()) document.selected({});
+  return {{"file", document.name()},
+          {"kind", document.kind() == DocumentKind::svg ? "svg" : "hemesh"},
+          {"meshes", meshes},
+          {"unused", unused}};
+}
+
+std::string info_text(const Document& document) {
+  // file, meshes / mesh / elements / points / point
+  constexpr int depth_of_elements = 5;
+  std::string text;
+  append_text(info_json(document), depth_of_elements, "", text);
+  return text + "\n";
+}
+
+}  // namespace gradmesh

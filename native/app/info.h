@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/document.h"
+
+namespace gradmesh {
+
+/// What is in a document:
+///   {"file", "kind": "svg" or "hemesh",
+///    "meshes": [{"id", "role": "fill", "stroke" or null, "simplified", "color_model",
+///                "patches", "points", "t_junctions", "elements"}],
+///    "unused": [{"id", "patches"}]}
+/// where a mesh that cannot be read has "refused", the reason, in the place of all from
+/// "color_model" on, and "unused" are mesh gradients that paint nothing; with counts in "points"
+/// and "t_junctions", and "elements" as of elements_json (formats/json/elements.h).
+nlohmann::ordered_json info_json(const Document& document);
+
+/// The same as text, an element a line.
+std::string info_text(const Document& document);
+
+}  // namespace gradmesh

@@ -1,0 +1,355 @@
+#include "app/svg_meshes.h"
+
+#include <algorithm>
+
+#include "form/blocks.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/read/restore_shape.h"
+#include "formats/svg/read/visible.h"
+#include "formats/svg/values/mesh_names.h"
+#include "formats/svg/write/keep_original.h"
+#include "formats/svg/write/memory.h"
+#include "formats/svg/write/write_group.h"
+#include "formats/svg/write/write_mesh.h"
+#include "formats/svg/xml/node.h"
+#include "formats/text/excerpt.h"
+#include "mesh/build.h"
+#include "mesh/grid.h"
+#include "raster/overlaps.h"
+#include "trial/edit_error.h"
+
+namespace gradmesh {
+namespace {
+
+bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
+  while (node && node != ancestor) node = parent_element(node);
+  return node != nullptr;
+}
+
+/// Whether the object is, or is inside of, the element that was named. A hidden original does not
+/// count where something around it was.
+bool is_named_by(const xmlNode* named, const MeshObject& object) {
+  return is_inside(object.node, named) && (!object.kept || is_inside(named, object.kept));
+}
+
+/// Why an element is no mesh and holds none.
+Message why_unpainted(const xmlNode* node) {
+  for (const xmlNode* outer = node; outer; outer = parent_element(outer))
+    if (svg_name(outer) == "clipPath")
+      return Message("it is in a clipPath, of which nothing is painted");
+  return Message("it is not painted by a mesh gradient");
+}
+
+/// How a mesh that was measured in the frame is written as blocks.
+BlockForm block_form(const Mesh& mesh, const Frame& frame) {
+  return block_form(mesh, frame.coons_tolerance, find_overlaps(mesh, frame));
+}
+
+/// What is hidden today may be seen another time.
+std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
+  frame.hidden = nullptr;
+  return find_overlaps(mesh, frame);
+}
+
+/// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
+/// in which it is written, is one that the readers refuse.
+Mesh readable_mesh(MeshParts parts, const Affine& to_written = {}) {
+  Mesh mesh = build_mesh(parts);
+  for (Patch& patch : parts.patches) {
+    transform(patch, to_written);
+    if (!is_within_limits(patch))
+      throw InputError("its mesh would reach beyond 5e8 user units when it is written.");
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SvgMeshes::SvgMeshes(std::string_view bytes, const std::string& name)
+    : Document(name, bytes), svg_(SvgDocument::parse(bytes, name)) {
+  list_meshes();
+}
+
+void SvgMeshes::list_meshes() {
+  objects_ = mesh_objects(svg_);
+  entries_.clear();
+  for (const MeshObject& o : objects_)
+    entries_.push_back(
+        {int(entries_.size()), o.id, o.role, o.gradient == nullptr, o.kept != nullptr});
+  for (MeshEntry& entry : entries_) entry.refused = refusal(entry);
+}
+
+std::optional<Message> SvgMeshes::refusal(const MeshEntry& entry) const {
+  try {
+    frame(entry, mesh(entry), 1);
+    return std::nullopt;
+  } catch (const InputError& error) {
+    return error.message();
+  }
+}
+
+std::vector<MeshEntry> SvgMeshes::named(const std::vector<std::string>& ids) const {
+  std::vector<bool> found(entries_.size());
+  const auto find_below = [&](const xmlNode* place, const InputError& otherwise) {
+    const MeshEntry* unread = nullptr;
+    bool reads = false;
+    for (const MeshEntry& entry : entries_) {
+      if (!is_named_by(place, object(entry))) continue;
+      found[std::size_t(entry.index)] = true;
+      reads = reads || !entry.refused;
+      if (!unread && entry.refused) unread = &entry;
+    }
+    if (!reads) throw unread ? InputError(*unread->refused) : otherwise;
+  };
+  for (const std::string& id : ids) {
+    const xmlNode* place = svg_.find(id);
+    if (!place) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
+    find_below(place, InputError("{0}: {1}: {2}.", name(), gradmesh::describe(place),
+                                 why_unpainted(place)));
+  }
+  if (ids.empty())
+    find_below(
+        svg_.root(),
+        InputError("{0}: no object in this document is painted by a mesh gradient.", name()));
+  std::vector<MeshEntry> chosen;
+  for (const MeshEntry& entry : entries_)
+    if (found[std::size_t(entry.index)]) chosen.push_back(entry);
+  return chosen;
+}
+
+std::vector<MeshEntry> SvgMeshes::selected(const std::vector<std::string>& ids) const {
+  std::vector<MeshEntry> entries = named(ids);
+  std::erase_if(entries, [](const MeshEntry& entry) { return entry.refused.has_value(); });
+  return entries;
+}
+
+std::vector<MeshEntry> SvgMeshes::refused(const std::vector<std::string>& ids) const {
+  std::vector<MeshEntry> entries = named(ids);
+  std::erase_if(entries, [](const MeshEntry& entry) { return !entry.refused; });
+  return entries;
+}
+
+std::vector<UnusedMesh> SvgMeshes::unused() const {
+  std::vector<UnusedMesh> meshes;
+  for (const xmlNode* gradient : unused_mesh_gradients(svg_, objects_)) {
+    UnusedMesh mesh{attribute(gradient, "id").value_or("")};
+    for (const xmlNode* row : mesh_rows(gradient)) mesh.patches += int(mesh_patches(row).size());
+    meshes.push_back(std::move(mesh));
+  }
+  return meshes;
+}
+
+Mesh SvgMeshes::mesh(const MeshEntry& entry) const {
+  const MeshParts parts =
+      entry.simplified ? group_mesh(entry).parts : read_mesh(svg_, object(entry));
+  return naming(entry, [&] { return build_mesh(parts); });
+}
+
+Reconciled SvgMeshes::group_mesh(const MeshEntry& group) const {
+  const xmlNode* node = object(group).node;
+  const MeshParts read = read_mesh_group(svg_, node);
+  const auto memory = attribute(node, "written", gradmesh_namespace);
+  const auto written = memory ? recall(*memory) : std::nullopt;
+  return naming(group, [&] {
+    return written && same_curves(read, *written) ? reconcile(read, *written) : reconcile(read);
+  });
+}
+
+bool SvgMeshes::remembers(const MeshEntry& group) const {
+  return attribute(object(group).node, "original", gradmesh_namespace).has_value();
+}
+
+std::string SvgMeshes::original_memory(const MeshEntry& group) const {
+  const auto memory = attribute(object(group).node, "original", gradmesh_namespace);
+  return memory && recall(*memory) && !group_mesh(group).edited ? *memory : "";
+}
+
+std::shared_ptr<const Mesh> SvgMeshes::remembered_original(const MeshEntry& entry) const {
+  if (!entry.simplified) return nullptr;
+  const auto original = recall(original_memory(entry));
+  return original ? std::make_shared<const Mesh>(build_mesh(*original)) : nullptr;
+}
+
+Affine SvgMeshes::view(const MeshEntry& entry) const {
+  const MeshObject& o = object(entry);
+  const Affine to_user = o.gradient ? mesh_to_user(svg_, o) : Affine();
+  return to_document(o) * to_user;
+}
+
+Message SvgMeshes::describe(const MeshEntry& entry) const {
+  return Message("{0}: {1}", name(), gradmesh::describe(object(entry).node));
+}
+
+std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const {
+  const MeshObject& o = object(entry);
+  std::optional<VisibleArea> area = gradmesh::visible_area(svg_, o);
+  if (area && o.gradient) {
+    const Affine to_mesh = mesh_to_user(svg_, o).inverse();
+    for (std::vector<FilledOutline>& set : area->sets)
+      for (FilledOutline& filled : set)
+        for (std::vector<glm::dvec2>& polygon : filled.outline)
+          for (glm::dvec2& p : polygon) p = to_mesh.point(p);
+  }
+  return area;
+}
+
+bool SvgMeshes::needs_mask(const Mesh& mesh, const Frame& frame) const {
+  return block_form(mesh, frame).masks_opacity;
+}
+
+WrittenSurface SvgMeshes::as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
+                                     const Frame& frame) const {
+  if (stays_one_gradient(entry, method))
+    return {readable_mesh(gradient_parts(mesh, frame.coons_tolerance),
+                          mesh_to_gradient(svg_, object(entry)))};
+  const BlockForm form = block_form(mesh, frame);
+  return {readable_mesh(block_parts(mesh, form)), form.masks_opacity};
+}
+
+void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+                        const WriteOptions& writing) {
+  if (writing.keep_original)
+    for (const SimplifiedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
+  for (const auto& [entry, mesh, result, measured] : meshes) {
+    const MeshObject& o = object(entry);
+    if (stays_one_gradient(entry, result.method)) {
+      write_mesh_gradient(svg_, o, mesh, result.frame.coons_tolerance);
+      continue;
+    }
+    const int before = entry.simplified ? patches_before(o.node) : result.patches_before;
+    std::string original;
+    if (writing.remember_original) {
+      if (entry.simplified && !has_given_originals()) original = original_memory(entry);
+      if (original.empty()) original = remember(*measured, all_overlaps(*measured, result.frame));
+    }
+    const std::string label =
+        mesh_label(result.patches_after, before, metric, result.error).in(translation());
+    const BlockForm form = block_form(mesh, result.frame);
+    write_mesh(svg_, o, {mesh, form, label, before, original});
+  }
+  list_meshes();
+}
+
+Rectangle SvgMeshes::block(const std::string& id) const {
+  const xmlNode* node = svg_.find(id);
+  if (!node) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
+  const auto faces = block_faces(svg_, node);
+  if (!faces) fail(node, Message("it is no block of a simplified mesh"));
+  Rectangle chosen{{}, faces->rows, faces->columns, {}};
+  for (const MeshEntry& entry : entries_)
+    if (object(entry).node == parent_element(node)) chosen.entry = entry;
+  for (int i = 0; i < faces->rows * faces->columns; ++i)
+    chosen.faces.push_back(Face{faces->first + i});
+  return chosen;
+}
+
+Rectangle SvgMeshes::rectangle(const std::string& id) const {
+  for (const MeshEntry& entry : entries_) {
+    if (entry.id != id) continue;
+    if (entry.simplified)
+      throw InputError("{0}: it is made of blocks; choose one of them.", describe(entry));
+    const Mesh whole = mesh(entry);
+    if (whole.is_smooth())
+      throw InputError(
+          "{0}: its colours follow those of the neighbours (type=\"bicubic\"), so that its patches "
+          "are not edited one by one.",
+          describe(entry));
+    const auto grid = find_grid(whole);
+    if (!grid) throw InputError("{0}: its mesh is not one rectangle of patches.", describe(entry));
+    Rectangle chosen{entry, grid->rows, grid->columns, {}};
+    for (const Halfedge top : grid->tops) chosen.faces.push_back(whole.face(top));
+    return chosen;
+  }
+  return block(id);
+}
+
+double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind metric,
+                          int resolution) {
+  std::shared_ptr<const Mesh> original = remembered_original(entry);
+  if (!original) original = std::make_shared<const Mesh>(mesh(entry));
+  SimplifyResult result;
+  result.patches_before = original->face_count();
+  result.patches_after = edited.face_count();
+  result.frame = seen_frame(entry, *original, resolution);
+  const EditError error(*original, edited, result.frame, metric);
+  // A rectangle that was one mesh gradient stays one.
+  if (!entry.simplified && find_grid(edited)) result.method = Method::lines;
+  const WrittenSurface written =
+      naming(entry, [&] { return as_written(entry, result.method, edited, result.frame); });
+  result.error = error.whole_frame(written.mesh, written.masks_opacity).mean;
+  WriteOptions writing;
+  writing.remember_original = !entry.simplified || remembers(entry);
+  replace({{entry, edited, result, original}}, metric, writing);
+  mark_changed();
+  return result.error;
+}
+
+void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes,
+                             int resolution) {
+  std::vector<double> tolerances;
+  for (const auto& [entry, mesh] : meshes)
+    tolerances.push_back(frame(entry, mesh, resolution).coons_tolerance);
+  // All are looked at before the first is changed.
+  for (const auto& [entry, mesh] : meshes) check_restorable(svg_, object(entry));
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    write_mesh_gradient(svg_, restore_shape(svg_, object(meshes[i].first)), meshes[i].second,
+                        tolerances[i]);
+  list_meshes();
+  mark_changed();
+}
+
+Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenSurface& written) const {
+  const xmlNode* node = object(group).node;
+  const int patches = written.mesh.face_count(), before = patches_before(node);
+  const auto memory = attribute(node, "original", gradmesh_namespace);
+  const auto parts = memory ? recall(*memory) : std::nullopt;
+  if (!parts) return mesh_label(patches, before);
+  const Mesh original = build_mesh(*parts);
+  const SimplifyOptions usual;
+  const EditError error(original, written.mesh, frame(group, original, usual.resolution),
+                        usual.metric, written.masks_opacity);
+  return mesh_label(patches, before, usual.metric, error.error());
+}
+
+std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {
+  struct Edited {
+    const MeshObject& group;
+    Mesh mesh;
+    BlockForm form;
+    std::string label;
+    int patches_before;
+    /// What the group remembers from now on.
+    std::string original;
+  };
+  // All are read before the first is written.
+  std::vector<UpdateReport> reports;
+  std::vector<Edited> edited;
+  for (const MeshEntry& entry : entries) {
+    if (!entry.simplified) continue;
+    const Reconciled group = group_mesh(entry);
+    reports.push_back({entry.id, int(group.parts.patches.size()), group.edited});
+    if (!group.edited) continue;
+    Mesh mesh = naming(entry, [&] { return build_mesh(group.parts); });
+    const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
+    // Painted in the order of before, in which the person has seen them.
+    const std::vector<Overlap> overlaps = find_overlaps(mesh, frame);
+    BlockForm form = gradmesh::block_form(mesh, frame.coons_tolerance, overlaps);
+    const WrittenSurface written = naming(entry, [&] {
+      return WrittenSurface{readable_mesh(block_parts(mesh, form)), form.masks_opacity};
+    });
+    std::string label = updated_label(entry, written).in(translation());
+    std::string original = remembers(entry) ? remember(mesh, overlaps) : "";
+    edited.push_back({object(entry), std::move(mesh), std::move(form), std::move(label),
+                      patches_before(object(entry).node), std::move(original)});
+  }
+  if (reports.empty())
+    throw InputError("{0}: only meshes that were simplified before can be updated.", name());
+
+  for (const Edited& e : edited)
+    write_mesh(svg_, e.group, {e.mesh, e.form, e.label, e.patches_before, e.original});
+  list_meshes();
+  return reports;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "app/document.h"
+#include "form/reconcile.h"
+#include "formats/svg/read/document.h"
+
+namespace gradmesh {
+
+/// Patches of a mesh, row by row as they lie in their block or mesh gradient.
+struct Rectangle {
+  MeshEntry entry;
+  int rows = 0, columns = 0;
+  std::vector<Face> faces;
+};
+
+/// An SVG document: its meshes are the objects that a mesh gradient paints, and groups of blocks.
+class SvgMeshes : public Document {
+ public:
+  SvgMeshes(std::string_view bytes, const std::string& name);
+
+  DocumentKind kind() const override { return DocumentKind::svg; }
+  std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
+  std::vector<MeshEntry> refused(const std::vector<std::string>& ids) const override;
+  std::vector<UnusedMesh> unused() const override;
+  Mesh mesh(const MeshEntry& entry) const override;
+  Affine view(const MeshEntry& entry) const override;
+  FramePadding padding() const override { return {}; }
+
+  /// The block whose path has this id. Throws InputError where it is something else.
+  Rectangle block(const std::string& id) const;
+  /// The same, or the mesh of the object with this id that is not simplified and one rectangle.
+  Rectangle rectangle(const std::string& id) const;
+  /// Writes an edited mesh in the place of what it was; the error of what is written against the
+  /// original that is remembered, or else the mesh as it was. `entry` is then one no more.
+  double rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
+
+  /// Makes of groups of blocks the objects that they stand for again, each painted by one mesh
+  /// gradient. The meshes are grids with one colour at each point. All entries are then new.
+  void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution);
+
+ protected:
+  Message describe(const MeshEntry& entry) const override;
+  std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
+  std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
+  bool stays_one_gradient(const MeshEntry& entry, Method method) const override {
+    return method == Method::lines && object(entry).gradient;
+  }
+  bool needs_mask(const Mesh& mesh, const Frame& frame) const override;
+  WrittenSurface as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
+                            const Frame& frame) const override;
+  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+               const WriteOptions& writing) override;
+  std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
+  std::string changed_bytes() const override { return svg_.serialize(); }
+
+ private:
+  const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
+  /// The mesh of a group as a person has left it, made to fit together again.
+  Reconciled group_mesh(const MeshEntry& group) const;
+  /// Whether the person wants the group to remember its original.
+  bool remembers(const MeshEntry& group) const;
+  /// What the group remembers of the mesh before it was first simplified, as the attribute's value:
+  /// empty where it remembers nothing, or nothing that counts since it was edited.
+  std::string original_memory(const MeshEntry& group) const;
+  /// Of a group that was edited, as it will be written: how far it is from what it remembers.
+  Message updated_label(const MeshEntry& group, const WrittenSurface& written) const;
+  void list_meshes();
+  /// MeshEntry::refused, found by reading the mesh and placing it.
+  std::optional<Message> refusal(const MeshEntry& entry) const;
+  /// The meshes that ids name, readable or not. Throws where one names none that can be read.
+  std::vector<MeshEntry> named(const std::vector<std::string>& ids) const;
+
+  SvgDocument svg_;
+  std::vector<MeshObject> objects_;
+};
+
+}  // namespace gradmesh

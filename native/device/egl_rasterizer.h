@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "device/device.h"
+#include "raster/rasterizer.h"
+
+namespace gradmesh {
+
+/// Paints on a device what the software rasterizer paints: the same pixels, and the same colours
+/// but for roundings. Patches that may fold have their parameters found by the processor. paint()
+/// may throw DeviceError.
+std::unique_ptr<Rasterizer> make_egl_rasterizer(std::shared_ptr<Device> device);
+
+}  // namespace gradmesh

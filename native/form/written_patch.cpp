@@ -1,0 +1,74 @@
+#include "form/written_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace gradmesh {
+namespace {
+
+double round_to_8_bits(double channel) {
+  return std::round(std::clamp(channel, 0.0, 1.0) * 255) / 255;
+}
+
+/// How far channels may be from grey, in levels: as far as it takes to reach every opacity.
+constexpr int most_red = 3, most_green = 1, most_blue = 5;
+
+double distance_from_coons(const BezierNet& net) {
+  const auto coons = coons_interior(net);
+  double most = 0;
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      most = std::max(most, glm::length(net[1 + a][1 + b].position - coons[a][b]));
+  return most;
+}
+
+}  // namespace
+
+bool needs_tensor(const Patch& patch, double tolerance) {
+  return distance_from_coons(bezier_net(patch)) > tolerance;
+}
+
+glm::dvec3 mask_color(double opacity) {
+  const double level = 255 * std::clamp(opacity, 0.0, 1.0);
+  const double grey = std::round(level);
+  glm::dvec3 best(grey);
+  double least = std::abs(level - grey);
+  int off_grey = 0;
+  for (int r = -most_red; r <= most_red; ++r)
+    for (int g = -most_green; g <= most_green; ++g)
+      for (int b = -most_blue; b <= most_blue; ++b) {
+        const glm::dvec3 color = grey + glm::dvec3(r, g, b);
+        if (color != glm::clamp(color, 0.0, 255.0)) continue;
+        // Sums that are the same but for roundings.
+        constexpr double same = 1e-9;
+        const double distance = std::abs(level - mask_opacity(color));
+        const int off = std::abs(r) + std::abs(g) + std::abs(b);
+        if (distance > least + same || (distance > least - same && off >= off_grey)) continue;
+        best = color;
+        least = distance;
+        off_grey = off;
+      }
+  return best / 255.0;
+}
+
+double mask_opacity(const glm::dvec3& color) {
+  // Of a grey, its level to the last bit.
+  return color.r + 0.7154 * (color.g - color.r) + 0.0721 * (color.b - color.r);
+}
+
+Patch as_written(const Patch& patch, double tolerance, bool masked_opacity) {
+  Patch written = patch;
+  if (!needs_tensor(patch, tolerance)) make_coons(written);
+  for (int i : {0, 3})
+    for (int j : {0, 3}) {
+      glm::dvec4& color = written.c[i][j].color;
+      color = {round_to_8_bits(color.r), round_to_8_bits(color.g), round_to_8_bits(color.b),
+               masked_opacity ? mask_opacity(mask_color(color.a)) : std::clamp(color.a, 0.0, 1.0)};
+    }
+  make_color_bilinear(written);
+  return written;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "formats/svg/values/style.h"
+
+namespace gradmesh {
+
+/// An SVG document as a tree of libxml2, with all that it holds: comments, CDATA, foreign
+/// namespaces, doctype. Nothing outside the document is ever loaded and entities stay references.
+/// Messages about it begin with its name.
+class SvgDocument {
+ public:
+  /// Throws InputError if the file cannot be read or is no SVG document.
+  static SvgDocument read_file(const std::filesystem::path& path);
+  /// Bytes in any encoding that XML declares; `name` stands for the file in messages.
+  static SvgDocument parse(std::string_view bytes, const std::string& name);
+
+  xmlNode* root() const;
+  const StyleSheet& styles() const { return styles_; }
+
+  /// The first element with this id; null if there is none.
+  xmlNode* find(std::string_view id) const;
+  /// Gives the element this id, which no other may have.
+  void set_id(xmlNode* node, const std::string& id);
+  /// Gives the element an id that no other has: `prefix` and a number, with all replaced that has
+  /// no place in `url(#id)`, such as the bracket of another object's id.
+  std::string give_id(xmlNode* node, const std::string& prefix);
+
+  /// In its own encoding; in UTF-8 if it declares none, or one that could not be read again.
+  std::string serialize() const;
+  /// Writes the whole file or leaves what was there; throws InputError.
+  void write_file(const std::filesystem::path& path) const;
+
+ private:
+  struct FreeDocument {
+    void operator()(xmlDoc* document) const { xmlFreeDoc(document); }
+  };
+
+  explicit SvgDocument(xmlDoc* document);
+
+  std::unique_ptr<xmlDoc, FreeDocument> document_;
+  StyleSheet styles_;
+  int next_id_ = 1;
+};
+
+}  // namespace gradmesh

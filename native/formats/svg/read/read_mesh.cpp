@@ -1,0 +1,381 @@
+#include "formats/svg/read/read_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/limits.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/values/color.h"
+#include "formats/svg/values/length.h"
+#include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/shape.h"
+#include "formats/svg/values/transform.h"
+#include "formats/svg/xml/node.h"
+#include "formats/text/excerpt.h"
+#include "formats/text/scanner.h"
+
+namespace gradmesh {
+namespace {
+
+/// The gradient and those that its href leads to, in this order.
+struct HrefChain {
+  std::vector<const xmlNode*> gradients;
+  /// Why the last href leads to no gradient, where there is one. Inkscape does without.
+  std::optional<Message> broken;
+};
+
+HrefChain href_chain(const SvgDocument& document, const xmlNode* gradient) {
+  HrefChain chain;
+  std::set<const xmlNode*> seen;
+  for (const xmlNode* node = gradient; node;) {
+    if (!seen.insert(node).second) {
+      chain.broken = Message("its href leads back to itself");
+      break;
+    }
+    chain.gradients.push_back(node);
+    auto href = attribute(node, "href");
+    if (!href) href = attribute(node, "href", xlink_namespace);
+    const std::string_view target = trimmed(href ? std::string_view(*href) : "");
+    if (target.empty()) break;
+    node = target.starts_with('#') ? document.find(target.substr(1)) : nullptr;
+    if (!node)
+      chain.broken = Message("its href {0} leads nowhere in this document", excerpt(target));
+    else if (!is_gradient(node))
+      chain.broken = Message("its href {0} does not lead to a gradient", excerpt(target));
+    if (chain.broken) break;
+  }
+  return chain;
+}
+
+bool uses_bounding_box(const HrefChain& chain) {
+  for (const xmlNode* node : chain.gradients)
+    if (const auto units = attribute(node, "gradientUnits")) return *units != "userSpaceOnUse";
+  return true;
+}
+
+/// What Inkscape takes for a colour; all else is as if it were not there.
+bool is_color(std::string_view value) {
+  return value == "inherit" || value == "currentColor" || parse_color(value).has_value();
+}
+
+bool is_opacity(std::string_view value) {
+  return value == "inherit" || parse_opacity(value).has_value();
+}
+
+/// A property of a stop that is a colour. Stops inherit nothing in Inkscape: what would be the
+/// value of another element is black.
+glm::dvec3 own_color(const StyleSheet& styles, const xmlNode* stop, std::string_view property) {
+  const std::string text = styles.declared(stop, property, is_color).value_or("black");
+  if (text == "currentColor" && property != "color") return own_color(styles, stop, "color");
+  return parse_color(text).value_or(glm::dvec3(0.0));
+}
+
+glm::dvec4 stop_color(const StyleSheet& styles, const xmlNode* stop) {
+  const std::string opacity = styles.declared(stop, "stop-opacity", is_opacity).value_or("1");
+  return {own_color(styles, stop, "stop-color"), parse_opacity(opacity).value_or(1.0)};
+}
+
+Message place_name(int row, int column) {
+  return Message("row {0}, patch {1}", row + 1, column + 1);
+}
+
+/// Reads the rows below one meshgradient into the net of the whole mesh, 3 rows + 1 times
+/// 3 columns + 1 points, in the order in which Inkscape does: what two patches share is what was
+/// read last.
+class GridReader {
+ public:
+  GridReader(const StyleSheet& styles, const xmlNode* holder, glm::dvec2 start)
+      : styles_(styles), holder_(holder), start_(start) {}
+
+  MeshGrid read() {
+    std::vector<std::vector<xmlNode*>> patches;
+    for (const xmlNode* row : mesh_rows(holder_)) patches.push_back(mesh_patches(row));
+    while (patches.size() > 1 && patches.back().empty()) patches.pop_back();
+    rows_ = int(patches.size());
+    columns_ = int(patches.front().size());
+    if (columns_ == 0) fail(holder_, Message("row 1 has no patches"));
+    for (int row = 1; row < rows_; ++row)
+      if (const int count = int(patches[std::size_t(row)].size()); count != columns_)
+        fail(holder_, Message("row {0} does not have as many patches as row 1: {1}, not {2}",
+                              row + 1, count, columns_));
+    nodes_.resize(std::size_t(3 * rows_ + 1) * std::size_t(3 * columns_ + 1));
+    node(0, 0).value.position = start_;
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column)
+        read_patch({row, column}, patches[std::size_t(row)][std::size_t(column)]);
+    return finish();
+  }
+
+ private:
+  struct Node {
+    Value value{glm::dvec2(0.0), glm::dvec4(0.0)};
+    /// Of the first handle of a side: whether the side is a line, with handles at its thirds.
+    bool is_line = false;
+    /// Of an interior point: whether `tensor` gives it.
+    bool is_given = false;
+  };
+
+  struct Place {
+    int row, column;
+    Message name() const { return place_name(row, column); }
+  };
+
+  Node& node(int i, int j) {
+    return nodes_[std::size_t(i) * std::size_t(3 * columns_ + 1) + std::size_t(j)];
+  }
+  /// Point (i, j), 0..3, of a patch.
+  Node& node(Place place, int i, int j) { return node(3 * place.row + i, 3 * place.column + j); }
+
+  /// Point j, 0..3, of side `side` in the side's direction (clockwise).
+  Node& side_node(Place place, int side, int j) {
+    switch (side) {
+      case 0:
+        return node(place, 0, j);
+      case 1:
+        return node(place, j, 3);
+      case 2:
+        return node(place, 3, 3 - j);
+      default:
+        return node(place, 3 - j, 0);
+    }
+  }
+  /// Where the side's Node::is_line is kept, whichever of the two patches asks.
+  bool& is_line(Place place, int side) { return side_node(place, side, side < 2 ? 1 : 2).is_line; }
+
+  void read_patch(Place place, const xmlNode* patch) {
+    const int first = place.row == 0 ? 0 : 1, last = place.column == 0 ? 3 : 2;
+    const auto stops = child_elements(patch, "stop");
+    // Without a stop the left side is a line to a corner without a colour.
+    const int most = int(stops.size()), least = last - first + 1 - (last == 3 ? 1 : 0);
+    if (most < least)
+      fail(holder_, Message("{0} does not have as many stops as it needs: {1}, not {2}",
+                            place.name(), most, last - first + 1));
+    is_line(place, last) = true;
+    for (int side = first; side <= 3 && side - first < most; ++side) {
+      const xmlNode* stop = stops[std::size_t(side - first)];
+      const std::string path = attribute(stop, "path").value_or("");
+      if (!read_side(place, side, side == last, path))
+        fail(holder_,
+             Message("{0}: the path {1} is not one c, C, l or L segment of numbers between "
+                     "-1e9 and 1e9",
+                     Message("{0}, stop {1}", place.name(), side - first + 1), excerpt(path)));
+      const bool is_known = (side == 0 && place.column > 0) || (side == 1 && place.row > 0);
+      if (!is_known) side_node(place, side, 0).value.color = stop_color(styles_, stop);
+    }
+    if (const auto tensor = attribute(patch, "tensor")) read_interior(place, *tensor);
+  }
+
+  /// One segment from the side's known start; what follows it does not count. Where the side
+  /// closes the patch its end is known too, and is ignored where it is there.
+  bool read_side(Place place, int side, bool closes, std::string path) {
+    std::ranges::replace(path, ',', ' ');
+    Scanner scanner(path);
+    const char command = scanner.peek();
+    scanner.accept(command);
+    const bool is_curve = command == 'c' || command == 'C';
+    const bool ends = closes && (command == 'z' || command == 'Z');
+    if (!is_curve && !ends && command != 'l' && command != 'L') return false;
+
+    const bool is_relative = command == 'c' || command == 'l';
+    const glm::dvec2 start = side_node(place, side, 0).value.position;
+    const glm::dvec2 base = is_relative ? start : glm::dvec2(0.0);
+    is_line(place, side) = !is_curve;
+    for (int j = is_curve ? 1 : 3; j <= (closes ? 2 : 3); ++j) {
+      const auto x = scanner.number(), y = scanner.number();
+      if (!x || !y) return false;
+      side_node(place, side, j).value.position = base + glm::dvec2(*x, *y);
+    }
+    return true;
+  }
+
+  /// `tensor` is Inkscape's own: the interior points, each relative to its corner, clockwise. Those
+  /// after the first that is no point are as if there were no tensor.
+  void read_interior(Place place, std::string tensor) {
+    std::ranges::replace(tensor, ',', ' ');
+    Scanner scanner(tensor);
+    constexpr int interior[4][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    for (int corner = 0; corner < 4; ++corner) {
+      const auto x = scanner.number(), y = scanner.number();
+      if (!x || !y) return;
+      Node& inner = node(place, interior[corner][0], interior[corner][1]);
+      inner.value.position = side_node(place, corner, 0).value.position + glm::dvec2(*x, *y);
+      inner.is_given = true;
+    }
+  }
+
+  /// The points of a patch, with those that follow from others.
+  BezierNet net(Place place) {
+    for (int side = 0; side < 4; ++side) {
+      if (!is_line(place, side)) continue;
+      const glm::dvec2 start = side_node(place, side, 0).value.position;
+      const glm::dvec2 end = side_node(place, side, 3).value.position;
+      side_node(place, side, 1).value.position = start + (end - start) / 3.0;
+      side_node(place, side, 2).value.position = start + (end - start) * (2.0 / 3.0);
+    }
+    BezierNet points;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) points[std::size_t(i)][std::size_t(j)] = node(place, i, j).value;
+    const auto interior = coons_interior(points);
+    for (int i = 1; i < 3; ++i)
+      for (int j = 1; j < 3; ++j)
+        if (!node(place, i, j).is_given)
+          points[std::size_t(i)][std::size_t(j)].position =
+              interior[std::size_t(i - 1)][std::size_t(j - 1)];
+    return points;
+  }
+
+  void check_size(Place place, const BezierNet& points) {
+    const glm::dvec2 first = points[0][0].position;
+    for (int side = 0; side < 4; ++side)
+      for (int j = 0; j < 3; ++j)
+        if (side_node(place, side, j).value.position != first) return;
+    fail(holder_, Message("{0} is degenerate: all its points coincide", place.name()));
+  }
+
+  MeshGrid finish() {
+    MeshGrid grid{rows_, columns_, {}};
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column) {
+        const BezierNet points = net({row, column});
+        check_size({row, column}, points);
+        grid.patches.push_back(patch_from_bezier(points));
+        make_color_bilinear(grid.patches.back());
+      }
+    return grid;
+  }
+
+  const StyleSheet& styles_;
+  const xmlNode* holder_;
+  glm::dvec2 start_;
+  int rows_ = 0, columns_ = 0;
+  std::vector<Node> nodes_;
+};
+
+void check_limits(const MeshGrid& grid, const xmlNode* node) {
+  for (std::size_t i = 0; i < grid.patches.size(); ++i)
+    if (!is_within_limits(grid.patches[i]))
+      fail(node, Message("{0} reaches beyond 5e8 user units",
+                         place_name(int(i) / grid.columns, int(i) % grid.columns)));
+}
+
+bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
+
+/// From the gradient's coordinates to the object's user space.
+Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
+  Affine to_user;
+  if (const auto text = attribute(object.gradient, "gradientTransform")) {
+    const auto transform = parse_transform(*text);
+    if (!transform)
+      fail(object.gradient, Message("its gradientTransform {0} is malformed", excerpt(*text)));
+    to_user = *transform;
+  }
+  if (uses_bounding_box(href_chain(document, object.gradient))) {
+    const auto box = shape_box(object.node);
+    if (!box)
+      fail(object.node, Message("its mesh is placed by its bounding box (objectBoundingBox), "
+                                "which is known for shapes only"));
+    if (box->empty() || box->size().x == 0 || box->size().y == 0)
+      fail(object.node, Message("its mesh is placed by its bounding box (objectBoundingBox), "
+                                "which has no width or no height"));
+    to_user = Affine::translation(box->low()) * Affine::scaling(box->size()) * to_user;
+  }
+  // A determinant this small against the entries is zero but for rounding.
+  const glm::dmat2& m = to_user.linear;
+  if (std::abs(to_user.determinant()) <= 1e-14 * (glm::dot(m[0], m[0]) + glm::dot(m[1], m[1])))
+    fail(object.gradient, Message("its gradientTransform flattens the mesh to a line"));
+  return to_user;
+}
+
+MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
+  const HrefChain chain = href_chain(document, gradient);
+  const std::size_t most = limits().links, count = chain.gradients.size();
+  if (count > most)
+    fail(gradient, Message("{0} gradients refer to one another, {1}", count,
+                           beyond_limit("links", most, count)));
+  const auto holder = std::ranges::find_if(chain.gradients, [](const xmlNode* node) {
+    return is_mesh_gradient(node) && !mesh_rows(node).empty();
+  });
+  if (holder == chain.gradients.end()) {
+    if (chain.broken) fail(gradient, *chain.broken);
+    fail(gradient, Message("it has no meshrow"));
+  }
+  // Inkscape takes a percentage for a fraction of one unit, whatever the units are.
+  const glm::dvec2 start(read_box_length(gradient, "x"), read_box_length(gradient, "y"));
+  MeshGrid grid = GridReader(document.styles(), *holder, start).read();
+  check_limits(grid, *holder);
+  return grid;
+}
+
+}  // namespace
+
+bool is_within_limits(const Patch& patch) {
+  const BezierNet net = bezier_net(patch);
+  return std::all_of(net.begin(), net.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [](const Value& value) {
+      const glm::dvec2 p = value.position;
+      return std::abs(p.x) <= largest_reach && std::abs(p.y) <= largest_reach;
+    });
+  });
+}
+
+MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
+  if (is_smooth(gradient))
+    fail(gradient, Message("its type \"bicubic\" is not supported here, where a mesh has several "
+                           "gradients"));
+  return read_grid(document, gradient);
+}
+
+MeshParts read_mesh(const SvgDocument& document, const MeshObject& object) {
+  MeshGrid grid = read_grid(document, object.gradient), in_user = grid;
+  const Affine to_user = gradient_to_user(document, object);
+  for (Patch& patch : in_user.patches) transform(patch, to_user);
+  check_limits(in_user, object.gradient);
+  MeshParts parts{{}, grid_curves(grid.rows, grid.columns)};
+  parts.smooth = is_smooth(object.gradient);
+  parts.patches = std::move(parts.smooth ? grid.patches : in_user.patches);
+  return parts;
+}
+
+Affine mesh_to_user(const SvgDocument& document, const MeshObject& object) {
+  return is_smooth(object.gradient) ? gradient_to_user(document, object) : Affine();
+}
+
+Affine mesh_to_gradient(const SvgDocument& document, const MeshObject& object) {
+  return is_smooth(object.gradient) ? Affine() : gradient_to_user(document, object).inverse();
+}
+
+std::vector<const xmlNode*> unused_mesh_gradients(const SvgDocument& document,
+                                                  const std::vector<MeshObject>& objects) {
+  std::vector<const xmlNode*> gradients;
+  std::set<const xmlNode*> used;
+  const auto use = [&](const xmlNode* gradient) {
+    if (!gradient) return;
+    for (const xmlNode* node : href_chain(document, gradient).gradients) used.insert(node);
+  };
+  for (const MeshObject& object : objects) use(object.gradient);
+  const auto visit = [&](const auto& self, const xmlNode* node) -> void {
+    if (is_mesh_gradient(node) && !mesh_rows(node).empty()) gradients.push_back(node);
+    // Shapes and texts that are painted are among the objects, but blocks and parts of texts are
+    // not.
+    const bool is_object =
+        can_paint(node, PaintRole::stroke) && !attribute(node, "face", gradmesh_namespace);
+    if (!is_object && !hands_paint_on(node))
+      for (const char* property : {"fill", "stroke"})
+        if (const auto paint = document.styles().declared(node, property))
+          use(referenced_mesh(document, *paint));
+    for (const xmlNode* child : child_elements(node)) self(self, child);
+  };
+  visit(visit, document.root());
+  std::erase_if(gradients, [&](const xmlNode* node) { return used.contains(node); });
+  return gradients;
+}
+
+bool in_bounding_box(const SvgDocument& document, const xmlNode* gradient) {
+  return uses_bounding_box(href_chain(document, gradient));
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,122 @@
+#include "formats/svg/read/visible.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "formats/svg/read/paint.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/values/shape.h"
+#include "formats/svg/values/transform.h"
+#include "formats/svg/xml/node.h"
+#include "formats/text/scanner.h"
+
+namespace gradmesh {
+namespace {
+
+using Shapes = std::vector<FilledOutline>;
+
+/// From an element's user space to that around it; nothing where that is not known.
+std::optional<Affine> placed(const xmlNode* node) {
+  const auto text = attribute(node, "transform");
+  return text ? parse_transform(*text) : Affine();
+}
+
+class VisibleFinder {
+ public:
+  VisibleFinder(const SvgDocument& document, const MeshObject& object)
+      : document_(document), object_(object) {}
+
+  VisibleArea run() {
+    if (object_.gradient && object_.role == PaintRole::fill)
+      if (auto outline = shape_outline(object_.node))
+        area_.sets.push_back({{*std::move(outline), rule(object_.node, "fill-rule")}});
+    Affine to_object;
+    for (const xmlNode* node = object_.node; node && stays_in_place(node);
+         node = parent_element(node)) {
+      add(held_by(node, "clip-path", "clipPathUnits"), "clip-rule", to_object);
+      add(held_by(node, "mask", "maskContentUnits"), "fill-rule", to_object);
+      const auto place = placed(node);
+      if (!place || place->determinant() == 0 || is_used_elsewhere(node)) break;
+      to_object = to_object * place->inverse();
+    }
+    return std::move(area_);
+  }
+
+ private:
+  FillRule rule(const xmlNode* shape, const char* property) const {
+    return document_.styles().inherited(shape, property) == "evenodd" ? FillRule::evenodd
+                                                                      : FillRule::nonzero;
+  }
+
+  /// Whether what is around the element is painted as it stands in the document.
+  bool stays_in_place(const xmlNode* node) const {
+    const std::string_view name = svg_name(node);
+    return node == object_.node || name == "g" || name == "a" || name == "switch";
+  }
+
+  bool is_used_elsewhere(const xmlNode* node) const {
+    const auto id = attribute(node, "id");
+    return id && is_used(document_, *id);
+  }
+
+  /// The clip path or mask that holds the element, if its coordinates are the element's.
+  const xmlNode* held_by(const xmlNode* node, const char* property, const char* units) const {
+    const auto value = document_.styles().declared(node, property);
+    const auto id = value ? referenced_id(*value) : std::nullopt;
+    const xmlNode* holder = id ? document_.find(*id) : nullptr;
+    if (!holder || svg_name(holder) != (property == std::string("mask") ? "mask" : "clipPath"))
+      return nullptr;
+    const bool own_units = attribute(holder, units).value_or("userSpaceOnUse") == "userSpaceOnUse";
+    const bool moved = attribute(holder, "transform").has_value();
+    return own_units && !moved ? holder : nullptr;
+  }
+
+  /// What a clip path or mask holds is all that it can show.
+  void add(const xmlNode* holder, const char* rule_property, const Affine& to_object) {
+    // The mask of a mesh's opacities holds all of its blocks.
+    if (!holder || attribute(holder, "opacity", gradmesh_namespace)) return;
+    Shapes shapes;
+    for (const xmlNode* child : child_elements(holder))
+      if (!collect(child, rule_property, to_object, shapes)) return;
+    area_.sets.push_back(std::move(shapes));
+  }
+
+  /// Whether it is known where the element may paint.
+  bool collect(const xmlNode* node, const char* rule_property, const Affine& around,
+               Shapes& shapes) const {
+    const std::string_view name = svg_name(node);
+    if (name == "title" || name == "desc" || name == "metadata" || name == "defs") return true;
+    const auto place = placed(node);
+    const StyleSheet& styles = document_.styles();
+    if (!place || styles.declared(node, "filter").value_or("none") != "none") return false;
+    const Affine to_object = around * *place;
+    if (name == "g") {
+      for (const xmlNode* child : child_elements(node))
+        if (!collect(child, rule_property, to_object, shapes)) return false;
+      return true;
+    }
+    const bool clips = rule_property == std::string("clip-rule");
+    if (!clips && styles.inherited(node, "stroke").value_or("none") != "none") return false;
+    auto outline = shape_outline(node);
+    if (!outline) return false;
+    for (std::vector<glm::dvec2>& polygon : *outline)
+      for (glm::dvec2& p : polygon) p = to_object.point(p);
+    shapes.push_back({*std::move(outline), rule(node, rule_property)});
+    return true;
+  }
+
+  const SvgDocument& document_;
+  const MeshObject& object_;
+  VisibleArea area_;
+};
+
+}  // namespace
+
+std::optional<VisibleArea> visible_area(const SvgDocument& document, const MeshObject& object) {
+  VisibleArea area = VisibleFinder(document, object).run();
+  if (area.sets.empty()) return std::nullopt;
+  return area;
+}
+
+}  // namespace gradmesh

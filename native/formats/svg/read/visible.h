@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "formats/svg/read/document.h"
+#include "formats/svg/read/objects.h"
+#include "geom/outline.h"
+
+namespace gradmesh {
+
+/// What is seen of the object's mesh, in its user space: the inside of its own shape, and of the
+/// clip paths and masks of itself and of the groups around it. What is not known here counts as
+/// seen: text and strokes, clip paths and masks that hold something else than shapes or that follow
+/// the object's box, and what is clipped or masked around an object that is used elsewhere too.
+/// Nothing where nothing is known. Throws InputError at geometry that cannot be read.
+std::optional<VisibleArea> visible_area(const SvgDocument& document, const MeshObject& object);
+
+}  // namespace gradmesh

@@ -1,0 +1,68 @@
+#include "formats/svg/values/length.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "formats/svg/xml/node.h"
+#include "formats/text/excerpt.h"
+#include "formats/text/scanner.h"
+
+namespace gradmesh {
+namespace {
+
+/// Size of a viewBox, `min-x min-y width height`.
+std::optional<glm::dvec2> parse_view_box(std::string_view text) {
+  Scanner scanner(text);
+  double values[4] = {};
+  for (double& value : values) {
+    scanner.skip_comma();
+    const auto number = scanner.number();
+    if (!number) return std::nullopt;
+    value = *number;
+  }
+  return glm::dvec2(values[2], values[3]);
+}
+
+std::optional<glm::dvec2> viewport_size(const xmlNode* node) {
+  const xmlNode* svg = parent_element(node);
+  while (svg && svg_name(svg) != "svg") svg = parent_element(svg);
+  if (!svg) return std::nullopt;
+  if (const auto view_box = attribute(svg, "viewBox")) return parse_view_box(*view_box);
+  const auto side = [&](const char* name) {
+    return parse_length(attribute(svg, name).value_or(""), std::nullopt);
+  };
+  const auto width = side("width"), height = side("height");
+  return width && height ? std::optional(glm::dvec2(*width, *height)) : std::nullopt;
+}
+
+std::optional<double> whole_length(const xmlNode* node, LengthAxis axis) {
+  const auto size = viewport_size(node);
+  if (!size) return std::nullopt;
+  if (axis == LengthAxis::diagonal) return glm::length(*size) / std::sqrt(2.0);
+  return axis == LengthAxis::x ? size->x : size->y;
+}
+
+double length_or_fail(const xmlNode* node, const char* name, const std::string& text,
+                      std::optional<double> whole) {
+  const auto length = parse_length(text, whole);
+  if (!length) fail(node, Message("its {0} {1} is not a known length", name, excerpt(text)));
+  return *length;
+}
+
+}  // namespace
+
+double read_length(const xmlNode* node, const char* name, LengthAxis axis) {
+  const auto text = attribute(node, name);
+  if (!text) return 0;
+  const bool needs_whole = text->find('%') != text->npos;
+  return length_or_fail(node, name, *text, needs_whole ? whole_length(node, axis) : std::nullopt);
+}
+
+double read_box_length(const xmlNode* node, const char* name) {
+  const auto text = attribute(node, name);
+  return text ? length_or_fail(node, name, *text, 1.0) : 0;
+}
+
+}  // namespace gradmesh

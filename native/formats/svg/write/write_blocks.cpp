@@ -1,0 +1,71 @@
+#include "formats/svg/write/write_blocks.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "form/block_outline.h"
+#include "formats/svg/read/read_group.h"
+#include "formats/svg/xml/edit.h"
+#include "formats/text/number.h"
+#include "mesh/boundary.h"
+
+namespace gradmesh {
+namespace {
+
+std::string path_data(const std::vector<glm::dvec2>& polygon, int digits) {
+  std::string d;
+  for (const glm::dvec2 p : polygon) d += (d.empty() ? "M " : " L ") + format_point(p, digits);
+  return d + " Z";
+}
+
+}  // namespace
+
+BlocksWriter::BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMesh& written,
+                           std::string id, std::string fallback)
+    : document_(document),
+      defs_(defs),
+      written_(written),
+      id_(std::move(id)),
+      fallback_(std::move(fallback)) {}
+
+Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) const {
+  const bool color = channel != MeshChannel::opacity;
+  const double margin = seam_margin();
+  const Box mesh_box = bounding_box(written_.mesh, {});
+  const GradientFormat format{.coons_tolerance = written_.form.coons_tolerance,
+                              .channel = channel,
+                              .rounding = rounding_within(mesh_box)};
+  Box box;
+  int face = 0;
+  for (const Block& block : written_.form.blocks) {
+    const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
+                                                      format, id_ + (color ? "-mesh" : "-opacity"));
+    xmlNode* path = add_child(parent, "path");
+    if (before) xmlAddPrevSibling(before, path);
+    document_.give_id(path, id_ + (color ? "-block" : "-opacity-block"));
+    const std::vector<glm::dvec2> outline = grown_outline(written_.mesh, block, margin);
+    for (const glm::dvec2 p : outline) box.add(p);
+    set_attribute(path, "d", path_data(outline, digits_within(mesh_box, outline_digits)));
+    set_attribute(path, "style", style(gradient, channel));
+    set_attribute(path, "face", std::to_string(face), gradmesh_namespace, "gradmesh");
+    face += int(block.cells.size());
+  }
+  return box;
+}
+
+std::string BlocksWriter::style(const std::string& gradient, MeshChannel channel) const {
+  std::string style = "fill:url(#" + gradient + ")";
+  if (channel != MeshChannel::opacity && !fallback_.empty()) style += " " + fallback_;
+  // What the object's paint and opacity leave to inherit must not act here.
+  return style + ";fill-rule:nonzero;fill-opacity:1;stroke:none";
+}
+
+/// Enough that a path's smoothed edge stays off the mesh even where the whole mesh is shown as
+/// small as 50 pixels.
+double BlocksWriter::seam_margin() const {
+  Box box;
+  for (const Point p : written_.mesh.points()) box.add(written_.mesh.position(p));
+  return 0.02 * std::max(box.size().x, box.size().y);
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <string>
+
+#include "formats/svg/read/document.h"
+#include "formats/svg/write/write_gradient.h"
+#include "formats/svg/write/write_group.h"
+#include "geom/box.h"
+
+namespace gradmesh {
+
+/// Writes the blocks of a mesh as paths with a meshgradient each.
+class BlocksWriter {
+ public:
+  /// `id` begins the ids of all that is written; `fallback` is the colour for programs that know
+  /// no meshes, or empty.
+  BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMesh& written, std::string id,
+               std::string fallback);
+
+  /// Adds the blocks to `parent`, the largest below, before `before` or at the end; the box around
+  /// their paths.
+  Box write(xmlNode* parent, xmlNode* before, MeshChannel channel) const;
+
+ private:
+  std::string style(const std::string& gradient, MeshChannel channel) const;
+  double seam_margin() const;
+
+  SvgDocument& document_;
+  xmlNode* defs_;
+  const WrittenMesh& written_;
+  std::string id_, fallback_;
+};
+
+}  // namespace gradmesh

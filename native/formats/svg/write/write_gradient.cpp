@@ -1,0 +1,119 @@
+#include "formats/svg/write/write_gradient.h"
+
+#include <cmath>
+#include <cstdio>
+#include <glm/common.hpp>
+
+#include "form/written_patch.h"
+#include "formats/svg/values/mesh_names.h"
+#include "formats/svg/xml/edit.h"
+#include "formats/svg/xml/node.h"
+
+namespace gradmesh {
+namespace {
+
+class GradientWriter {
+ public:
+  GradientWriter(const Mesh& mesh, const Block& block, const GradientFormat& format)
+      : mesh_(mesh), block_(block), format_(format) {}
+
+  void write(xmlNode* gradient) {
+    const Halfedge first = block_side(mesh_, block_.cell(0, 0), 0);
+    const glm::dvec2 start = mesh_.position(mesh_.origin(first));
+    const glm::dvec2 placed = format_.place.point(start);
+    set_attribute(gradient, "x", coordinate(placed.x));
+    set_attribute(gradient, "y", coordinate(placed.y));
+    for (int row = 0; row < block_.rows; ++row) {
+      xmlNode* meshrow = add_child(gradient, mesh_row_name);
+      for (int column = 0; column < block_.columns; ++column)
+        write_patch(add_child(meshrow, mesh_patch_name), row, column);
+    }
+  }
+
+ private:
+  /// Sides that the patches above and to the left have given already are left out; so are
+  /// colours.
+  void write_patch(xmlNode* node, int row, int column) {
+    const Block::Cell& cell = block_.cell(row, column);
+    const Patch patch = block_patch(mesh_, cell);
+    for (int side = row == 0 ? 0 : 1; side < (column == 0 ? 4 : 3); ++side) {
+      xmlNode* stop = add_child(node, "stop");
+      const Cubic<Value> curve = mesh_.side_of(block_side(mesh_, cell, side));
+      set_attribute(stop, "path",
+                    "C " + point(curve.bezier1().position) + " " + point(curve.bezier2().position) +
+                        " " + point(curve.p1.position));
+      const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
+      if (!given) set_attribute(stop, "style", color_style(curve.p0.color));
+    }
+    if (needs_tensor(patch, format_.coons_tolerance)) write_tensor(node, patch);
+  }
+
+  void write_tensor(xmlNode* node, const Patch& patch) const {
+    const BezierNet net = bezier_net(patch);
+    const auto from_corner = [&](int i, int j, int corner_i, int corner_j) {
+      const glm::dvec2 offset = net[i][j].position - net[corner_i][corner_j].position;
+      return pair(format_.place.vector(offset));
+    };
+    set_attribute(node, "tensor",
+                  from_corner(1, 1, 0, 0) + " " + from_corner(1, 2, 0, 3) + " " +
+                      from_corner(2, 2, 3, 3) + " " + from_corner(2, 1, 3, 0));
+  }
+
+  std::string color_style(const glm::dvec4& color) const {
+    const glm::dvec4 limited = glm::clamp(color, 0.0, 1.0);
+    const bool opaque = format_.channel != MeshChannel::both;
+    const glm::dvec3 shown =
+        format_.channel == MeshChannel::opacity ? mask_color(limited.a) : glm::dvec3(limited);
+    return "stop-color:" + color_text(shown) +
+           ";stop-opacity:" + (opaque ? "1" : opacity_text(limited.a));
+  }
+
+  std::string opacity_text(double opacity) const {
+    if (format_.exact) return format_exactly(opacity);
+    return format_.masked_opacity ? format_exactly(mask_opacity(mask_color(opacity)))
+                                  : format_number(opacity);
+  }
+
+  std::string color_text(const glm::dvec3& color) const {
+    const glm::dvec3 bytes = glm::round(color * 255.0);
+    if (format_.exact && bytes / 255.0 != color)
+      return "rgb(" + format_exactly(100 * color.r) + "%," + format_exactly(100 * color.g) + "%," +
+             format_exactly(100 * color.b) + "%)";
+    char hex[8];
+    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", unsigned(bytes.r), unsigned(bytes.g),
+                  unsigned(bytes.b));
+    return hex;
+  }
+
+  std::string number(double x) const {
+    return format_.exact ? format_exactly(x) : format_number(x, format_.rounding.digits);
+  }
+  std::string coordinate(double x) const {
+    return std::abs(x) < format_.rounding.zero ? "0" : number(x);
+  }
+  std::string pair(glm::dvec2 p) const { return coordinate(p.x) + "," + coordinate(p.y); }
+  std::string point(glm::dvec2 p) const { return pair(format_.place.point(p)); }
+
+  const Mesh& mesh_;
+  const Block& block_;
+  const GradientFormat& format_;
+};
+
+}  // namespace
+
+void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
+                      const GradientFormat& format) {
+  GradientWriter(mesh, block, format).write(gradient);
+}
+
+std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
+                                 const Block& block, const GradientFormat& format,
+                                 const std::string& prefix) {
+  xmlNode* gradient = add_child(defs, mesh_gradient_name);
+  std::string id = document.give_id(gradient, prefix);
+  set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
+  write_block_rows(gradient, mesh, block, format);
+  return id;
+}
+
+}  // namespace gradmesh

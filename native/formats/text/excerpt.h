@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gradmesh {
+
+/// Input as a message shows it: in double quotes, blanks and control characters as one blank,
+/// cut when long.
+std::string excerpt(std::string_view text);
+
+}  // namespace gradmesh

@@ -1,0 +1,322 @@
+#include "methods/gqe.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <queue>
+
+#include "methods/patch_set.h"
+#include "pricing/parallel_trials.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr int halvings = 10, sweeps = 20;
+
+struct Candidate {
+  Region region;
+  int size;
+  PatchSet patches;
+  double error;
+};
+
+/// Candidates by their numbers, the best first.
+using Ranking = std::vector<int>;
+
+/// Regions to try together.
+struct Plan {
+  Ranking order;
+  /// The independent set that fits into gamma, in that order.
+  Ranking chosen;
+};
+
+/// What became of a plan.
+struct Outcome {
+  std::vector<Region> regions;
+  int patches = 0;
+  double error = 0;
+  /// Whether the set as planned kept to epsilon.
+  bool fits = false;
+
+  bool is_better_than(const Outcome& other) const {
+    return std::pair(patches, error) < std::pair(other.patches, other.error);
+  }
+};
+
+/// The candidates taken so far.
+class Choice {
+ public:
+  explicit Choice(std::size_t face_slots) : taken_(face_slots) {}
+
+  bool is_free(const Candidate& c) const { return !taken_.overlaps(c.patches); }
+  void add(const Candidate& c) {
+    taken_.add(c.patches);
+    regions_.push_back(c.region);
+  }
+  const std::vector<Region>& regions() const { return regions_; }
+
+ private:
+  PatchSet taken_;
+  std::vector<Region> regions_;
+};
+
+/// Ranks the candidates for one gamma and picks the set.
+class Planner {
+ public:
+  /// `patches` and `face_slots` of the mesh before anything is merged.
+  Planner(const std::vector<Candidate>& candidates, int patches, std::size_t face_slots,
+          double omega, double gamma)
+      : candidates_(candidates),
+        slots_(face_slots),
+        patches_(patches),
+        omega_(omega),
+        gamma_(gamma) {
+    // Eq. 7, with size and error as shares of the whole mesh and of gamma.
+    const double all = gamma > 0 ? gamma : 1;
+    for (const Candidate& c : candidates)
+      scores_.push_back(omega * c.size / patches_ - (1 - omega) * c.error / all);
+    by_score_.resize(candidates.size());
+    std::iota(by_score_.begin(), by_score_.end(), 0);
+    std::ranges::stable_sort(by_score_, [&](int a, int b) { return scores_[a] > scores_[b]; });
+    places_.resize(candidates.size());
+    for (std::size_t place = 0; place < by_score_.size(); ++place)
+      places_[std::size_t(by_score_[place])] = place;
+  }
+
+  Plan by_score() const {
+    Plan plan{by_score_, {}};
+    Choice choice(slots_);
+    double sum = 0;
+    for (const int i : by_score_) take_if_possible(i, choice, sum, plan);
+    return plan;
+  }
+
+  /// Eq. 8: each candidate by the better of its own score and its score with its best partner; the
+  /// two of a pair, which score the same, by their own scores. As the set grows partners are taken
+  /// and scores fall. A candidate keeps its place in the list of partners and is ranked anew only
+  /// when its turn comes and its partner is gone.
+  Plan by_pairs() const {
+    Plan plan;
+    Choice choice(slots_);
+    double sum = 0;
+    std::vector<std::size_t> partner(candidates_.size(), 0);
+    const auto later = [this](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first < b.first
+                                : places_[std::size_t(a.second)] > places_[std::size_t(b.second)];
+    };
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>,
+                        decltype(later)>
+        queue(later);
+    for (const int i : by_score_) queue.emplace(with_partner(i, partner[i], choice), i);
+    while (!queue.empty()) {
+      const auto [score, i] = queue.top();
+      queue.pop();
+      const double now = with_partner(i, partner[i], choice);
+      if (now < score) {
+        queue.emplace(now, i);
+        continue;
+      }
+      plan.order.push_back(i);
+      take_if_possible(i, choice, sum, plan);
+    }
+    return plan;
+  }
+
+ private:
+  void take_if_possible(int i, Choice& choice, double& sum, Plan& plan) const {
+    const Candidate& c = candidates_[i];
+    if (!choice.is_free(c) || sum + c.error > gamma_) return;
+    choice.add(c);
+    plan.chosen.push_back(i);
+    sum += c.error;
+  }
+
+  /// Moves `partner` on to the best free candidate that does not overlap the i-th. The score of a
+  /// pair is the sum of both less the same share for all pairs.
+  double with_partner(int i, std::size_t& partner, const Choice& choice) const {
+    while (partner < by_score_.size() && !is_partner(i, by_score_[partner], choice)) ++partner;
+    if (partner == by_score_.size()) return scores_[i];
+    // The same sum, to the last bit, for both of a pair.
+    return std::max(scores_[i], scores_[i] + scores_[by_score_[partner]] - omega_ / patches_);
+  }
+  bool is_partner(int i, int other, const Choice& choice) const {
+    return choice.is_free(candidates_[other]) &&
+           !candidates_[i].patches.overlaps(candidates_[other].patches);
+  }
+
+  const std::vector<Candidate>& candidates_;
+  const std::size_t slots_;
+  const double patches_, omega_, gamma_;
+  std::vector<double> scores_;
+  Ranking by_score_;
+  /// Of each candidate in that.
+  std::vector<std::size_t> places_;
+};
+
+class Gqe {
+ public:
+  Gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions, const GqeOptions& options,
+      StopWatch& watch)
+      : trial_(trial),
+        options_(options),
+        watch_(watch),
+        patches_(trial.mesh().face_count()),
+        slots_(trial.mesh().face_slots()) {
+    for (const RegionPrice& r : regions) {
+      Candidate& candidate =
+          candidates_.emplace_back(Candidate{r.region, r.size(), PatchSet(slots_), r.error});
+      for (const Face patch : r.patches) candidate.patches.add(patch);
+    }
+    best_.patches = patches_;
+  }
+
+  void run() {
+    if (trial_.measure().has_local_bound()) leave_out_breakers();
+    if (candidates_.empty()) return;
+    // The number of patches goes up and down with gamma, which the halvings do not see.
+    std::vector<double> gammas;
+    for (int i = 1; i <= sweeps; ++i) gammas.push_back(2 * trial_.room() * i / sweeps);
+    const std::vector<Plan> plans = plans_for(gammas);
+
+    // Outcomes are compared in the order of the jobs, whichever is done first.
+    std::vector<std::optional<Outcome>> outcomes(1 + plans.size());
+    ParallelTrials trials(trial_);
+    trials.for_each(
+        outcomes.size(), [&](std::size_t done) { return done > 0 && stop(done); },
+        [&](MergeTrial& own, std::size_t job) {
+          outcomes[job] = job == 0 ? best_of_halvings(own) : outcome(own, plans[job - 1]);
+          show(*outcomes[job]);
+        });
+    const Outcome* best = nullptr;
+    for (const auto& o : outcomes)
+      if (o && (!best || o->is_better_than(*best))) best = &*o;
+    if (best) trial_.merge(best->regions);
+  }
+
+ private:
+  /// Leaves out the regions that break the local bound alone, which their prices do not tell.
+  void leave_out_breakers() {
+    std::vector<char> keeps(candidates_.size(), true);
+    ParallelTrials(trial_).for_each(
+        candidates_.size(), [&](std::size_t) { return stop(0); },
+        [&](MergeTrial& own, std::size_t i) {
+          RegionTrial alone(own, own.mesh());
+          keeps[i] = alone.keeps_local_bound(candidates_[i].region, own.epsilon());
+        });
+    std::vector<Candidate> kept;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (keeps[i]) kept.push_back(std::move(candidates_[i]));
+    candidates_ = std::move(kept);
+  }
+
+  /// The plans for these values of gamma, each set once.
+  std::vector<Plan> plans_for(const std::vector<double>& gammas) const {
+    std::vector<Plan> plans;
+    const auto add = [&](Plan plan) {
+      const auto same = [&](const Plan& p) { return p.chosen == plan.chosen; };
+      if (std::ranges::none_of(plans, same)) plans.push_back(std::move(plan));
+    };
+    for (const double gamma : gammas) {
+      const Planner planner = planner_for(gamma);
+      add(planner.by_score());
+      if (options_.look_ahead) add(planner.by_pairs());
+    }
+    return plans;
+  }
+
+  Planner planner_for(double gamma) const {
+    return {candidates_, patches_, slots_, options_.omega, gamma};
+  }
+
+  /// The paper's search for gamma. One after the other, as each halving follows from the last.
+  Outcome best_of_halvings(MergeTrial& own) {
+    Outcome best;
+    // The last halvings hardly change the set any more.
+    std::map<Ranking, bool> tried;
+    const auto fits = [&](const Plan& plan) {
+      const auto [place, is_new] = tried.try_emplace(plan.chosen);
+      if (is_new) {
+        const Outcome found = outcome(own, plan);
+        place->second = found.fits;
+        if (tried.size() == 1 || found.is_better_than(best)) best = found;
+      }
+      return place->second;
+    };
+    double low = 0, high = 2 * own.room();
+    for (int i = 0; i < halvings && (i == 0 || !stopped_); ++i) {
+      const double gamma = 0.5 * (low + high);
+      const Planner planner = planner_for(gamma);
+      (fits(planner.by_score()) ? low : high) = gamma;
+      if (options_.look_ahead) fits(planner.by_pairs());
+    }
+    return best;
+  }
+
+  /// Merges the set of the plan, mends it, and takes everything back.
+  Outcome outcome(MergeTrial& own, const Plan& plan) const {
+    Outcome result;
+    const MergeTrial::State start = own.state();
+    Choice choice(own.mesh().face_slots());
+    std::vector<Region> planned;
+    for (const int i : plan.chosen) planned.push_back(candidates_[i].region);
+    result.fits = planned.empty() || own.try_merge(planned);
+    if (result.fits)
+      for (const int i : plan.chosen) choice.add(candidates_[i]);
+    for (const int i : plan.order) {
+      const Candidate& c = candidates_[i];
+      if (choice.is_free(c) && own.error() + c.error <= own.epsilon() &&
+          own.try_merge(std::vector{c.region}))
+        choice.add(c);
+    }
+    result.regions = choice.regions();
+    result.patches = own.mesh().face_count();
+    result.error = own.error();
+    own.go_back(start);
+    return result;
+  }
+
+  /// Whether to stop; asked on the thread that started the run.
+  bool stop(std::size_t done) {
+    const std::lock_guard lock(shown_);
+    stopped_ = stopped_ || watch_.should_stop({done, 1 + sweeps, best_.patches, best_.error});
+    return stopped_;
+  }
+
+  /// Keeps the best outcome so far in mind, for those who watch.
+  void show(const Outcome& outcome) {
+    const std::lock_guard lock(shown_);
+    if (outcome.is_better_than(best_)) best_ = outcome;
+  }
+
+  MergeTrial& trial_;
+  const GqeOptions options_;
+  StopWatch& watch_;
+  /// Of the mesh as it is at first: while trials run, each changes its own.
+  const int patches_;
+  const std::size_t slots_;
+  std::vector<Candidate> candidates_;
+  std::mutex shown_;
+  std::atomic<bool> stopped_ = false;
+  Outcome best_;
+};
+
+}  // namespace
+
+void select_gqe(MergeTrial& trial, const std::vector<RegionPrice>& regions,
+                const GqeOptions& options, StopWatch& watch) {
+  Gqe(trial, regions, options, watch).run();
+}
+
+void merge_by_gqe(MergeTrial& trial, PriceTable& analysis, const GqeOptions& options,
+                  StopWatch& watch) {
+  PriceTable closing;
+  for (PriceTable* known = &analysis;; known = &(closing = {})) {
+    const std::size_t depth = trial.depth();
+    select_gqe(trial, price_regions(trial, *known, trial.room(), watch), options, watch);
+    if (trial.depth() == depth) return;
+  }
+}
+
+}  // namespace gradmesh

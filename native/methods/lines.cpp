@@ -1,0 +1,150 @@
+#include "methods/lines.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/grid.h"
+#include "pricing/parallel_trials.h"
+
+namespace gradmesh {
+namespace {
+
+/// Which way a line runs: between two rows of patches or between two columns.
+enum class Along { rows, columns };
+
+/// A line inside the grid, by its number in the mesh as it was at first, from 1.
+struct Line {
+  Along along;
+  int number;
+
+  bool operator==(const Line&) const = default;
+};
+
+/// The grid's first patch, and which of its sides is the top. Of two patches that are merged the
+/// one nearer to it stays, so that it stays itself, and so do the numbers of rows and columns.
+struct Corner {
+  Face face;
+  int top;
+};
+
+Corner corner_of(const Mesh& mesh) {
+  const std::optional<Grid> grid = find_grid(mesh);
+  if (!grid)
+    throw InputError(
+        "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
+        "out.");
+  const Face face = mesh.face(grid->tops.front());
+  const std::array<Halfedge, 4> sides = mesh.sides(face);
+  return {face, int(std::ranges::find(sides, grid->tops.front()) - sides.begin())};
+}
+
+/// The edges along the line that is the `at`-th inside now, from one end to the other. Each can be
+/// merged after the one before: where that has made a T-junction the next one ends, and its merge
+/// takes the T-junction away again (paper, Fig. 4b). So the last leaves none.
+std::vector<Halfedge> edges_along(const Mesh& mesh, Corner corner, Along along, int at) {
+  const Grid grid = grid_from(mesh, corner.face, corner.top).value();
+  std::vector<Halfedge> edges;
+  if (along == Along::rows) {
+    for (int column = 0; column < grid.columns; ++column)
+      edges.push_back(mesh.next(mesh.next(grid.top(at - 1, column))));
+  } else {
+    for (int row = 0; row < grid.rows; ++row) edges.push_back(mesh.next(grid.top(row, at - 1)));
+  }
+  return edges;
+}
+
+class LineSelection {
+ public:
+  LineSelection(MergeTrial& trial, StopWatch& watch)
+      : trial_(trial), watch_(watch), corner_(corner_of(trial.mesh())) {
+    const Grid grid = grid_from(trial.mesh(), corner_.face, corner_.top).value();
+    for (int i = 1; i < grid.rows; ++i) lines_.push_back({Along::rows, i});
+    for (int i = 1; i < grid.columns; ++i) lines_.push_back({Along::columns, i});
+    total_ = lines_.size();
+  }
+
+  void run() {
+    price_all();
+    while (!candidates_.empty() && !should_stop()) {
+      std::ranges::stable_sort(candidates_, {}, &Candidate::price);
+      if (!try_cheapest()) candidates_.erase(candidates_.begin());
+    }
+  }
+
+ private:
+  /// A line that is still there and may go.
+  struct Candidate {
+    Line line;
+    /// By how much taking it out raised the error when so many lines had been taken out.
+    double price;
+    int lines_before;
+  };
+
+  void price_all() {
+    std::vector<std::optional<double>> errors(lines_.size());
+    // As it is now: while lines are tried, another thread may have taken one out of this mesh.
+    Progress progress{0, lines_.size(), trial_.mesh().face_count(), trial_.error()};
+    const auto stop = [&](std::size_t done) {
+      progress.done = done;
+      return watch_.should_stop(progress);
+    };
+    ParallelTrials(trial_).for_each(lines_.size(), stop, [&](MergeTrial& own, std::size_t i) {
+      const Line& line = lines_[i];
+      errors[i] = own.error_with(edges_along(own.mesh(), corner_, line.along, line.number));
+    });
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+      if (errors[i]) candidates_.push_back({lines_[i], *errors[i] - trial_.error(), 0});
+  }
+
+  /// The edges of a line now that others are gone.
+  std::vector<Halfedge> edges_of(const Line& line) const {
+    const auto is_before = [&](const Line& other) {
+      return other.along == line.along && other.number < line.number;
+    };
+    const int before = int(std::ranges::count_if(lines_, is_before));
+    return edges_along(trial_.mesh(), corner_, line.along, before + 1);
+  }
+
+  /// Takes the first candidate out, or finds that it is not the cheapest; false: it is no
+  /// candidate any more.
+  bool try_cheapest() {
+    Candidate& first = candidates_.front();
+    const double before = trial_.error();
+    double limit = trial_.epsilon();
+    if (first.lines_before < taken_ && candidates_.size() > 1)
+      limit = std::min(limit, before + candidates_[1].price);
+    const double error = trial_.try_merge(edges_of(first.line), limit);
+    if (error <= limit) {
+      ++taken_;
+      std::erase(lines_, first.line);
+    } else if (error <= trial_.epsilon()) {
+      first.price = error - before;
+      first.lines_before = taken_;
+      return true;
+    }
+    return false;
+  }
+
+  bool should_stop() {
+    return watch_.should_stop(
+        {total_ - candidates_.size(), total_, trial_.mesh().face_count(), trial_.error()});
+  }
+
+  MergeTrial& trial_;
+  StopWatch& watch_;
+  const Corner corner_;
+  /// The lines that are in the mesh, and those that may still go.
+  std::vector<Line> lines_;
+  std::vector<Candidate> candidates_;
+  std::size_t total_ = 0;
+  int taken_ = 0;
+};
+
+}  // namespace
+
+void take_out_lines(MergeTrial& trial, StopWatch& watch) { LineSelection(trial, watch).run(); }
+
+}  // namespace gradmesh

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "ops/merge/merge.h"
+#include "ops/merge/merge_end.h"
+
+namespace gradmesh {
+namespace {
+
+/// Looks for the cycle that a merge would make, in the mesh as it would be (4.4): at each
+/// interior end two curves are one, and the curve across hangs on it.
+class CycleSearch {
+ public:
+  CycleSearch(const Mesh& mesh, const MergeEnd& tail, const MergeEnd& head) : mesh_(mesh) {
+    for (const MergeEnd& end : {tail, head})
+      if (end.kind == MergeEnd::interior)
+        combined_[count_++] = {mesh.curve_side(end.in), mesh.curve_side(end.out), end.across};
+  }
+
+  MergeObstacle run() {
+    for (const Combined& c : all_combined())
+      for (const Halfedge start : {c.in, other(c.in)}) {
+        std::vector<Halfedge> seen;
+        const MergeObstacle found = follow(start, start, seen, true);
+        if (found != MergeObstacle::none) return found;
+      }
+    return MergeObstacle::none;
+  }
+
+ private:
+  /// The curve in + out and its sides' names: `in` stands for one, the twin of `out` for the other.
+  struct Combined {
+    Halfedge in, out, across;
+  };
+
+  std::span<const Combined> all_combined() const { return {combined_.data(), count_}; }
+
+  Halfedge name(Halfedge side) const {
+    for (const Combined& c : all_combined()) {
+      if (side == c.out) return c.in;
+      if (side == mesh_[c.in].twin) return mesh_[c.out].twin;
+    }
+    return side;
+  }
+  const Combined* combined(Halfedge side) const {
+    for (const Combined& c : all_combined())
+      if (side == c.in || side == mesh_[c.out].twin) return &c;
+    return nullptr;
+  }
+  Halfedge other(Halfedge side) const {
+    const Combined* c = combined(side);
+    if (!c) return mesh_[side].twin;
+    return side == c->in ? mesh_[c->out].twin : c->in;
+  }
+
+  /// The side on which the curve starts as a stem, seen from `side`; invalid where it does not.
+  Halfedge support(Halfedge side) const {
+    for (const Combined& c : all_combined())
+      if (side == name(c.across)) return mesh_[c.out].twin;
+    // A combined side starts where its own half-edge or, for the other side, `out`'s twin starts.
+    return mesh_.is_stem(side) ? name(mesh_[side].parent) : Halfedge{};
+  }
+
+  /// Follows from the start of `side` what it hangs on, and on, until that is the curve of
+  /// `start`. `by_starts`: each step so far went from the start of a side to the side on which it
+  /// is, and from there to that same side's start.
+  MergeObstacle follow(Halfedge side, Halfedge start, std::vector<Halfedge>& seen,
+                       bool by_starts) const {
+    const Halfedge parent = support(side);
+    if (!parent.valid()) return MergeObstacle::none;
+    const Halfedge back = other(parent);
+    if (parent == start || back == start)
+      return by_starts && parent == start ? MergeObstacle::origin_cycle : MergeObstacle::next_cycle;
+    const Halfedge curve = std::min(parent, back);
+    if (std::ranges::find(seen, curve) != seen.end()) return MergeObstacle::none;
+    seen.push_back(curve);
+    const MergeObstacle found = follow(parent, start, seen, by_starts);
+    return found != MergeObstacle::none ? found : follow(back, start, seen, false);
+  }
+
+  const Mesh& mesh_;
+  std::array<Combined, 2> combined_;
+  std::size_t count_ = 0;
+};
+
+/// Whether the sides that the merge joins or keeps are not all on curves of their own.
+bool meets_itself(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const MergeEnd& head) {
+  const Halfedge twin = mesh[edge].twin;
+  if (mesh.face(edge) == mesh.face(twin) || mesh.origin(edge) == mesh.origin(twin)) return true;
+  std::array<Halfedge, 4> joined;
+  std::size_t count = 0;
+  const auto is_joined = [&](Halfedge h) {
+    const auto end = joined.begin() + count;
+    return std::find(joined.begin(), end, mesh.curve(h)) != end;
+  };
+  const auto join = [&](Halfedge h) {
+    if (is_joined(h)) return false;
+    joined[count++] = mesh.curve(h);
+    return true;
+  };
+  for (const MergeEnd* end : {&tail, &head})
+    if (!join(end->in) || (end->kind != MergeEnd::stem && !join(end->out))) return true;
+  for (const MergeEnd* end : {&tail, &head})
+    if (end->kind == MergeEnd::interior && is_joined(end->across)) return true;
+  return is_joined(edge) || is_joined(mesh.next(head.out)) || is_joined(mesh.next(tail.out));
+}
+
+}  // namespace
+
+Message describe(MergeObstacle obstacle) {
+  switch (obstacle) {
+    case MergeObstacle::none:
+      break;
+    case MergeObstacle::boundary:
+      return Message("it is on the boundary of the mesh");
+    case MergeObstacle::parent:
+      return Message("a T-junction divides it");
+    case MergeObstacle::bar:
+      return Message("it is part of a longer curve");
+    case MergeObstacle::next_cycle:
+      return Message("a curve would end on itself");
+    case MergeObstacle::origin_cycle:
+      return Message("a curve would start on itself");
+    case MergeObstacle::branch:
+      return Message("it meets a branch point, which must stay");
+    case MergeObstacle::ring:
+      return Message("its two patches meet themselves round a ring");
+  }
+  return Message("it can be merged");
+}
+
+MergeObstacle can_merge(const Mesh& mesh, Halfedge edge) {
+  if (mesh.is_parent(edge)) return MergeObstacle::parent;
+  if (mesh.is_bar(edge)) return MergeObstacle::bar;
+  const Halfedge twin = mesh[edge].twin;
+  if (!twin.valid()) return MergeObstacle::boundary;
+  if (mesh.is_parent(twin)) return MergeObstacle::parent;
+
+  const MergeEnd tail = merge_end(mesh, edge), head = merge_end(mesh, twin);
+  if (meets_itself(mesh, edge, tail, head)) return MergeObstacle::ring;
+  if (tail.kind == MergeEnd::branch || head.kind == MergeEnd::branch) return MergeObstacle::branch;
+  return CycleSearch(mesh, tail, head).run();
+}
+
+}  // namespace gradmesh

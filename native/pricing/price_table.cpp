@@ -1,0 +1,55 @@
+#include "pricing/price_table.h"
+
+#include <cmath>
+
+#include "base/hash.h"
+#include "raster/hidden.h"
+
+namespace gradmesh {
+namespace {
+
+void add(Hash& hash, const Value& v) {
+  for (int i = 0; i < 2; ++i) hash.add(v.position[i]);
+  for (int i = 0; i < 4; ++i) hash.add(v.color[i]);
+}
+
+void add(Hash& hash, const Mesh& mesh) {
+  for (const Face f : mesh.faces()) {
+    const Patch patch = mesh.patch(f);
+    for (const auto& row : patch.c)
+      for (const Value& v : row) add(hash, v);
+    for (const Halfedge h : mesh.sides(f)) {
+      hash.add(h.value);
+      hash.add(mesh.curve(h).value);
+    }
+  }
+}
+
+void add(Hash& hash, const HiddenPixels& hidden, int height) {
+  for (int y = 0; y < height; ++y)
+    for (const HiddenPixels::Run run : hidden.row(y)) {
+      hash.add(y);
+      hash.add(run.begin);
+      hash.add(run.end);
+    }
+}
+
+}  // namespace
+
+PriceTableKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
+                           MetricKind metric) {
+  Hash picture, content;
+  add(picture, original);
+  add(content, mesh);
+  for (const glm::dvec2 p : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)})
+    for (int i = 0; i < 2; ++i) content.add(frame.to_pixels.point(p)[i]);
+  if (frame.hidden) add(content, *frame.hidden, frame.height);
+  return {picture.value(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
+}
+
+Price find_price(RegionTrial& trial, const Region& region, double limit) {
+  const double error = trial.price(region, limit);
+  return {error, error <= limit || std::isinf(error)};
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+
+#include "mesh/mesh.h"
+#include "mesh/region.h"
+#include "metric/metric.h"
+#include "raster/frame.h"
+#include "trial/merge_trial.h"
+
+namespace gradmesh {
+
+/// What the prices of an analysis depend on.
+struct PriceTableKey {
+  /// Hash of the original mesh, whose picture counts.
+  std::uint64_t original = 0;
+  /// Hash of the mesh that is merged, of where it lies in the frame, and of what is hidden there.
+  std::uint64_t content = 0;
+  MetricKind metric = MetricKind::flip;
+  /// Size of the frame in pixels.
+  int width = 0, height = 0;
+  ColorModel color_model = ColorModel::bilinear;
+
+  bool operator==(const PriceTableKey&) const = default;
+};
+
+PriceTableKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
+                           MetricKind metric);
+
+/// By how much merging a region alone raises the error; infinity: it cannot be merged.
+struct Price {
+  double error = 0;
+  /// False where no more is known than that it is above `error`: it was not worked out further.
+  bool exact = true;
+
+  /// Whether that tells if it is within the limit, and what it is if so.
+  bool tells(double limit) const { return exact || error > limit; }
+  bool operator==(const Price&) const = default;
+};
+
+/// The price that a trial of the region finds; exact up to `limit`.
+Price find_price(RegionTrial& trial, const Region& region,
+                 double limit = std::numeric_limits<double>::infinity());
+
+/// What merging single regions of a mesh costs: the preprocessing of the paper's 6.2 and 6.3 (B.3).
+/// An edge is the region of its two patches. It depends on neither epsilon nor omega nor kappa,
+/// and whoever needs a price that is not there yet adds it.
+struct PriceTable {
+  PriceTableKey key;
+  /// By the regions' names, as of region_name.
+  std::map<Region, Price> prices;
+
+  /// The price of a region where it is known well enough to be held against the limit.
+  const Price* known(const Region& name, double limit) const {
+    const auto found = prices.find(name);
+    return found != prices.end() && found->second.tells(limit) ? &found->second : nullptr;
+  }
+};
+
+}  // namespace gradmesh

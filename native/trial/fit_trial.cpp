@@ -1,0 +1,176 @@
+#include "trial/fit_trial.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "ops/merge/merge_region.h"
+#include "raster/folds.h"
+
+namespace gradmesh {
+namespace {
+
+/// Damping of Levenberg and Marquardt, by unknown: it rises where a step made things worse, and
+/// falls elsewhere.
+constexpr double first_damping = 1e-3, least_damping = 1e-4, most_damping = 1e3;
+constexpr double rise = 20, rise_again = 3, fall = 4;
+
+/// The faces and those that share a curve with them, each once.
+std::vector<Face> with_neighbours(const Mesh& mesh, const std::vector<Face>& faces) {
+  std::vector<Face> result = faces;
+  for (const Face f : faces)
+    for (const Halfedge h : mesh.sides(f)) {
+      const Halfedge curve = mesh.curve(h);
+      for (const Halfedge side : {curve, mesh[curve].twin})
+        if (side.valid())
+          for (const Halfedge leaf : mesh.leaves(side)) result.push_back(mesh.face(leaf));
+    }
+  std::ranges::sort(result);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+/// A merge that costs more than so many times as much as is allowed is not fitted.
+constexpr double most_that_a_fit_saves = 4;
+
+/// Sums of the map that rise by less than this are left alone.
+constexpr double noticeable = 0.01;
+
+/// Those of the faces that the fit changes which surely do not fold.
+std::vector<Face> unfolded_faces(const Mesh& mesh, const Fit& fit) {
+  std::vector<Face> faces;
+  for (const InfluencedFace& f : fit.influenced())
+    if (!may_fold(mesh.patch(f.face))) faces.push_back(f.face);
+  return faces;
+}
+
+/// The unknowns that change one of these faces.
+std::vector<bool> unknowns_of(const Fit& fit, const std::function<bool(Face)>& is_one) {
+  std::vector<bool> result(fit.unknowns().size(), false);
+  for (const InfluencedFace& f : fit.influenced())
+    if (is_one(f.face))
+      for (const Influence& by : f.by) result[std::size_t(by.unknown)] = true;
+  return result;
+}
+
+}  // namespace
+
+double FitTrial::price(const Region& region, double limit) {
+  const std::size_t depth = journal_.depth();
+  const double before = error();
+  double price = std::numeric_limits<double>::infinity();
+  if (const std::vector<Face> merged = merge_possible({region}); !merged.empty()) {
+    const double most = most_that_a_fit_saves * limit;
+    price = error_.after_edits(journal_, depth, before + most) - before;
+    if (price > most) {
+      undo_to(depth);
+      return price;
+    }
+    Fit fit(journal_, *target_, merged);
+    const std::vector<double> damping(fit.unknowns().size(), first_damping);
+    constexpr int steps = 2;
+    for (int i = 0; i < steps; ++i)
+      fit.apply(fit.step(damping), std::vector<bool>(damping.size(), false));
+    const double unfitted = price;
+    price = error_.after_edits(journal_, depth, before + limit) - before;
+    const bool breaks = price <= limit && !error_.keeps_local_bound();
+    price = breaks ? std::numeric_limits<double>::infinity() : std::min(price, unfitted);
+  }
+  undo_to(depth);
+  return price;
+}
+
+bool FitTrial::try_merge(const std::vector<Region>& regions, double limit, int steps) {
+  const std::size_t depth = journal_.depth();
+  const auto start = error_.state();
+  const std::vector<Face> merged = merge_possible(regions);
+  if (!merged.empty()) {
+    error_.after_edits(journal_, depth);
+    error_.accept(journal_);
+    fit(with_neighbours(mesh(), merged), steps, limit);
+    if (error() <= limit && error_.accepted_keeps_local_bound()) {
+      last_change_.resize(mesh().face_slots(), 0);
+      ++changes_;
+      for (const Face f : journal_.touched_since(depth)) last_change_[f.value] = changes_;
+      return true;
+    }
+  }
+  go_back(depth, start);
+  return false;
+}
+
+void FitTrial::improve(const std::vector<Face>& faces, int steps) {
+  const std::size_t depth = journal_.depth();
+  const auto start = error_.state();
+  const bool kept = error_.accepted_keeps_local_bound();
+  fit(faces, steps, 1);
+  if (kept && !error_.accepted_keeps_local_bound()) go_back(depth, start);
+}
+
+void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
+  Fit fit(journal_, *target_, faces);
+  const std::vector<Face> unfolded = unfolded_faces(mesh(), fit);
+  std::vector<double> damping(fit.unknowns().size(), first_damping);
+  for (int left = steps; left-- > 0;) {
+    const double before = error();
+    const bool better = try_step(fit, unfolded, damping);
+    // Each step does less than the one before.
+    const double drop = before - error();
+    if (better && error() - left * drop > limit) return;
+    constexpr double little = 0.02;
+    if (better && error() <= limit && drop < little * error()) return;
+  }
+}
+
+bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector<double>& damping) {
+  const std::vector<Value> step = fit.step(damping);
+  std::vector<bool> stays(fit.unknowns().size(), false);
+  // At first all of the step, then without what did harm.
+  for (const bool again : {false, true}) {
+    const std::size_t depth = journal_.depth();
+    fit.apply(step, stays);
+    std::vector<bool> folded(mesh().face_slots(), false);
+    for (const Face f : unfolded) folded[std::size_t(f.value)] = may_fold(mesh().patch(f));
+    const bool better = error_.after_edits(journal_, depth) < error() &&
+                        std::ranges::find(folded, true) == folded.end();
+    const std::vector<double> change = error_.change_by_face(mesh().face_slots());
+    const std::vector<bool> worse = unknowns_of(fit, [&](Face f) {
+      return folded[std::size_t(f.value)] || change[std::size_t(f.value)] > noticeable;
+    });
+    for (std::size_t u = 0; u < worse.size(); ++u) {
+      if (worse[u]) damping[u] = std::min(most_damping, damping[u] * (again ? rise_again : rise));
+      if (!worse[u] && !again) damping[u] = std::max(least_damping, damping[u] / fall);
+      stays[u] = stays[u] || worse[u];
+    }
+    if (better) {
+      error_.accept(journal_);
+      return true;
+    }
+    undo_to(depth);
+  }
+  return false;
+}
+
+std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {
+  std::vector<Face> merged;
+  for (const Region& region : regions) {
+    const Face face = merge_region(journal_, region);
+    if (face.valid()) merged.push_back(face);
+  }
+  return merged;
+}
+
+void FitTrial::go_back(std::size_t depth, std::shared_ptr<const EditError::State> state) {
+  undo_to(depth);
+  error_.restore(std::move(state));
+}
+
+void FitTrial::undo_to(std::size_t depth) {
+  while (journal_.depth() > depth) journal_.undo();
+}
+
+std::unique_ptr<FitTrial::Fork> FitTrial::fork() {
+  return std::make_unique<Fork>(mesh(), error_.fork(), target_);
+}
+
+}  // namespace gradmesh
