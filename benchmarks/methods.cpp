@@ -20,14 +20,14 @@ bool is_grid(const MeshFile& file) {
 }
 
 void add_methods(const MeshFile& file, MetricKind metric, double epsilon) {
-  for (const Method method : all_methods) {
-    if (method == Method::manual) continue;
-    if (method == Method::lines && !is_grid(file)) continue;
+  for (const std::string& method : method_names()) {
+    if (method == "manual") continue;
+    if (method == "lines" && !is_grid(file)) continue;
     SimplifyOptions options;
     options.method = method;
     options.metric = metric;
     options.epsilon = epsilon;
-    add_parallel(std::string("method/") + name(method) + "/" + file.name + "/" + name(metric),
+    add_parallel(std::string("method/") + method + "/" + file.name + "/" + name(metric),
                  on(file, [=](auto& state, auto& f) { run(state, f, options); }));
   }
 }

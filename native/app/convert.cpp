@@ -142,7 +142,7 @@ class Converter {
   void write_svg(const SvgPage& page, const Mesh& mesh, Conversion& conversion) const {
     const std::string outline = outline_path(conversion.original);
     const std::string label = mesh_label(mesh.face_count()).in(from_.translation());
-    const BlockForm form = block_form(mesh, frame_.coons_tolerance, find_overlaps(mesh, frame_));
+    const BlockForm form = block_form(mesh, coons_tolerance(frame_), find_overlaps(mesh, frame_));
     const SvgDocument svg = new_svg(page, outline, {mesh, form, label, mesh.face_count()});
     measure(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
   }

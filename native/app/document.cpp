@@ -21,17 +21,16 @@ namespace gradmesh {
 namespace {
 
 void check_edges(const SimplifyOptions& options) {
-  if (options.method == Method::manual && options.edges.empty())
+  const bool are_named = method_named(options.method).merges_named_edges;
+  if (are_named && options.edges.empty())
     throw std::invalid_argument("the method manual needs the edges to merge.");
-  if (options.method != Method::manual && !options.edges.empty())
+  if (!are_named && !options.edges.empty())
     throw std::invalid_argument("edges can be named for the method manual only.");
 }
 
 void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) {
-  const Method m = options.method;
-  if (!analyses.save.empty() && m != Method::motorcycle && m != Method::gqe && m != Method::gqe1 &&
-      m != Method::best)
-    throw std::invalid_argument(std::string("the method ") + name(m) +
+  if (!analyses.save.empty() && !method_named(options.method).needs_prices)
+    throw std::invalid_argument("the method " + options.method +
                                 " needs no analysis, so there is none to save.");
 }
 
@@ -149,12 +148,9 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   start.options.view = view(entry);
   start.options.padding = padding();
   if (options.visible_only) start.options.visible = visible_area(entry);
-  Method& method = start.options.method;
-  if (start.mesh.is_smooth() && method != Method::manual) method = Method::lines;
-  start.options.masks_opacity = !stays_one_gradient(entry, method);
-  start.options.as_written = [this, entry, method](const Mesh& mesh, const Frame& frame) {
-    return as_written(entry, method, mesh, frame);
-  };
+  std::string& method = start.options.method;
+  if (start.mesh.is_smooth() && !method_named(method).merges_named_edges) method = line_method;
+  start.options.rules = rules(entry, method_named(method).keeps_rectangle);
   const PriceTableKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   if (options.device_if_faster && !start.mesh.is_smooth())
     start.options.device = automatic_device(
@@ -186,21 +182,19 @@ void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& optio
 SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const {
   const SimplifyOptions& options = start.options;
   SimplifyResult result = gradmesh::simplify(mesh, options);
+  const Method& method = method_named(options.method);
   const bool none = result.patches_after == result.patches_before;
-  const bool has_target = options.patches || options.ratio;
-  if (options.method == Method::manual || stays_one_gradient(entry, options.method) || has_target ||
-      !stays_one_gradient(entry, Method::lines) || !find_grid(start.mesh) ||
-      result.stopped == Stopped::cancelled || result.stopped == Stopped::budget ||
-      (!none && !needs_mask(mesh, result.frame)))
+  const bool was_stopped =
+      result.stopped == Stopped::cancelled || result.stopped == Stopped::budget;
+  if (method.merges_named_edges || method.keeps_rectangle || options.patches || options.ratio ||
+      !is_one_gradient(entry) || !find_grid(start.mesh) || was_stopped ||
+      (!none && !result.form.masks_opacity()))
     return result;
 
   SimplifyOptions by_lines = options;
-  by_lines.method = Method::lines;
+  by_lines.method = line_method;
   by_lines.analysis = nullptr;
-  by_lines.masks_opacity = false;
-  by_lines.as_written = [&](const Mesh& m, const Frame& f) {
-    return as_written(entry, Method::lines, m, f);
-  };
+  by_lines.rules = rules(entry, true);
   if (options.time_budget > 0) {
     by_lines.time_budget = options.time_budget - result.seconds.total;
     if (by_lines.time_budget <= 0) return result;
@@ -222,7 +216,7 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
   check_edges(options);
   check_saved(options, analyses);
   const std::vector<MeshEntry> entries = selected(ids);
-  if (options.method == Method::manual && entries.size() > 1)
+  if (method_named(options.method).merges_named_edges && entries.size() > 1)
     throw InputError("{0}: there are {1} meshes, and edges can be named of one only.", name_,
                      entries.size());
 
@@ -265,7 +259,7 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
 std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
                                           SimplifyOptions options,
                                           const AnalysisPaths& analyses) const {
-  if (options.method == Method::manual) {
+  if (method_named(options.method).merges_named_edges) {
     options.epsilon = 1;
     options.max_local_error.reset();
   }
@@ -316,8 +310,7 @@ Message mesh_label(int patches, int patches_before) {
 Message mesh_label(int patches, int patches_before, MetricKind metric, double error) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.4f", error);
-  return Message("{0}, {1} {2}", mesh_label(patches, patches_before),
-                 metric == MetricKind::flip ? "FLIP" : "SSIM", digits);
+  return Message("{0}, {1} {2}", mesh_label(patches, patches_before), label(metric), digits);
 }
 
 }  // namespace gradmesh

@@ -104,7 +104,8 @@ class Document {
   /// Mesh gradients that paint none of the meshes.
   virtual std::vector<UnusedMesh> unused() const { return {}; }
 
-  virtual Mesh mesh(const MeshEntry& entry) const = 0;
+  /// The mesh of an entry, which is read once; until the document is next changed.
+  virtual const Mesh& mesh(const MeshEntry& entry) const = 0;
   /// From mesh units to what the person sees (y down), up to scale.
   virtual Affine view(const MeshEntry& entry) const = 0;
   virtual FramePadding padding() const = 0;
@@ -205,14 +206,11 @@ class Document {
   }
   /// What is seen of the mesh, where that is known; nothing: all.
   virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
-  /// Whether what a method leaves of the mesh is written as one mesh gradient on the same object,
-  /// and not as blocks.
-  virtual bool stays_one_gradient(const MeshEntry&, Method) const { return false; }
-  /// Whether a mesh is written as blocks with its opacities in a mask.
-  virtual bool needs_mask(const Mesh&, const Frame&) const { return false; }
-  /// SimplifyOptions::as_written, for the mesh that a method leaves.
-  virtual WrittenSurface as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
-                                    const Frame& frame) const = 0;
+  /// Whether the mesh is one mesh gradient on its object, and may stay that.
+  virtual bool is_one_gradient(const MeshEntry&) const { return false; }
+  /// How the mesh of an entry is written: where it is one gradient and is to stay that, as one.
+  virtual std::shared_ptr<const WritingRules> rules(const MeshEntry& entry,
+                                                    bool stays_one) const = 0;
   /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
   virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;

@@ -59,9 +59,8 @@ class Draw {
   }
 
   std::string measure() const {
-    return subject_.say(Message("{0} at {1} pixels",
-                                start_.options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM",
-                                start_.options.resolution));
+    return subject_.say(
+        Message("{0} at {1} pixels", label(start_.options.metric), start_.options.resolution));
   }
 
   Drawing regions(const std::vector<RegionPrice>& all) const {

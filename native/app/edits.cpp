@@ -143,7 +143,7 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
     const Mesh& grid =
         grids.emplace_back(entry, meshes.naming(entry, [&] { return as_grid(before); })).second;
     const Frame frame = meshes.frame(entry, before, measure.resolution);
-    const Mesh written = build_mesh(gradient_parts(grid, frame.coons_tolerance));
+    const Mesh written = build_mesh(gradient_parts(grid, coons_tolerance(frame)));
     const EditError error(before, before, frame, measure.metric);
     reports.push_back(
         {entry.id, before.face_count(), grid.face_count(), error.whole_frame(written).mean});

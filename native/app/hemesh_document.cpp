@@ -15,6 +15,18 @@ std::string text_of(const Mesh& mesh) {
   return write_hemesh(build_mesh(as_bicubic(subdivided(mesh, 1))));
 }
 
+class HemeshRules : public WritingRules {
+ public:
+  explicit HemeshRules(std::string name) : name_(std::move(name)) {}
+
+  WrittenForm form(const Mesh& mesh, const Frame&) const override {
+    return {build_mesh(read_hemesh(text_of(mesh), name_))};
+  }
+
+ private:
+  const std::string name_;
+};
+
 }  // namespace
 
 HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
@@ -32,9 +44,8 @@ std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& 
   return entries_;
 }
 
-WrittenSurface HemeshDocument::as_written(const MeshEntry&, Method, const Mesh& mesh,
-                                          const Frame&) const {
-  return {build_mesh(read_hemesh(text_of(mesh), name()))};
+std::shared_ptr<const WritingRules> HemeshDocument::rules(const MeshEntry&, bool) const {
+  return std::make_shared<HemeshRules>(name());
 }
 
 void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind,

@@ -11,7 +11,7 @@ class HemeshDocument : public Document {
 
   DocumentKind kind() const override { return DocumentKind::hemesh; }
   std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
-  Mesh mesh(const MeshEntry&) const override { return mesh_; }
+  const Mesh& mesh(const MeshEntry&) const override { return mesh_; }
   /// y points down in the file already.
   Affine view(const MeshEntry&) const override { return {}; }
   /// As the authors of the paper do.
@@ -19,8 +19,7 @@ class HemeshDocument : public Document {
 
  protected:
   Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
-  WrittenSurface as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
-                            const Frame& frame) const override;
+  std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;

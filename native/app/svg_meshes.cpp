@@ -1,5 +1,7 @@
 #include "app/svg_meshes.h"
 
+#include "app/svg_rules.h"
+
 #include <algorithm>
 
 #include "form/blocks.h"
@@ -41,27 +43,10 @@ Message why_unpainted(const xmlNode* node) {
   return Message("it is not painted by a mesh gradient");
 }
 
-/// How a mesh that was measured in the frame is written as blocks.
-BlockForm block_form(const Mesh& mesh, const Frame& frame) {
-  return block_form(mesh, frame.coons_tolerance, find_overlaps(mesh, frame));
-}
-
 /// What is hidden today may be seen another time.
 std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
   frame.hidden = nullptr;
   return find_overlaps(mesh, frame);
-}
-
-/// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
-/// in which it is written, is one that the readers refuse.
-Mesh readable_mesh(MeshParts parts, const Affine& to_written = {}) {
-  Mesh mesh = build_mesh(parts);
-  for (Patch& patch : parts.patches) {
-    transform(patch, to_written);
-    if (!is_within_limits(patch))
-      throw InputError("its mesh would reach beyond 5e8 user units when it is written.");
-  }
-  return mesh;
 }
 
 }  // namespace
@@ -77,6 +62,7 @@ void SvgMeshes::list_meshes() {
   for (const MeshObject& o : objects_)
     entries_.push_back(
         {int(entries_.size()), o.id, o.role, o.gradient == nullptr, o.kept != nullptr});
+  read_.assign(entries_.size(), std::nullopt);
   for (MeshEntry& entry : entries_) entry.refused = refusal(entry);
 }
 
@@ -140,10 +126,17 @@ std::vector<UnusedMesh> SvgMeshes::unused() const {
   return meshes;
 }
 
-Mesh SvgMeshes::mesh(const MeshEntry& entry) const {
-  const MeshParts parts =
-      entry.simplified ? group_mesh(entry).parts : read_mesh(svg_, object(entry));
-  return naming(entry, [&] { return build_mesh(parts); });
+const SvgMeshes::ReadMesh& SvgMeshes::read(const MeshEntry& entry) const {
+  std::optional<ReadMesh>& known = read_[std::size_t(entry.index)];
+  if (known) return *known;
+  if (entry.simplified) {
+    const Reconciled group = group_mesh(entry);
+    known = {naming(entry, [&] { return build_mesh(group.parts); }), group.edited};
+  } else {
+    const MeshParts parts = read_mesh(svg_, object(entry));
+    known = {naming(entry, [&] { return build_mesh(parts); })};
+  }
+  return *known;
 }
 
 Reconciled SvgMeshes::group_mesh(const MeshEntry& group) const {
@@ -156,19 +149,23 @@ Reconciled SvgMeshes::group_mesh(const MeshEntry& group) const {
   });
 }
 
-bool SvgMeshes::remembers(const MeshEntry& group) const {
-  return attribute(object(group).node, "original", gradmesh_namespace).has_value();
+std::optional<std::string> SvgMeshes::memory(const MeshEntry& group) const {
+  return attribute(object(group).node, "original", gradmesh_namespace);
 }
 
-std::string SvgMeshes::original_memory(const MeshEntry& group) const {
-  const auto memory = attribute(object(group).node, "original", gradmesh_namespace);
-  return memory && recall(*memory) && !group_mesh(group).edited ? *memory : "";
+std::shared_ptr<const Mesh> SvgMeshes::recalled(const MeshEntry& group) const {
+  read(group);
+  std::optional<std::shared_ptr<const Mesh>>& known = read_[std::size_t(group.index)]->recalled;
+  if (!known) {
+    const auto text = memory(group);
+    const auto parts = text ? recall(*text) : std::nullopt;
+    known = parts ? std::make_shared<const Mesh>(build_mesh(*parts)) : nullptr;
+  }
+  return *known;
 }
 
 std::shared_ptr<const Mesh> SvgMeshes::remembered_original(const MeshEntry& entry) const {
-  if (!entry.simplified) return nullptr;
-  const auto original = recall(original_memory(entry));
-  return original ? std::make_shared<const Mesh>(build_mesh(*original)) : nullptr;
+  return entry.simplified && !read(entry).edited ? recalled(entry) : nullptr;
 }
 
 Affine SvgMeshes::view(const MeshEntry& entry) const {
@@ -194,17 +191,9 @@ std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const
   return area;
 }
 
-bool SvgMeshes::needs_mask(const Mesh& mesh, const Frame& frame) const {
-  return block_form(mesh, frame).masks_opacity;
-}
-
-WrittenSurface SvgMeshes::as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
-                                     const Frame& frame) const {
-  if (stays_one_gradient(entry, method))
-    return {readable_mesh(gradient_parts(mesh, frame.coons_tolerance),
-                          mesh_to_gradient(svg_, object(entry)))};
-  const BlockForm form = block_form(mesh, frame);
-  return {readable_mesh(block_parts(mesh, form)), form.masks_opacity};
+std::shared_ptr<const WritingRules> SvgMeshes::rules(const MeshEntry& entry, bool stays_one) const {
+  if (!stays_one || !is_one_gradient(entry)) return block_rules();
+  return gradient_rules(mesh_to_gradient(svg_, object(entry)));
 }
 
 void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
@@ -213,20 +202,19 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
     for (const SimplifiedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
   for (const auto& [entry, mesh, result, measured] : meshes) {
     const MeshObject& o = object(entry);
-    if (stays_one_gradient(entry, result.method)) {
-      write_mesh_gradient(svg_, o, mesh, result.frame.coons_tolerance);
+    if (!result.form.blocks) {
+      write_mesh_gradient(svg_, o, mesh, result.form.coons_tolerance);
       continue;
     }
     const int before = entry.simplified ? patches_before(o.node) : result.patches_before;
     std::string original;
     if (writing.remember_original) {
-      if (entry.simplified && !has_given_originals()) original = original_memory(entry);
+      if (!has_given_originals() && remembered_original(entry)) original = *memory(entry);
       if (original.empty()) original = remember(*measured, all_overlaps(*measured, result.frame));
     }
     const std::string label =
         mesh_label(result.patches_after, before, metric, result.error).in(translation());
-    const BlockForm form = block_form(mesh, result.frame);
-    write_mesh(svg_, o, {mesh, form, label, before, original});
+    write_mesh(svg_, o, {mesh, *result.form.blocks, label, before, original});
   }
   list_meshes();
 }
@@ -274,12 +262,11 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   result.frame = seen_frame(entry, *original, resolution);
   const EditError error(*original, edited, result.frame, metric);
   // A rectangle that was one mesh gradient stays one.
-  if (!entry.simplified && find_grid(edited)) result.method = Method::lines;
-  const WrittenSurface written =
-      naming(entry, [&] { return as_written(entry, result.method, edited, result.frame); });
-  result.error = error.whole_frame(written.mesh, written.masks_opacity).mean;
+  const auto rules = this->rules(entry, find_grid(edited).has_value());
+  result.form = naming(entry, [&] { return rules->form(edited, result.frame); });
+  result.error = error.whole_frame(result.form.surface, result.form.masks_opacity()).mean;
   WriteOptions writing;
-  writing.remember_original = !entry.simplified || remembers(entry);
+  writing.remember_original = !entry.simplified || memory(entry);
   replace({{entry, edited, result, original}}, metric, writing);
   mark_changed();
   return result.error;
@@ -289,7 +276,7 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
                              int resolution) {
   std::vector<double> tolerances;
   for (const auto& [entry, mesh] : meshes)
-    tolerances.push_back(frame(entry, mesh, resolution).coons_tolerance);
+    tolerances.push_back(coons_tolerance(frame(entry, mesh, resolution)));
   // All are looked at before the first is changed.
   for (const auto& [entry, mesh] : meshes) check_restorable(svg_, object(entry));
   for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -299,24 +286,22 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
   mark_changed();
 }
 
-Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenSurface& written) const {
+Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenForm& form) const {
   const xmlNode* node = object(group).node;
-  const int patches = written.mesh.face_count(), before = patches_before(node);
-  const auto memory = attribute(node, "original", gradmesh_namespace);
-  const auto parts = memory ? recall(*memory) : std::nullopt;
-  if (!parts) return mesh_label(patches, before);
-  const Mesh original = build_mesh(*parts);
+  const int patches = form.surface.face_count(), before = patches_before(node);
+  const std::shared_ptr<const Mesh> original = recalled(group);
+  if (!original) return mesh_label(patches, before);
   const SimplifyOptions usual;
-  const EditError error(original, written.mesh, frame(group, original, usual.resolution),
-                        usual.metric, written.masks_opacity);
+  const EditError error(*original, form.surface, frame(group, *original, usual.resolution),
+                        usual.metric, form.masks_opacity());
   return mesh_label(patches, before, usual.metric, error.error());
 }
 
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {
   struct Edited {
     const MeshObject& group;
-    Mesh mesh;
-    BlockForm form;
+    const Mesh& mesh;
+    WrittenForm form;
     std::string label;
     int patches_before;
     /// What the group remembers from now on.
@@ -327,27 +312,22 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
   std::vector<Edited> edited;
   for (const MeshEntry& entry : entries) {
     if (!entry.simplified) continue;
-    const Reconciled group = group_mesh(entry);
-    reports.push_back({entry.id, int(group.parts.patches.size()), group.edited});
-    if (!group.edited) continue;
-    Mesh mesh = naming(entry, [&] { return build_mesh(group.parts); });
+    const Mesh& mesh = read(entry).mesh;
+    reports.push_back({entry.id, mesh.face_count(), read(entry).edited});
+    if (!read(entry).edited) continue;
     const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
     // Painted in the order of before, in which the person has seen them.
-    const std::vector<Overlap> overlaps = find_overlaps(mesh, frame);
-    BlockForm form = gradmesh::block_form(mesh, frame.coons_tolerance, overlaps);
-    const WrittenSurface written = naming(entry, [&] {
-      return WrittenSurface{readable_mesh(block_parts(mesh, form)), form.masks_opacity};
-    });
-    std::string label = updated_label(entry, written).in(translation());
-    std::string original = remembers(entry) ? remember(mesh, overlaps) : "";
-    edited.push_back({object(entry), std::move(mesh), std::move(form), std::move(label),
+    WrittenForm form = naming(entry, [&] { return rules(entry, false)->form(mesh, frame); });
+    std::string label = updated_label(entry, form).in(translation());
+    std::string original = memory(entry) ? remember(mesh, find_overlaps(mesh, frame)) : "";
+    edited.push_back({object(entry), mesh, std::move(form), std::move(label),
                       patches_before(object(entry).node), std::move(original)});
   }
   if (reports.empty())
     throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
   for (const Edited& e : edited)
-    write_mesh(svg_, e.group, {e.mesh, e.form, e.label, e.patches_before, e.original});
+    write_mesh(svg_, e.group, {e.mesh, *e.form.blocks, e.label, e.patches_before, e.original});
   list_meshes();
   return reports;
 }

@@ -22,7 +22,7 @@ class SvgMeshes : public Document {
   std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
   std::vector<MeshEntry> refused(const std::vector<std::string>& ids) const override;
   std::vector<UnusedMesh> unused() const override;
-  Mesh mesh(const MeshEntry& entry) const override;
+  const Mesh& mesh(const MeshEntry& entry) const override { return read(entry).mesh; }
   Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
 
@@ -42,28 +42,36 @@ class SvgMeshes : public Document {
   Message describe(const MeshEntry& entry) const override;
   std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
   std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
-  bool stays_one_gradient(const MeshEntry& entry, Method method) const override {
-    return method == Method::lines && object(entry).gradient;
+  bool is_one_gradient(const MeshEntry& entry) const override {
+    return object(entry).gradient != nullptr;
   }
-  bool needs_mask(const Mesh& mesh, const Frame& frame) const override;
-  WrittenSurface as_written(const MeshEntry& entry, Method method, const Mesh& mesh,
-                            const Frame& frame) const override;
+  std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
   std::string changed_bytes() const override { return svg_.serialize(); }
 
  private:
+  /// What is known of an entry once it has been read.
+  struct ReadMesh {
+    Mesh mesh;
+    /// Whether a person has changed it since it was written (mesh of a group).
+    bool edited = false;
+    /// As of recalled(), once that has been asked.
+    std::optional<std::shared_ptr<const Mesh>> recalled = std::nullopt;
+  };
+
   const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
+  /// Reads the mesh when it is first asked for.
+  const ReadMesh& read(const MeshEntry& entry) const;
   /// The mesh of a group as a person has left it, made to fit together again.
   Reconciled group_mesh(const MeshEntry& group) const;
-  /// Whether the person wants the group to remember its original.
-  bool remembers(const MeshEntry& group) const;
-  /// What the group remembers of the mesh before it was first simplified, as the attribute's value:
-  /// empty where it remembers nothing, or nothing that counts since it was edited.
-  std::string original_memory(const MeshEntry& group) const;
+  /// What the group remembers of the mesh before it was first simplified, as the attribute's value.
+  std::optional<std::string> memory(const MeshEntry& group) const;
+  /// That mesh; null where it remembers none that can be read.
+  std::shared_ptr<const Mesh> recalled(const MeshEntry& group) const;
   /// Of a group that was edited, as it will be written: how far it is from what it remembers.
-  Message updated_label(const MeshEntry& group, const WrittenSurface& written) const;
+  Message updated_label(const MeshEntry& group, const WrittenForm& form) const;
   void list_meshes();
   /// MeshEntry::refused, found by reading the mesh and placing it.
   std::optional<Message> refusal(const MeshEntry& entry) const;
@@ -72,6 +80,7 @@ class SvgMeshes : public Document {
 
   SvgDocument svg_;
   std::vector<MeshObject> objects_;
+  mutable std::vector<std::optional<ReadMesh>> read_;
 };
 
 }  // namespace gradmesh

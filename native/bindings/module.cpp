@@ -55,7 +55,7 @@ std::vector<std::string> ids(const Document& document) {
 
 py::dict report_dict(const MeshReport& report) {
   const SimplifyResult& r = report.result;
-  return py::dict(py::arg("id") = report.id, py::arg("method") = name(r.method),
+  return py::dict(py::arg("id") = report.id, py::arg("method") = r.method,
                   py::arg("patches_before") = r.patches_before,
                   py::arg("patches_after") = r.patches_after, py::arg("error") = r.error,
                   py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
@@ -256,8 +256,8 @@ void bind_options(py::module_& m) {
   py::class_<SimplifyOptions>(m, "SimplifyOptions")
       .def(py::init<>())
       .def_property(
-          "method", [](const SimplifyOptions& o) { return name(o.method); },
-          [](SimplifyOptions& o, const std::string& value) { o.method = method_named(value); })
+          "method", [](const SimplifyOptions& o) { return o.method; },
+          [](SimplifyOptions& o, const std::string& value) { o.method = method_named(value).name; })
       .def_property(
           "metric", [](const SimplifyOptions& o) { return name(o.metric); },
           [](SimplifyOptions& o, const std::string& value) { o.metric = metric_named(value); })

@@ -7,10 +7,19 @@
 #include "simplify/simplify.h"
 
 namespace gradmesh {
+namespace {
+
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names;
+  for (const MetricEntry& entry : all_metrics()) names.emplace_back(entry.name);
+  return names;
+}
+
+}  // namespace
 
 void add_metric_option(CLI::App& command, std::string& metric) {
   command.add_option("--metric", metric, "How pictures are compared")
-      ->check(CLI::IsMember({"flip", "ssim"}))
+      ->check(CLI::IsMember(metric_names()))
       ->capture_default_str();
 }
 

@@ -24,7 +24,7 @@ void run_convert(ConvertArguments& a) {
   to.document->write_file(a.out);
   std::printf("%s: %d patches, %s %.5f%s\n", entry.id.c_str(),
               to.document->mesh(to.document->meshes().front()).face_count(),
-              a.options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM", to.error,
+              label(a.options.metric), to.error,
               to.lost_opacity ? "; its opacity is lost, which .hemesh cannot hold" : "");
 }
 

@@ -13,7 +13,7 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
       continue;
     }
     meshes.push_back({{"id", id},
-                      {"method", name(result.method)},
+                      {"method", result.method},
                       {"color_model", name(*options.color_model)},
                       {"metric", name(options.metric)},
                       {"epsilon", options.epsilon},

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <algorithm>
 #include "app/common_frames.h"
 #include "app/devices.h"
 #include "cli/commands.h"
@@ -14,6 +15,12 @@
 
 namespace gradmesh {
 namespace {
+
+/// Whether that is the name of a method that fits what it merges.
+bool fits(const std::string& name) {
+  return std::ranges::any_of(all_methods(),
+                             [&](const Method& m) { return m.name == name && m.fits; });
+}
 
 using nlohmann::ordered_json;
 
@@ -74,7 +81,7 @@ void run_report(ReportArguments& a, const CLI::App& command) {
     report.edges = analyze_edges(start.mesh, start.options);
     report.regions = analyze_regions(start.mesh, start.options);
     // Takes longer than all the rest, and no other method fits.
-    if (report.run.is_object() && report.run.value("method", "") == name(Method::best))
+    if (report.run.is_object() && fits(report.run.value("method", "")))
       report.fitted = analyze_fits(start.mesh, start.options, report.regions);
   }
   files.save();

@@ -13,8 +13,7 @@ namespace gradmesh {
 namespace {
 
 struct SimplifyArguments {
-  std::string in, out, original, report, method = name(SimplifyOptions().method), metric = "flip",
-                                         renderer = name(Renderer::automatic);
+  std::string in, out, original, report, metric = "flip", renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   SimplifyOptions options;
   AnalysisPaths analyses;
@@ -24,10 +23,12 @@ struct SimplifyArguments {
   bool quiet = false, preview = false;
 };
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const Method method : all_methods) names.emplace_back(name(method));
-  return names;
+/// The names of the methods that heed an option, as the help says them: "gqe, best: ".
+std::string heeding(const std::string& option) {
+  std::string names;
+  for (const std::string& name : methods_with(option))
+    names.append(names.empty() ? "" : ", ").append(name);
+  return names + ": ";
 }
 
 constexpr double for_splitting = 0.9;
@@ -68,8 +69,7 @@ void print_results(const std::vector<MeshReport>& reports, const SimplifyOptions
   for (const auto& [id, r, refused] : reports) {
     if (refused) continue;
     std::printf("%s: %d of %d patches left, %s %.5f, ", id.c_str(), r.patches_after,
-                r.patches_before, options.metric == MetricKind::flip ? "FLIP" : "1 - SSIM",
-                r.error);
+                r.patches_before, label(options.metric), r.error);
     if (options.max_local_error) std::printf("in small parts up to %.5f, ", r.local_error);
     std::printf("%.2f s (%s)\n", r.seconds.total, name(r.stopped));
   }
@@ -82,7 +82,6 @@ void tell_refused(const std::vector<MeshReport>& reports) {
 }
 
 void run_simplify(SimplifyArguments& a) {
-  a.options.method = method_named(a.method);
   a.options.metric = metric_named(a.metric);
   take_renderer(a.renderer, a.options);
   std::unique_ptr<Document> in = Document::read_file(a.in);
@@ -118,7 +117,7 @@ void add_simplify(CLI::App& program) {
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()
       ->expected(1);
-  command.add_option("--method", a->method, "How edges are chosen")
+  command.add_option("--method", a->options.method, "How edges are chosen")
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();
   add_color_model_option(command, a->options.color_model);
@@ -142,7 +141,8 @@ void add_simplify(CLI::App& program) {
   command.add_option("--seed", a->options.seed, "Random choices follow it")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command.add_option("--omega", a->options.omega, "gqe, gqe1, best: weight of size against error")
+  command
+      .add_option("--omega", a->options.omega, heeding("omega") + "weight of size against error")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   add_kappa_option(command, a->options.kappa);

@@ -1,5 +1,7 @@
 #include "device/tile_metric.h"
 
+#include <map>
+
 #include "egl_shaders.h"
 #include "metric/appearance.h"
 #include "metric/appearance_taps.h"
@@ -34,6 +36,33 @@ std::string flip_source() {
 
 std::string ssim_source() { return taps("GAUSSIAN_TAPS", ssim_taps()) + shaders::ssim_glsl; }
 
+/// What the shaders of a metric need.
+struct MetricShader {
+  std::string (*source)();
+  /// Planes of floats that are kept of the reference image.
+  std::size_t planes;
+  /// Fills the table that the source reads.
+  void (*write_table)(Buffer& table, const Image& reference);
+};
+
+/// Throws DeviceError for a metric that has no shader.
+const MetricShader& shader_of(MetricKind kind) {
+  static const std::map<MetricKind, MetricShader> shaders = {
+      {MetricKind::flip,
+       {flip_source, 5,
+        [](Buffer& table, const Image&) { table.write(std::span<const float>(linear_light())); }}},
+      {MetricKind::ssim,
+       {ssim_source, 6,
+        [](Buffer& table, const Image& reference) {
+          table.write(std::span<const std::uint32_t>(packed(reference)));
+        }}},
+  };
+  const auto found = shaders.find(kind);
+  if (found == shaders.end())
+    throw DeviceError(Message("the metric {0} has no shader", name(kind)));
+  return found->second;
+}
+
 /// A tile of the whole frame that changes nothing.
 AtlasTile whole_frame(const Image& image, int blocks) {
   return {{}, image.window(), 0, 0, 0, 0, 0, blocks};
@@ -48,8 +77,7 @@ std::string pass_source(MetricKind kind, Pass pass) {
     passes += std::string("#define ") + names[i] + " " + std::to_string(i) + "\n";
   passes += std::string("#define PASS ") + names[int(pass)] + "\n";
   return shader_source({passes, constant("REACH", metric_reach(kind)), tiles_source(),
-                        shaders::metric_glsl,
-                        kind == MetricKind::flip ? flip_source() : ssim_source()});
+                        shaders::metric_glsl, shader_of(kind).source()});
 }
 
 int blocks_of_frame(int width, int height) { return ((width + 15) / 16) * ((height + 15) / 16); }
@@ -63,12 +91,10 @@ TileMetric::TileMetric(const Device::Use& use, MetricKind kind, const Image& ima
       total_(use.program(shader_source({tiles_source(), shaders::total_glsl}))) {
   FramePicture picture;
   picture.set(image);
-  if (kind == MetricKind::flip)
-    table_.write(std::span<const float>(linear_light()));
-  else
-    table_.write(std::span<const std::uint32_t>(packed(image)));
-  const std::size_t pixels = image.pixels(), planes = kind == MetricKind::flip ? 5 : 6;
-  reference_.reserve(planes * pixels * sizeof(float));
+  const MetricShader& shader = shader_of(kind);
+  shader.write_table(table_, image);
+  const std::size_t pixels = image.pixels();
+  reference_.reserve(shader.planes * pixels * sizeof(float));
   map_.reserve(pixels * sizeof(float));
   block_rises_.reserve(sizeof(float));
   const AtlasTile whole = whole_frame(image, blocks_of_frame(image.width, image.height));

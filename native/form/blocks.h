@@ -32,7 +32,7 @@ Patch block_patch(const Mesh& mesh, const Block::Cell& cell);
 struct BlockForm {
   /// In the order in which they are painted.
   std::vector<Block> blocks;
-  /// As of Frame::coons_tolerance.
+  /// As of coons_tolerance (raster/frame.h).
   double coons_tolerance = 0;
   /// Whether the opacities are in a mask over opaque blocks; otherwise the blocks hold them.
   bool masks_opacity = false;

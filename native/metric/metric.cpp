@@ -23,20 +23,39 @@ double sum(const float* row, int count) {
   return std::accumulate(totals.begin(), totals.end(), 0.0);
 }
 
+template <class Made>
+std::unique_ptr<Metric> make(Image reference) {
+  return std::make_unique<Made>(std::move(reference));
+}
+
 }  // namespace
 
-std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference) {
-  switch (kind) {
-    case MetricKind::flip:
-      return std::make_unique<Flip>(std::move(reference));
-    case MetricKind::ssim:
-      return std::make_unique<Ssim>(std::move(reference));
-  }
+const std::vector<MetricEntry>& all_metrics() {
+  static const std::vector<MetricEntry> entries = {
+      {MetricKind::flip, "flip", "FLIP", appearance_reach, make<Flip>},
+      {MetricKind::ssim, "ssim", "1 - SSIM", ssim_radius, make<Ssim>},
+  };
+  return entries;
+}
+
+const MetricEntry& metric_entry(MetricKind kind) {
+  for (const MetricEntry& entry : all_metrics())
+    if (entry.kind == kind) return entry;
   throw std::invalid_argument("Unknown metric.");
 }
 
-int metric_reach(MetricKind kind) {
-  return kind == MetricKind::flip ? appearance_reach : ssim_radius;
+MetricKind metric_named(const std::string& wanted) {
+  std::string known;
+  for (const MetricEntry& entry : all_metrics()) {
+    if (wanted == entry.name) return entry.kind;
+    known.append(known.empty() ? "" : ", ").append(entry.name);
+  }
+  throw std::invalid_argument("the metric '" + wanted + "' is not known; there are: " + known +
+                              ".");
+}
+
+std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference) {
+  return metric_entry(kind).make(std::move(reference));
 }
 
 double sum(const Plane& map, Window window) {

@@ -2,6 +2,8 @@
 
 #include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/image.h"
 
@@ -48,8 +50,30 @@ class Metric {
   }
 };
 
-/// Metric::reach() of that metric.
-int metric_reach(MetricKind kind);
+/// What the rest of the program knows of a metric.
+struct MetricEntry {
+  MetricKind kind;
+  /// As in options and reports: "flip".
+  const char* name;
+  /// As labels show its values: "FLIP".
+  const char* label;
+  /// Metric::reach().
+  int reach;
+  std::unique_ptr<Metric> (*make)(Image reference);
+};
+
+/// All metrics, in the order in which lists show them.
+const std::vector<MetricEntry>& all_metrics();
+
+/// The entry of a metric.
+const MetricEntry& metric_entry(MetricKind kind);
+
+inline const char* name(MetricKind kind) { return metric_entry(kind).name; }
+inline const char* label(MetricKind kind) { return metric_entry(kind).label; }
+inline int metric_reach(MetricKind kind) { return metric_entry(kind).reach; }
+
+/// The metric of that name. Throws std::invalid_argument with the names there are.
+MetricKind metric_named(const std::string& name);
 
 /// Any size of reference will do, also one smaller than the filters.
 std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference);

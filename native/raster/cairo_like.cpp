@@ -261,7 +261,7 @@ class CairoLikeRasterizer final : public Rasterizer {
       ForwardPainter painter(strip, window, image);
       for (const Face f : mesh.faces()) {
         Patch patch = mesh.patch(f);
-        if (as_stops) patch = as_written(patch, frame.coons_tolerance);
+        if (as_stops) patch = as_written(patch, coons_tolerance(frame));
         paint_forward(patch, frame.to_pixels, painter);
       }
     });

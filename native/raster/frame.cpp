@@ -58,8 +58,11 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePaddi
   const Affine fit =
       Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low());
   frame.to_pixels = fit * view;
-  frame.coons_tolerance = 0.01 / std::sqrt(std::abs(frame.to_pixels.determinant()));
   return frame;
+}
+
+double coons_tolerance(const Frame& frame) {
+  return 0.01 / std::sqrt(std::abs(frame.to_pixels.determinant()));
 }
 
 Window pixel_bounds(const Patch& patch, const Frame& frame) {

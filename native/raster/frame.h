@@ -16,9 +16,6 @@ struct Frame {
   int width = 0, height = 0;
   /// From mesh units to pixels.
   Affine to_pixels;
-  /// How far an interior control point may be from the Coons patch's, in mesh units, for the
-  /// writer to leave `tensor` out; a hundredth of a pixel.
-  double coons_tolerance = 0;
   /// Whether opacities are painted as the writer holds them, in a mask of 8 bits a pixel. The
   /// original is painted without.
   bool masked_opacity = false;
@@ -41,6 +38,11 @@ struct FramePadding {
 /// Throws InputError where the mesh has no size, or one beyond reason, and where the frame is
 /// beyond the limits on resolution or memory.
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding = {});
+
+/// How far an interior control point may be from the Coons patch's, in mesh units, for a writer to
+/// leave `tensor` out: a hundredth of a pixel of the frame. Painting the colour model `bilinear`
+/// does the same.
+double coons_tolerance(const Frame& frame);
 
 /// About how many bytes it takes to measure errors in the frame on so many threads, as found by
 /// running gqe and best at 350 to 2800 pixels.

@@ -38,7 +38,7 @@ struct ReadyFace {
 
 Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
   Patch patch = mesh.patch(face);
-  if (mesh.color_model() == ColorModel::bilinear) patch = as_written(patch, frame.coons_tolerance);
+  if (mesh.color_model() == ColorModel::bilinear) patch = as_written(patch, coons_tolerance(frame));
   return patch;
 }
 

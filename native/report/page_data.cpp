@@ -8,6 +8,7 @@
 #include "files/base64.h"
 #include "files/image_file.h"
 #include "formats/json/elements.h"
+#include "methods/method.h"
 #include "metric/local_mean.h"
 #include "raster/rasterizer.h"
 
@@ -74,6 +75,13 @@ Json regions_json(const std::vector<RegionPrice>& regions, const std::vector<dou
   return list;
 }
 
+/// Of each option that only some methods heed, the names of these.
+Json heeded_by() {
+  Json result;
+  for (const char* option : {"seed", "omega", "kappa"}) result[option] = methods_with(option);
+  return result;
+}
+
 Json mesh_json(const ReportedMesh& reported, const Image& picture) {
   const Mesh& mesh = reported.mesh;
   const Affine& to_pixels = reported.frame.to_pixels;
@@ -129,12 +137,13 @@ Json page_data(const Report& report) {
   return {{"id", report.id},
           {"width", first.width},
           {"height", first.height},
-          {"metric", report.metric == MetricKind::flip ? "FLIP" : "1 \u2212 SSIM"},
+          {"metric", label(report.metric)},
           {"error", mean(map)},
           {"local_error", largest_local_mean(map)},
           {"epsilon", report.epsilon},
           {"errors", errors_json(map)},
           {"run", report.run},
+          {"heeded_by", heeded_by()},
           {"before", std::move(before_json)},
           {"after", mesh_json(after, second)}};
 }

@@ -8,6 +8,7 @@ namespace gradmesh {
 
 /// What the page's scripts work with:
 ///   {"id", "width", "height",                    pixels of the pictures
+///    "heeded_by": {option: [methods]},           of options that only some methods heed
 ///    "metric": "FLIP", "error", "local_error", "epsilon",
 ///    "errors": {"picture", "largest", "scale": ["#rrggbb", ...]}, scale from 0 to largest
 ///    "run": {...} or null,

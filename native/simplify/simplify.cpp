@@ -10,11 +10,6 @@
 #include "mesh/grid.h"
 #include "methods/best.h"
 #include "methods/gqe.h"
-#include "methods/grid.h"
-#include "methods/lines.h"
-#include "methods/motorcycle.h"
-#include "methods/random.h"
-#include "ops/merge/merge.h"
 #include "raster/painting.h"
 #include "simplify/target.h"
 #include "trial/merge_trial.h"
@@ -38,8 +33,8 @@ void check(const SimplifyOptions& options) {
 }
 
 /// The patches of a smooth mesh have their colours from all around, in rows and columns.
-void check_method(const Mesh& mesh, bool takes_lines) {
-  if (mesh.is_smooth() && !takes_lines)
+void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
+  if (mesh.is_smooth() && !keeps_rectangle)
     throw InputError(
         "its colours follow those of the neighbours (type=\"bicubic\"), so that only whole lines "
         "can be taken out, by the method lines.");
@@ -86,60 +81,14 @@ PriceTable& analysis_for(const PriceTableKey& key, const SimplifyOptions& option
   return *options.analysis;
 }
 
-void merge_named_edges(const SimplifyOptions& options, MergeTrial& trial) {
-  const Mesh& mesh = trial.mesh();
-  for (const int number : options.edges) {
-    if (number < 0 || number >= int(mesh.halfedge_slots()))
-      throw InputError("there is no half-edge {0}.", number);
-    const Halfedge edge{number};
-    if (!mesh[edge].alive)
-      throw InputError("half-edge {0} is gone after the merges before it.", number);
-    const MergeObstacle obstacle = can_merge(mesh, edge);
-    if (obstacle != MergeObstacle::none)
-      throw InputError("half-edge {0} cannot be merged: {1}.", number, describe(obstacle));
-    if (!trial.try_merge(edge))
-      throw options.max_local_error
-          ? InputError(
-                "merging half-edge {0} makes the error larger than epsilon, or than the bound in "
-                "a small part.",
-                number)
-          : InputError("merging half-edge {0} makes the error larger than epsilon.", number);
-  }
-}
-
-void select(const SimplifyOptions& options, MergeTrial& trial, PriceTable& analysis,
-            StopWatch& watch) {
-  const auto by_seed = [&](auto order) {
-    return [order, seed = options.seed](const Mesh& mesh) { return order(mesh, seed); };
-  };
-  switch (options.method) {
-    case Method::random:
-      return try_edges(trial, by_seed(random_order), watch);
-    case Method::grid:
-      return try_edges(trial, by_seed(grid_order), watch);
-    case Method::dual_grid:
-      return try_edges(trial, by_seed(dual_grid_order), watch);
-    case Method::motorcycle:
-      return select_motorcycle(trial, analysis, {options.kappa, options.seed}, watch);
-    case Method::gqe:
-    case Method::gqe1:
-    case Method::best:
-      return merge_by_gqe(trial, analysis, {options.omega, options.method == Method::gqe1}, watch);
-    case Method::lines:
-      return take_out_lines(trial, watch);
-    case Method::manual:
-      return merge_named_edges(options, trial);
-  }
-}
-
 /// Measures the whole frame, of the mesh as it will be written, into `result`; whether that keeps
 /// to epsilon and the local bound.
 bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& options,
              SimplifyResult& result) {
   FrameError found;
-  if (options.as_written) {
-    const WrittenSurface written = options.as_written(mesh, result.frame);
-    found = error.whole_frame(written.mesh, written.masks_opacity);
+  if (options.rules) {
+    result.form = options.rules->form(mesh, result.frame);
+    found = error.whole_frame(result.form.surface, result.form.masks_opacity());
   } else {
     found = error.whole_frame(mesh);
   }
@@ -149,16 +98,17 @@ bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& op
 }
 
 /// Takes the last merge back or, where only whole lines may go, the merges of the last line.
-void undo_last(MergeTrial& trial, Method method) {
+void undo_last(MergeTrial& trial, const Method& method) {
   do trial.undo_last();
-  while (method == Method::lines && trial.depth() > 0 && !find_grid(trial.mesh()));
+  while (method.keeps_rectangle && trial.depth() > 0 && !find_grid(trial.mesh()));
 }
 
 /// What is written is rounded. Takes the last merges back, ever more at a time, until the mesh as
 /// it will be written keeps to epsilon.
-void take_back(MergeTrial& trial, const SimplifyOptions& options, SimplifyResult& result) {
+void take_back(MergeTrial& trial, const Method& method, const SimplifyOptions& options,
+               SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
-    for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, options.method);
+    for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, method);
     if (trial.depth() > 0 && measure(trial.mesh(), trial.measure(), options, result)) break;
   }
   trial.measure_again();
@@ -175,6 +125,8 @@ class Run {
  public:
   Run(Mesh& mesh, const SimplifyOptions& options)
       : options_((check(options), options)),
+        method_(method_named(options.method)),
+        method_options_{options.seed, options.omega, options.kappa, options.edges},
         watch_(options.time_budget, options.progress),
         mesh_(mesh),
         original_(options.original ? *options.original : mesh),
@@ -195,7 +147,7 @@ class Run {
     result.seconds.rasterize = watch_.seconds();
     std::optional<FittedMesh> best;
     try {
-      if (options_.method == Method::best)
+      if (method_.fits)
         best = select_best(result);
       else
         merge_what_fits(result);
@@ -228,8 +180,8 @@ class Run {
 
  private:
   EditError measured_error() const {
-    EditError error(original_, mesh_, frame_, options_.metric, options_.masks_opacity,
-                    options_.max_local_error);
+    EditError error(original_, mesh_, frame_, options_.metric,
+                    options_.rules && options_.rules->may_mask_opacity(), options_.max_local_error);
     if (is_blank(error.state()->painting)) check_painted(mesh_, frame_, options_);
     return error;
   }
@@ -249,11 +201,11 @@ class Run {
     for (bool goes_on = true; goes_on;) {
       const std::size_t depth = trial_.depth();
       PriceTable afresh{analysis_.key, {}};
-      select(options_, trial_, depth == 0 ? analysis_ : afresh, watch_);
+      method_.run({trial_, depth == 0 ? analysis_ : afresh, method_options_, watch_});
       if (trial_.depth() == 0 || keeps_as_written(mesh_, result)) break;
       trial_.lower_epsilon(options_.epsilon - (result.error - trial_.error()));
-      take_back(trial_, options_, result);
-      goes_on = trial_.depth() > depth && options_.method != Method::manual;
+      take_back(trial_, method_, options_, result);
+      goes_on = trial_.depth() > depth && !method_.merges_named_edges;
     }
     if (trial_.depth() > 0) return;
     // What is not changed is not written either, so that only another original makes a difference.
@@ -271,10 +223,10 @@ class Run {
     const auto regions = price_regions(trial_, analysis_, trial_.room(), watch_);
     select_gqe(trial_, regions, {options_.omega, false}, watch_);
     const auto written = [this](const Mesh& mesh) {
-      SimplifyResult result;
-      result.frame = frame_;
-      const bool keeps = measure(mesh, trial_.measure(), options_, result);
-      return FitContext::Written{result.error, keeps};
+      SimplifyResult as_written;
+      as_written.frame = frame_;
+      const bool keeps = measure(mesh, trial_.measure(), options_, as_written);
+      return FitContext::Written{as_written.error, keeps};
     };
     const FitContext context{target, written, options_.omega};
     std::optional<FittedMesh> best = merge_and_fit(start->trial, trial_, regions, context, watch_);
@@ -287,6 +239,8 @@ class Run {
   }
 
   const SimplifyOptions& options_;
+  const Method& method_;
+  const MethodOptions method_options_;
   StopWatch watch_;
   Mesh& mesh_;
   const Mesh& original_;
@@ -307,27 +261,27 @@ void check_resolution(int resolution) {
 }
 
 SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
-  check_method(mesh, options.method == Method::lines);
+  check_smooth(mesh, method_named(options.method).keeps_rectangle);
   if (const auto patches = target_patches(options, mesh.face_count()))
     return simplify_to_target(mesh, options, *patches);
   return Run(mesh, options).simplify();
 }
 
 std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options) {
-  check_method(mesh, false);
+  check_smooth(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).edges();
 }
 
 std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options) {
-  check_method(mesh, false);
+  check_smooth(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).regions();
 }
 
 std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& options,
                                  const std::vector<RegionPrice>& regions) {
-  check_method(mesh, false);
+  check_smooth(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).fits(regions);
 }

@@ -11,40 +11,19 @@
 #include "base/progress.h"
 #include "mesh/mesh.h"
 #include "methods/edges.h"
+#include "methods/method.h"
 #include "methods/regions.h"
 #include "metric/metric.h"
 #include "pricing/price_table.h"
 #include "raster/frame.h"
 #include "raster/hidden.h"
+#include "simplify/writing_rules.h"
 
 namespace gradmesh {
 
-/// How edges are chosen (paper, section 6).
-enum class Method {
-  random,
-  grid,
-  dual_grid,
-  motorcycle,
-  gqe,
-  gqe1,
-  best,    ///< gqe, fitted to the picture and merged on (methods/best.h)
-  lines,   ///< whole rows and columns, of a mesh that is one rectangle (methods/lines.h)
-  manual,  ///< the edges that the caller names (B.2)
-};
-
-inline constexpr Method all_methods[] = {Method::random,     Method::grid,  Method::dual_grid,
-                                         Method::motorcycle, Method::gqe,   Method::gqe1,
-                                         Method::best,       Method::lines, Method::manual};
-
-/// A mesh as a document holds it.
-struct WrittenSurface {
-  Mesh mesh;
-  /// Whether its opacities are in a mask (Frame::masked_opacity).
-  bool masks_opacity = false;
-};
-
 struct SimplifyOptions {
-  Method method = Method::best;
+  /// By its name (methods/method.h).
+  std::string method = default_method;
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
   double epsilon = 0.01;
@@ -84,12 +63,8 @@ struct SimplifyOptions {
   bool visible_only = true;
   /// What is seen of the mesh: the rest does not count, as if it were not painted. All by default.
   std::optional<VisibleArea> visible;
-  /// Whether a translucent mesh of the model `bilinear` may be written with its opacities in a
-  /// mask, which is then charged to every edit.
-  bool masks_opacity = true;
-  /// The mesh as a reader will find it, whose error is the one that counts. Empty: it is written
-  /// as it is.
-  std::function<WrittenSurface(const Mesh&, const Frame&)> as_written;
+  /// How the mesh will be written: the error of that form is the one that counts. Null: as it is.
+  std::shared_ptr<const WritingRules> rules;
   /// The picture that counts, where that is not the mesh as given.
   std::shared_ptr<const Mesh> original;
   /// Prices known from earlier runs; what is priced anew is added. Its key must be that of the
@@ -101,7 +76,7 @@ struct SimplifyOptions {
 enum class Stopped { done, budget, cancelled, nothing_to_merge };
 
 struct SimplifyResult {
-  Method method = Method::best;
+  std::string method = default_method;
   int patches_before = 0, patches_after = 0;
   /// Error of the surface that will be written, measured on the whole frame.
   double error = 0;
@@ -119,6 +94,8 @@ struct SimplifyResult {
     double rasterize = 0, select = 0, verify = 0, total = 0;
   } seconds;
   Frame frame;
+  /// The form that was measured, where something was merged and there are rules for it.
+  WrittenForm form;
 };
 
 /// Merges patches of `mesh` while the error against the original stays at most epsilon, and that of
@@ -147,14 +124,10 @@ PriceTableKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);
 /// Throws std::invalid_argument where a resolution is not 16 to the limit on it, in pixels.
 void check_resolution(int resolution);
 
-/// Names as in options and reports: "dual-grid", "flip", "nothing to merge".
-const char* name(Method method);
-const char* name(MetricKind metric);
+/// Names as in options and reports: "bilinear", "nothing to merge".
 const char* name(ColorModel model);
 const char* name(Stopped stopped);
 /// Throw std::invalid_argument with the names there are.
-Method method_named(const std::string& name);
-MetricKind metric_named(const std::string& name);
 ColorModel color_model_named(const std::string& name);
 
 }  // namespace gradmesh

@@ -91,7 +91,7 @@ std::optional<int> target_patches(const SimplifyOptions& options, int patches_be
   if (options.patches && options.ratio)
     throw std::invalid_argument("a target is a number of patches or a ratio, not both.");
   if (!options.patches && !options.ratio) return std::nullopt;
-  if (options.method == Method::manual)
+  if (method_named(options.method).merges_named_edges)
     throw std::invalid_argument("the method manual has no target: it merges the edges named.");
   if (options.patches && *options.patches < 1)
     throw std::invalid_argument("the number of patches must be at least 1.");

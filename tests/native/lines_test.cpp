@@ -20,7 +20,7 @@ using test::patches;
 
 SimplifyOptions line_options(double epsilon, MetricKind metric = MetricKind::flip) {
   SimplifyOptions options;
-  options.method = Method::lines;
+  options.method = "lines";
   options.metric = metric;
   options.epsilon = epsilon;
   options.resolution = 150;
@@ -206,17 +206,28 @@ TEST(Lines, stay_whole_when_the_run_is_cancelled) {
   }
 }
 
+/// As if coarse meshes could not be written.
+class FineRules : public WritingRules {
+ public:
+  explicit FineRules(std::vector<int>& seen) : seen_(seen) {}
+
+  WrittenForm form(const Mesh& mesh, const Frame&) const override {
+    EXPECT_TRUE(find_grid(mesh));
+    seen_.push_back(mesh.face_count());
+    if (mesh.face_count() >= 12) return {mesh};
+    return {build_mesh({{test::straight_patch({})}, {}, ColorModel::bilinear})};
+  }
+
+ private:
+  /// The patches of the meshes that were asked about.
+  std::vector<int>& seen_;
+};
+
 TEST(Lines, are_taken_back_whole_where_what_is_written_costs_more) {
   const Mesh original = noisy_grid(4, 4, 11);
   SimplifyOptions options = line_options(0.3);
   std::vector<int> seen;
-  options.as_written = [&](const Mesh& mesh, const Frame&) {
-    EXPECT_TRUE(find_grid(mesh));
-    seen.push_back(mesh.face_count());
-    // As if coarse meshes could not be written.
-    if (mesh.face_count() >= 12) return WrittenSurface{mesh};
-    return WrittenSurface{build_mesh({{test::straight_patch({})}, {}, ColorModel::bilinear})};
-  };
+  options.rules = std::make_shared<FineRules>(seen);
   Mesh mesh = original;
   const SimplifyResult result = simplify(mesh, options);
   ASSERT_GT(seen.size(), 1u);

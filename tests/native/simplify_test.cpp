@@ -77,7 +77,7 @@ TEST(Simplify, is_the_same_for_any_number_of_threads_and_follows_the_seed) {
     Mesh mesh =
         grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.05, .color_noise = 0.05}, 9);
     SimplifyOptions options;
-    options.method = Method::grid;
+    options.method = "grid";
     options.threads = threads;
     options.seed = seed;
     options.resolution = 150;
@@ -95,7 +95,7 @@ TEST(Simplify, is_the_same_for_any_number_of_threads_and_follows_the_seed) {
 TEST(Simplify, stops_when_told_and_keeps_the_best_so_far) {
   int calls = 0;
   SimplifyOptions options;
-  options.method = Method::grid;
+  options.method = "grid";
   options.resolution = 100;
   options.progress = [&](const Progress& p) {
     EXPECT_LE(p.done, p.total);

@@ -93,7 +93,7 @@ TEST(Target, refuses_what_makes_no_sense) {
   refuses([](SimplifyOptions& o) { o.ratio = 0; });
   refuses([](SimplifyOptions& o) { o.ratio = 1.5; });
   refuses([](SimplifyOptions& o) { o.patches = 3, o.ratio = 0.5; });
-  refuses([](SimplifyOptions& o) { o.patches = 3, o.method = Method::manual, o.edges = {1}; });
+  refuses([](SimplifyOptions& o) { o.patches = 3, o.method = "manual", o.edges = {1}; });
 }
 
 }  // namespace

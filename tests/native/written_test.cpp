@@ -71,7 +71,7 @@ TEST(BlockForm, paints_what_lies_over_itself_as_before) {
 /// The error of a mesh that is written as blocks as it is: next to nothing, unless a mask of 8 bits
 /// is needed. Half of the pixels behind one may take the next level, for which FLIP charges 0.03.
 void expect_free(const Mesh& mesh, const Frame& frame) {
-  const BlockForm form = block_form(mesh, frame.coons_tolerance, find_overlaps(mesh, frame));
+  const BlockForm form = block_form(mesh, coons_tolerance(frame), find_overlaps(mesh, frame));
   const FrameError error =
       EditError(mesh, mesh, frame, MetricKind::flip)
           .whole_frame(build_mesh(block_parts(mesh, form)), form.masks_opacity);

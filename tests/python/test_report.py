@@ -103,7 +103,7 @@ def test_meshes_of_both_kinds(tmp_path):
     made("convert", leaf, drawing)
     made("report", leaf, drawing, "-o", page, "--metric", "ssim", *COARSE)
     data = page_data(page)
-    assert (data["id"], data["metric"]) == ("leaf", "1 \u2212 SSIM")
+    assert (data["id"], data["metric"]) == ("leaf", "1 - SSIM")
     assert (data["before"]["color_model"], data["after"]["color_model"]) == ("bicubic", "bilinear")
     assert 0 < data["error"] < 0.01
     # Both lie in the same place.

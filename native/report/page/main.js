@@ -110,13 +110,6 @@ const OPTION_NAMES = {
   stopped: "Stopped",
 };
 
-/** Options that only some methods look at. */
-const OPTION_METHODS = {
-  seed: ["random", "grid", "dual-grid", "motorcycle"],
-  omega: ["gqe", "gqe1", "best"],
-  kappa: ["motorcycle"],
-};
-
 function describeRun() {
   const { run } = data;
   const list = document.getElementById("options");
@@ -133,7 +126,7 @@ function describeRun() {
   }
   for (const [key, name] of Object.entries(OPTION_NAMES)) {
     const value = run[key];
-    const matters = OPTION_METHODS[key]?.includes(run.method) ?? true;
+    const matters = data.heeded_by[key]?.includes(run.method) ?? true;
     if (value != null && matters)
       add(name, typeof value === "number" ? short(value, 5) : String(value));
   }

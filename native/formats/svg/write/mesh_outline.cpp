@@ -52,8 +52,10 @@ std::string outline_path(const Mesh& mesh) {
   for (const auto& [number, loops] : outlines) {
     double area = 0;
     for (const Loop& loop : loops) area += doubled_area_of(loop);
-    for (const Loop& loop : loops)
-      d += (d.empty() ? "" : " ") + path_data(area < 0 ? reversed(loop) : loop);
+    for (const Loop& loop : loops) {
+      if (!d.empty()) d += ' ';
+      d += path_data(area < 0 ? reversed(loop) : loop);
+    }
   }
   return d;
 }

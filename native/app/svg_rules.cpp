@@ -1,0 +1,56 @@
+#include "app/svg_rules.h"
+
+#include "base/error.h"
+#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/write/write_mesh.h"
+#include "mesh/build.h"
+#include "raster/overlaps.h"
+
+namespace gradmesh {
+namespace {
+
+/// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
+/// in which it is written, is one that the readers refuse.
+Mesh readable_mesh(MeshParts parts, const Affine& to_written = {}) {
+  Mesh mesh = build_mesh(parts);
+  for (Patch& patch : parts.patches) {
+    transform(patch, to_written);
+    if (!is_within_limits(patch))
+      throw InputError("its mesh would reach beyond 5e8 user units when it is written.");
+  }
+  return mesh;
+}
+
+class BlockRules : public WritingRules {
+ public:
+  WrittenForm form(const Mesh& mesh, const Frame& frame) const override {
+    const double tolerance = coons_tolerance(frame);
+    BlockForm blocks = block_form(mesh, tolerance, find_overlaps(mesh, frame));
+    Mesh surface = readable_mesh(block_parts(mesh, blocks));
+    return {std::move(surface), std::move(blocks), tolerance};
+  }
+  bool may_mask_opacity() const override { return true; }
+};
+
+class GradientRules : public WritingRules {
+ public:
+  explicit GradientRules(const Affine& to_gradient) : to_gradient_(to_gradient) {}
+
+  WrittenForm form(const Mesh& mesh, const Frame& frame) const override {
+    const double tolerance = coons_tolerance(frame);
+    return {readable_mesh(gradient_parts(mesh, tolerance), to_gradient_), std::nullopt, tolerance};
+  }
+
+ private:
+  const Affine to_gradient_;
+};
+
+}  // namespace
+
+std::shared_ptr<const WritingRules> block_rules() { return std::make_shared<BlockRules>(); }
+
+std::shared_ptr<const WritingRules> gradient_rules(const Affine& to_gradient) {
+  return std::make_shared<GradientRules>(to_gradient);
+}
+
+}  // namespace gradmesh
