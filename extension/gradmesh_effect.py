@@ -6,7 +6,8 @@ silent; one that does not, or that was only to tell something, writes plain sent
 document as it is.
 """
 
-import gradmesh_attended  # first of all, so that what fails from here on is told to somebody
+# First of all, so that what fails from here on is told to somebody.
+import gradmesh_attended  # noqa: F401
 
 import io
 import os

@@ -453,7 +453,8 @@ def convert(
     epsilon: towards SVG, which knows no colours but the bilinear mixtures of four, patches are split
     where that is needed for this error, by `metric` at `resolution` pixels along the longer side.
     InputError where it cannot be kept; None: 0.02, or what comes nearest.
-    subdivide: instead, every patch is split into this many each way, 1 to 32. `id` may be left out where the document has one mesh only.
+    subdivide: instead, every patch is split into this many each way, 1 to 32. `id` may be left out where the
+    document has one mesh only.
     """
     made = document._core.convert(
         kind=kind,

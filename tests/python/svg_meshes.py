@@ -171,4 +171,3 @@ def surface(net, steps):
         for j in range(0, net.shape[1] - 1, 3):
             found.append((basis.T @ net[i : i + 4, j : j + 4] @ basis).ravel())
     return np.concatenate(found)
-

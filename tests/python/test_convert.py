@@ -15,6 +15,7 @@ from test_hemesh import check_elements, elements, error, printed, refused
 
 import gradmesh
 
+
 class Curved(Surface):
     """Nowhere a part of one patch, so that merging costs something."""
 

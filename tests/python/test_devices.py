@@ -81,9 +81,8 @@ def test_without_a_device_one_line_says_so_and_the_result_is_the_same(tmp_path):
         pytest.skip("only Mesa's llvmpipe can be made to offer too little")
     options = ["--resolution", "64", "--quiet"]
     run("simplify", SAMPLES / "tensor.svg", "-o", tmp_path / "software.svg", *options)
-    told = run(
-        "simplify", SAMPLES / "tensor.svg", "-o", tmp_path / "egl.svg", "--renderer", "egl", *options, environment=TOO_OLD
-    )
+    arguments = ["simplify", SAMPLES / "tensor.svg", "-o", tmp_path / "egl.svg", "--renderer", "egl", *options]
+    told = run(*arguments, environment=TOO_OLD)
     assert told.stderr == NO_DEVICE
     assert (tmp_path / "egl.svg").read_bytes() == (tmp_path / "software.svg").read_bytes()
 

@@ -68,7 +68,8 @@ def test_what_is_clipped_or_masked_around_it_does_not_count(kind, place):
     window, held = WINDOW[kind].format(hole), f'{HOLDER[kind]}="url(#w)"'
     shape = {
         "object": f'<g transform="rotate(10)"><rect {{}} {held} width="200" height="200"/></g>',
-        "group": f'<g transform="rotate(10)" {held}><a><rect {{}} transform="scale(2)" width="100" height="100"/></a></g>',
+        "group": f'<g transform="rotate(10)" {held}><a>'
+        '<rect {} transform="scale(2)" width="100" height="100"/></a></g>',
     }[place]
     text = Fan(rings=6, clear=()).document(shape, window)
     options = {"resolution": 150, "method": "gqe", "epsilon": 0.002}

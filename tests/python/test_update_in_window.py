@@ -2,7 +2,6 @@
 
 import pytest
 
-import inkscape_harness
 
 np = pytest.importorskip("numpy")
 pytest.importorskip("PIL.Image")

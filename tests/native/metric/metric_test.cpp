@@ -22,7 +22,7 @@ namespace {
 
 constexpr MetricKind all_kinds[] = {MetricKind::flip, MetricKind::ssim};
 
-const char* name(MetricKind kind) { return kind == MetricKind::flip ? "FLIP" : "SSIM"; }
+const char* title(MetricKind kind) { return kind == MetricKind::flip ? "FLIP" : "SSIM"; }
 
 Image filled(int width, int height, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
   Image image(width, height);
@@ -113,11 +113,11 @@ void expect_near_naive(MetricKind kind, const Image& a, const Image& b) {
     for (int x = 0; x < a.width; ++x) {
       const Bounds bounds = naive_bounds(kind, a, b, x, y);
       total += bounds.exact;
-      ASSERT_GE(*map.at(x, y), bounds.lower - tolerance) << name(kind) << " " << x << ", " << y;
-      ASSERT_LE(*map.at(x, y), bounds.upper + tolerance) << name(kind) << " " << x << ", " << y;
+      ASSERT_GE(*map.at(x, y), bounds.lower - tolerance) << title(kind) << " " << x << ", " << y;
+      ASSERT_LE(*map.at(x, y), bounds.upper + tolerance) << title(kind) << " " << x << ", " << y;
     }
   }
-  EXPECT_NEAR(mean(map), total / double(map.samples.size()), 2e-6) << name(kind);
+  EXPECT_NEAR(mean(map), total / double(map.samples.size()), 2e-6) << title(kind);
 }
 
 TEST(Metric, AgreesWithTheDefinitionsInDoublePrecision) {
@@ -221,7 +221,7 @@ TEST(Metric, AWindowHoldsTheBitsOfTheWholeFrame) {
         for (int x = 0; x < width; ++x) {
           const bool inside = !window.clipped({x, y, x + 1, y + 1}).empty();
           ASSERT_EQ(*part.at(x, y), inside ? *whole.at(x, y) : untouched)
-              << name(kind) << " at " << x << ", " << y;
+              << title(kind) << " at " << x << ", " << y;
         }
       }
     }
@@ -379,7 +379,7 @@ TEST(Metric, APixelChangesTheMapAsFarAsItsReachAndNoFarther) {
         for (int x = 0; x < width; ++x)
           if (*changed.at(x, y) != *map.at(x, y))
             farthest = std::max(farthest, distance(x, y, px, py));
-      EXPECT_EQ(farthest, reach) << name(kind) << ", pixel " << px << ", " << py;
+      EXPECT_EQ(farthest, reach) << title(kind) << ", pixel " << px << ", " << py;
     }
   }
 }
@@ -451,7 +451,7 @@ TEST(Metric, RefusesImagesOfAnotherSize) {
 
 TEST(Metric, AcceptsAnImageWithoutPixels) {
   for (const MetricKind kind : all_kinds) {
-    EXPECT_EQ(mean(make_metric(kind, Image())->map(Image())), 0) << name(kind);
+    EXPECT_EQ(mean(make_metric(kind, Image())->map(Image())), 0) << title(kind);
   }
 }
 

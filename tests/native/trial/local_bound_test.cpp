@@ -137,7 +137,7 @@ Plane written_map(const Document& before, const Document& after, const MeshRepor
 
 struct Case {
   std::filesystem::path file;
-  const std::string& method;
+  std::string method;
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
