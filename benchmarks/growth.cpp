@@ -19,7 +19,7 @@ void count(benchmark::State& state, const SimplifyResult& result) {
 /// gqe on all cores.
 void patches(benchmark::State& state, int blocks) {
   const Mesh start = block_mesh(blocks);
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = pixels_per_patch * block_side * blocks;
   SimplifyResult result;
   for (auto _ : state) {
@@ -32,7 +32,7 @@ void patches(benchmark::State& state, int blocks) {
 void gqe(benchmark::State& state, int resolution) {
   const MeshFile pear = mesh_file("pear");
   const auto document = Document::read_file(pear.path);
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = resolution;
   SimplifyResult result;
   for (auto _ : state) result = document->preview({pear.id}, options).front().result;

@@ -4,7 +4,7 @@
 namespace gradmesh::bench {
 namespace {
 
-void run(benchmark::State& state, const MeshFile& file, const SimplifyOptions& options) {
+void run(benchmark::State& state, const MeshFile& file, const RunOptions& options) {
   const auto document = Document::read_file(file.path);
   SimplifyResult result;
   for (auto _ : state) result = document->preview({file.id}, options).front().result;
@@ -23,7 +23,7 @@ void add_methods(const MeshFile& file, MetricKind metric, double epsilon) {
   for (const std::string& method : method_names()) {
     if (method == "manual") continue;
     if (method == "lines" && !is_grid(file)) continue;
-    SimplifyOptions options;
+    RunOptions options;
     options.method = method;
     options.metric = metric;
     options.epsilon = epsilon;

@@ -9,11 +9,11 @@ namespace {
 
 constexpr int blocks = 8, resolution = 1000;
 
-using Price = std::function<void(const Mesh&, const SimplifyOptions&)>;
+using Price = std::function<void(const Mesh&, const RunOptions&)>;
 
 void price(benchmark::State& state, const Price& price, std::shared_ptr<Device> device) {
   const Mesh mesh = block_mesh(blocks);
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = resolution;
   options.device = std::move(device);
   std::string fault;
@@ -36,7 +36,7 @@ void price_on_device(benchmark::State& state, const Price& work) {
 void describe(benchmark::State& state) {
   Mesh mesh = block_mesh(blocks);
   const Mesh start = mesh;
-  SimplifyOptions options;
+  RunOptions options;
   const Frame frame = fit_frame(mesh, options.view, resolution, options.padding);
   MergeTrial trial(mesh, EditError(start, start, frame, options.metric), options.epsilon);
   ParallelTrials trials(trial);
@@ -62,8 +62,8 @@ void register_pricing() {
                  [=](auto& state) { price(state, work_on, nullptr); });
     add_parallel("pricing/" + work + "/egl", [=](auto& state) { price_on_device(state, work_on); });
   };
-  add_both("edges", [](const Mesh& m, const SimplifyOptions& o) { analyze_edges(m, o); });
-  add_both("regions", [](const Mesh& m, const SimplifyOptions& o) { analyze_regions(m, o); });
+  add_both("edges", [](const Mesh& m, const RunOptions& o) { analyze_edges(m, o); });
+  add_both("regions", [](const Mesh& m, const RunOptions& o) { analyze_regions(m, o); });
   add_parallel("pricing/edges/left-to-the-cores", describe);
 }
 

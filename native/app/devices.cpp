@@ -63,7 +63,7 @@ std::size_t thread_number(int threads) {
 
 /// Seconds that pricing all edges of the mesh takes, the shorter of two times: shaders are built
 /// in the first.
-double pricing_seconds(const Mesh& mesh, const SimplifyOptions& options) {
+double pricing_seconds(const Mesh& mesh, const RunOptions& options) {
   double least = 1e30;
   for (int run = 0; run < 2; ++run) {
     const auto start = std::chrono::steady_clock::now();
@@ -74,7 +74,7 @@ double pricing_seconds(const Mesh& mesh, const SimplifyOptions& options) {
   return least;
 }
 
-Speed measure(SimplifyOptions options) {
+Speed measure(RunOptions options) {
   const std::array<int, 2> resolutions{64, 320};
   const Mesh mesh = trial_mesh(8);
   std::array<double, 2> pixels, seconds;
@@ -152,7 +152,7 @@ double priced_pixels(const Mesh& mesh, const Frame& frame, MetricKind metric) {
 }
 
 Speeds measure_speeds(const std::shared_ptr<Device>& device, int threads) {
-  SimplifyOptions options;
+  RunOptions options;
   options.threads = threads;
   Speeds speeds;
   speeds.software = measure(options);

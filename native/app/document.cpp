@@ -36,7 +36,7 @@ void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) 
 
 /// Puts the mesh into the colour model that is asked for. The options returned name the mesh as it
 /// was, where that makes a difference.
-SimplifyOptions in_color_model(SimplifyOptions options, Mesh& mesh) {
+RunOptions in_color_model(RunOptions options, Mesh& mesh) {
   const ColorModel model = options.color_model.value_or(mesh.color_model());
   if (model == mesh.color_model()) return options;
   if (!options.original) options.original = std::make_shared<const Mesh>(mesh);
@@ -137,7 +137,7 @@ std::shared_ptr<const Mesh> Document::given_original(const MeshEntry& entry) con
   return std::make_shared<const Mesh>(build_derived_mesh(parts));
 }
 
-Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& options,
+Document::Start Document::start(const MeshEntry& entry, const RunOptions& options,
                                 AnalysisFiles& files) const {
   check_color_model(options);
   Start start{mesh(entry), options};
@@ -159,7 +159,7 @@ Document::Start Document::start(const MeshEntry& entry, const SimplifyOptions& o
   return start;
 }
 
-void Document::check_color_model(const SimplifyOptions& options) const {
+void Document::check_color_model(const RunOptions& options) const {
   if (kind() == DocumentKind::svg && options.color_model == ColorModel::bicubic)
     throw InputError(
         "{0}: an SVG document cannot hold bicubic colours; gradmesh convert makes a .hemesh file "
@@ -167,7 +167,7 @@ void Document::check_color_model(const SimplifyOptions& options) const {
         name_);
 }
 
-void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& options) const {
+void Document::check_start(const SimplifiedMesh& m, const RunOptions& options) const {
   if (options.patches || options.ratio) return;
   if (m.result.patches_after < m.result.patches_before || m.result.error <= options.epsilon) return;
   // What earlier runs have done to the original that is remembered or given, with a larger epsilon.
@@ -180,7 +180,7 @@ void Document::check_start(const SimplifiedMesh& m, const SimplifyOptions& optio
 }
 
 SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const {
-  const SimplifyOptions& options = start.options;
+  const RunOptions& options = start.options;
   SimplifyResult result = gradmesh::simplify(mesh, options);
   const Method& method = method_named(options.method);
   const bool none = result.patches_after == result.patches_before;
@@ -191,7 +191,7 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
       (!none && !result.form.masks_opacity()))
     return result;
 
-  SimplifyOptions by_lines = options;
+  RunOptions by_lines = options;
   by_lines.method = line_method;
   by_lines.analysis = nullptr;
   by_lines.rules = rules(entry, true);
@@ -211,7 +211,7 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
 }
 
 std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
-                                                           const SimplifyOptions& options,
+                                                           const RunOptions& options,
                                                            const AnalysisPaths& analyses) const {
   check_edges(options);
   check_saved(options, analyses);
@@ -238,8 +238,7 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
 }
 
 std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
-                                           const SimplifyOptions& options,
-                                           const AnalysisPaths& analyses,
+                                           const RunOptions& options, const AnalysisPaths& analyses,
                                            const WriteOptions& writing) {
   if (writing.keep_original && kind() == DocumentKind::hemesh)
     throw InputError("{0}: a .hemesh file holds one mesh, so no original can be kept in it.",
@@ -256,8 +255,7 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
   return reports;
 }
 
-std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids,
-                                          SimplifyOptions options,
+std::vector<MeshReport> Document::preview(const std::vector<std::string>& ids, RunOptions options,
                                           const AnalysisPaths& analyses) const {
   if (method_named(options.method).merges_named_edges) {
     options.epsilon = 1;
@@ -272,7 +270,7 @@ std::vector<UpdateReport> Document::update(const std::vector<std::string>& ids) 
   return reports;
 }
 
-std::size_t Document::analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
+std::size_t Document::analyze(const std::vector<std::string>& ids, const RunOptions& options,
                               const AnalysisPaths& analyses) const {
   AnalysisFiles files(analyses);
   std::size_t prices = 0;

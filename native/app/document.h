@@ -136,9 +136,9 @@ class Document {
   /// the person names edges, and the analysis, which is one of `files`.
   struct Start {
     Mesh mesh;
-    SimplifyOptions options;
+    RunOptions options;
   };
-  Start start(const MeshEntry& entry, const SimplifyOptions& options, AnalysisFiles& files) const;
+  Start start(const MeshEntry& entry, const RunOptions& options, AnalysisFiles& files) const;
 
   /// Simplifies the selected meshes in place, each against `options.original`, its given_original,
   /// the original that it remembers, unless a person has edited it since, or itself as it was.
@@ -150,13 +150,12 @@ class Document {
   /// meshes. Where this throws, the document is as it was. Throws std::invalid_argument as
   /// gradmesh::simplify does, where edges are named for another method than `manual` or none for
   /// that, and where there are no prices to save.
-  std::vector<MeshReport> simplify(const std::vector<std::string>& ids,
-                                   const SimplifyOptions& options,
+  std::vector<MeshReport> simplify(const std::vector<std::string>& ids, const RunOptions& options,
                                    const AnalysisPaths& analyses = {},
                                    const WriteOptions& writing = {});
   /// What simplify() would do; nothing is changed. For `manual` it tells the error of the edges
   /// also where that is too large.
-  std::vector<MeshReport> preview(const std::vector<std::string>& ids, SimplifyOptions options,
+  std::vector<MeshReport> preview(const std::vector<std::string>& ids, RunOptions options,
                                   const AnalysisPaths& analyses = {}) const;
   /// Makes those of the selected meshes that are simplified fit together again where a person has
   /// edited their blocks (form/reconcile.h), and lets the blocks' paths grow with them. Their
@@ -165,7 +164,7 @@ class Document {
   /// was: where nothing selected is simplified, and for .hemesh files.
   std::vector<UpdateReport> update(const std::vector<std::string>& ids);
   /// Prices the selected meshes up to epsilon and saves that; the number of prices.
-  std::size_t analyze(const std::vector<std::string>& ids, const SimplifyOptions& options,
+  std::size_t analyze(const std::vector<std::string>& ids, const RunOptions& options,
                       const AnalysisPaths& analyses) const;
 
   /// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the
@@ -225,14 +224,14 @@ class Document {
 
  private:
   std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
-                                         const SimplifyOptions& options,
+                                         const RunOptions& options,
                                          const AnalysisPaths& analyses) const;
   /// Simplifies the mesh of `start`, and by lines where that is better.
   SimplifyResult simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const;
   /// Throws where the document cannot hold the colour model that is asked for.
-  void check_color_model(const SimplifyOptions& options) const;
+  void check_color_model(const RunOptions& options) const;
   /// Throws where a mesh was above epsilon from the start, in another colour model or document.
-  void check_start(const SimplifiedMesh& mesh, const SimplifyOptions& options) const;
+  void check_start(const SimplifiedMesh& mesh, const RunOptions& options) const;
   static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes,
                                             const std::vector<MeshEntry>& refused);
 

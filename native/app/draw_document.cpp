@@ -47,7 +47,7 @@ class Draw {
   }
 
   Drawing priced_drawing() const {
-    const SimplifyOptions& options = start_.options;
+    const RunOptions& options = start_.options;
     if (options_.show == Show::regions) {
       return regions(document_.naming(entry_, [&] { return analyze_regions(mesh_, options); }));
     }

@@ -25,7 +25,7 @@ struct DrawOptions {
   /// Whether the mesh as it is painted lies behind the lines.
   bool picture = true;
   /// Of the prices that the drawing needs.
-  SimplifyOptions simplify;
+  RunOptions simplify;
 };
 
 /// Draws one mesh as an SVG document of its own, in the coordinates of the document that holds it

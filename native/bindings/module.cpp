@@ -86,7 +86,7 @@ std::function<void(const std::string&)> device_callback(const py::object& callba
 }
 
 /// As of --renderer; `lost` is called with the reason where the cores have to do without.
-void use_renderer(SimplifyOptions& options, const std::string& name, const py::object& lost) {
+void use_renderer(RunOptions& options, const std::string& name, const py::object& lost) {
   const Renderer wanted = renderer_named(name);
   const auto tell = device_callback(lost);
   const py::gil_scoped_release release;
@@ -117,7 +117,7 @@ class MeasuredAgainst {
 };
 
 py::list simplify_document(Document& document, const std::vector<std::string>& ids,
-                           SimplifyOptions options, const AnalysisPaths& analyses,
+                           RunOptions options, const AnalysisPaths& analyses,
                            bool remember_original, bool keep_original, bool preview,
                            const py::object& progress, const Document* original) {
   const MeasuredAgainst measured(document, original);
@@ -141,7 +141,7 @@ py::list update_document(Document& document, const std::vector<std::string>& ids
 }
 
 std::size_t analyze_document(Document& document, const std::vector<std::string>& ids,
-                             SimplifyOptions options, const AnalysisPaths& analyses,
+                             RunOptions options, const AnalysisPaths& analyses,
                              const py::object& progress, const Document* original) {
   const MeasuredAgainst measured(document, original);
   options.progress = progress_callback(progress);
@@ -203,8 +203,8 @@ py::dict convert_document(const Document& document, const std::string& kind, con
 }
 
 std::string draw_document(const Document& document, const std::string& id, const std::string& show,
-                          bool picture, const SimplifyOptions& simplify,
-                          const AnalysisPaths& analyses, const py::object& progress) {
+                          bool picture, const RunOptions& simplify, const AnalysisPaths& analyses,
+                          const py::object& progress) {
   DrawOptions options;
   options.show = show_named(show);
   options.picture = picture;
@@ -253,36 +253,36 @@ void bind_errors(py::module_& m) {
 }
 
 void bind_options(py::module_& m) {
-  py::class_<SimplifyOptions>(m, "SimplifyOptions")
+  py::class_<RunOptions>(m, "SimplifyOptions")
       .def(py::init<>())
       .def_property(
-          "method", [](const SimplifyOptions& o) { return o.method; },
-          [](SimplifyOptions& o, const std::string& value) { o.method = method_named(value).name; })
+          "method", [](const RunOptions& o) { return o.method; },
+          [](RunOptions& o, const std::string& value) { o.method = method_named(value).name; })
       .def_property(
-          "metric", [](const SimplifyOptions& o) { return name(o.metric); },
-          [](SimplifyOptions& o, const std::string& value) { o.metric = metric_named(value); })
+          "metric", [](const RunOptions& o) { return name(o.metric); },
+          [](RunOptions& o, const std::string& value) { o.metric = metric_named(value); })
       .def_property(
           "color_model",
-          [](const SimplifyOptions& o) -> std::optional<std::string> {
+          [](const RunOptions& o) -> std::optional<std::string> {
             if (!o.color_model) return std::nullopt;
             return name(*o.color_model);
           },
-          [](SimplifyOptions& o, const std::optional<std::string>& value) {
+          [](RunOptions& o, const std::optional<std::string>& value) {
             o.color_model.reset();
             if (value) o.color_model = color_model_named(*value);
           })
-      .def_readwrite("epsilon", &SimplifyOptions::epsilon)
-      .def_readwrite("max_local_error", &SimplifyOptions::max_local_error)
-      .def_readwrite("patches", &SimplifyOptions::patches)
-      .def_readwrite("ratio", &SimplifyOptions::ratio)
-      .def_readwrite("resolution", &SimplifyOptions::resolution)
-      .def_readwrite("visible_only", &SimplifyOptions::visible_only)
-      .def_readwrite("seed", &SimplifyOptions::seed)
-      .def_readwrite("omega", &SimplifyOptions::omega)
-      .def_readwrite("kappa", &SimplifyOptions::kappa)
-      .def_readwrite("edges", &SimplifyOptions::edges)
-      .def_readwrite("time_budget", &SimplifyOptions::time_budget)
-      .def_readwrite("threads", &SimplifyOptions::threads)
+      .def_readwrite("epsilon", &RunOptions::epsilon)
+      .def_readwrite("max_local_error", &RunOptions::max_local_error)
+      .def_readwrite("patches", &RunOptions::patches)
+      .def_readwrite("ratio", &RunOptions::ratio)
+      .def_readwrite("resolution", &RunOptions::resolution)
+      .def_readwrite("visible_only", &RunOptions::visible_only)
+      .def_readwrite("seed", &RunOptions::seed)
+      .def_readwrite("omega", &RunOptions::omega)
+      .def_readwrite("kappa", &RunOptions::kappa)
+      .def_readwrite("edges", &RunOptions::edges)
+      .def_readwrite("time_budget", &RunOptions::time_budget)
+      .def_readwrite("threads", &RunOptions::threads)
       .def("use_renderer", &use_renderer);
   m.def("check_resolution", &check_resolution);
   py::class_<AnalysisPaths>(m, "AnalysisPaths")

@@ -12,7 +12,7 @@ namespace {
 struct AnalyzeArguments {
   std::string in, original, metric = "flip", renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
-  SimplifyOptions options;
+  RunOptions options;
   AnalysisPaths analyses;
   bool quiet = false;
 };

@@ -84,7 +84,7 @@ void add_renderer_option(CLI::App& command, std::string& renderer) {
       ->capture_default_str();
 }
 
-void take_renderer(const std::string& renderer, SimplifyOptions& options) {
+void take_renderer(const std::string& renderer, RunOptions& options) {
   const Renderer wanted = renderer_named(renderer);
   options.device_if_faster = wanted == Renderer::automatic;
   if (wanted == Renderer::egl) options.device = open_device(wanted);

@@ -22,7 +22,7 @@ void add_threads_option(CLI::App& command, int& threads);
 /// --renderer.
 void add_renderer_option(CLI::App& command, std::string& renderer);
 /// Takes what it names into the options, and says on stderr where it cannot be had or fails.
-void take_renderer(const std::string& renderer, SimplifyOptions& options);
+void take_renderer(const std::string& renderer, RunOptions& options);
 /// One line on stderr.
 void say_without_device(const std::string& reason);
 /// --original.

@@ -11,7 +11,7 @@ namespace {
 struct DevicesArguments {
   std::string in, metric = "flip";
   std::vector<std::string> ids;
-  SimplifyOptions options;
+  RunOptions options;
 };
 
 void print_device(const DeviceInfo& device) {

@@ -18,7 +18,7 @@ struct RenderArguments {
 /// One picture is no work for a device, so that it has to be asked for.
 Image render(const Document& document, const MeshEntry& entry, const RenderArguments& a,
              const Document* other) {
-  SimplifyOptions options;
+  RunOptions options;
   if (a.renderer == name(Renderer::egl)) take_renderer(a.renderer, options);
   try {
     if (options.device)

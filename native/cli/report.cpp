@@ -27,7 +27,7 @@ using nlohmann::ordered_json;
 struct ReportArguments {
   std::string before, after, out, id, run, original, metric = "flip",
                                                      renderer = name(Renderer::automatic);
-  SimplifyOptions options;
+  RunOptions options;
   AnalysisPaths analyses;
   bool quiet = false;
 };

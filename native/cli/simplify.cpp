@@ -15,7 +15,7 @@ namespace {
 struct SimplifyArguments {
   std::string in, out, original, report, metric = "flip", renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
-  SimplifyOptions options;
+  RunOptions options;
   AnalysisPaths analyses;
   WriteOptions writing;
   /// Changes nothing.
@@ -65,7 +65,7 @@ std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyAr
   return converted(*in, kind, a);
 }
 
-void print_results(const std::vector<MeshReport>& reports, const SimplifyOptions& options) {
+void print_results(const std::vector<MeshReport>& reports, const RunOptions& options) {
   for (const auto& [id, r, refused] : reports) {
     if (refused) continue;
     std::printf("%s: %d of %d patches left, %s %.5f, ", id.c_str(), r.patches_after,

@@ -41,7 +41,7 @@ void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
 }
 
 /// The frame in which the error is measured.
-Frame measured_frame(const Mesh& original, const SimplifyOptions& options) {
+Frame measured_frame(const Mesh& original, const RunOptions& options) {
   Frame frame = fit_frame(original, options.view, options.resolution, options.padding);
   if (options.visible) frame.hidden = std::make_shared<HiddenPixels>(*options.visible, frame);
   return frame;
@@ -61,7 +61,7 @@ bool is_blank(const Painting& painting) {
 
 /// Where nothing is painted whatever is merged costs nothing, though Inkscape may still show a
 /// line. Where all is hidden nobody does.
-void check_painted(const Mesh& mesh, Frame frame, const SimplifyOptions& options) {
+void check_painted(const Mesh& mesh, Frame frame, const RunOptions& options) {
   frame.hidden = nullptr;
   if (is_blank(paint_whole(mesh, frame)))
     throw InputError(
@@ -71,8 +71,7 @@ void check_painted(const Mesh& mesh, Frame frame, const SimplifyOptions& options
 }
 
 /// The prices that this run may use and add to.
-PriceTable& analysis_for(const PriceTableKey& key, const SimplifyOptions& options,
-                         PriceTable& own) {
+PriceTable& analysis_for(const PriceTableKey& key, const RunOptions& options, PriceTable& own) {
   if (!options.analysis) return own = {key, {}};
   if (options.analysis->prices.empty()) options.analysis->key = key;
   if (options.analysis->key != key)
@@ -83,7 +82,7 @@ PriceTable& analysis_for(const PriceTableKey& key, const SimplifyOptions& option
 
 /// Measures the whole frame, of the mesh as it will be written, into `result`; whether that keeps
 /// to epsilon and the local bound.
-bool measure(const Mesh& mesh, const EditError& error, const SimplifyOptions& options,
+bool measure(const Mesh& mesh, const EditError& error, const RunOptions& options,
              SimplifyResult& result) {
   FrameError found;
   if (options.rules) {
@@ -105,7 +104,7 @@ void undo_last(MergeTrial& trial, const Method& method) {
 
 /// What is written is rounded. Takes the last merges back, ever more at a time, until the mesh as
 /// it will be written keeps to epsilon.
-void take_back(MergeTrial& trial, const Method& method, const SimplifyOptions& options,
+void take_back(MergeTrial& trial, const Method& method, const RunOptions& options,
                SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
     for (int i = 0; i < at_once && trial.depth() > 0; ++i) undo_last(trial, method);
@@ -123,7 +122,7 @@ Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
 /// What both a simplification and an analysis begin with.
 class Run {
  public:
-  Run(Mesh& mesh, const SimplifyOptions& options)
+  Run(Mesh& mesh, const RunOptions& options)
       : options_((check(options), options)),
         method_(method_named(options.method)),
         method_options_{options.seed, options.omega, options.kappa, options.edges},
@@ -238,7 +237,7 @@ class Run {
     return best;
   }
 
-  const SimplifyOptions& options_;
+  const RunOptions& options_;
   const Method& method_;
   const MethodOptions method_options_;
   StopWatch watch_;
@@ -260,33 +259,33 @@ void check_resolution(int resolution) {
                                 " pixels.");
 }
 
-SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options) {
+SimplifyResult simplify(Mesh& mesh, const RunOptions& options) {
   check_smooth(mesh, method_named(options.method).keeps_rectangle);
   if (const auto patches = target_patches(options, mesh.face_count()))
     return simplify_to_target(mesh, options, *patches);
   return Run(mesh, options).simplify();
 }
 
-std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options) {
+std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const RunOptions& options) {
   check_smooth(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).edges();
 }
 
-std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options) {
+std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const RunOptions& options) {
   check_smooth(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).regions();
 }
 
-std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& options,
+std::vector<double> analyze_fits(const Mesh& mesh, const RunOptions& options,
                                  const std::vector<RegionPrice>& regions) {
   check_smooth(mesh, false);
   Mesh copy = mesh;
   return Run(copy, options).fits(regions);
 }
 
-PriceTableKey analysis_key(const Mesh& mesh, const SimplifyOptions& options) {
+PriceTableKey analysis_key(const Mesh& mesh, const RunOptions& options) {
   check(options);
   const Mesh& original = options.original ? *options.original : mesh;
   return analysis_key(original, mesh, measured_frame(original, options), options.metric);

@@ -21,6 +21,7 @@
 
 namespace gradmesh {
 
+/// What a person may ask for.
 struct SimplifyOptions {
   /// By its name (methods/method.h).
   std::string method = default_method;
@@ -50,17 +51,17 @@ struct SimplifyOptions {
   double time_budget = 0;
   /// 0: all cores. The result does not depend on it.
   int threads = 0;
-  /// Where regions are priced, many at once; null: on the cores alone. Where it fails they go on,
-  /// from where it was, after `device_lost` was called on the calling thread.
-  std::shared_ptr<Device> device;
-  /// Of a document's mesh (Document::start): a device where it is expected to be faster.
-  bool device_if_faster = false;
-  MergeTrial::DeviceLost device_lost;
+  /// Of a document's mesh (Document::simplify): whether only what is seen of it counts.
+  bool visible_only = true;
+};
+
+/// The same, and what the machinery needs beside: a document and whoever calls it set that.
+struct RunOptions : SimplifyOptions {
+  RunOptions(const SimplifyOptions& asked = {}) : SimplifyOptions(asked) {}
+
   /// From mesh units to what the person sees, up to scale.
   Affine view;
   FramePadding padding;
-  /// Of a document's mesh (Document::simplify): whether only what is seen of it counts.
-  bool visible_only = true;
   /// What is seen of the mesh: the rest does not count, as if it were not painted. All by default.
   std::optional<VisibleArea> visible;
   /// How the mesh will be written: the error of that form is the one that counts. Null: as it is.
@@ -70,6 +71,12 @@ struct SimplifyOptions {
   /// Prices known from earlier runs; what is priced anew is added. Its key must be that of the
   /// mesh and these options, or it must be empty. May be null.
   PriceTable* analysis = nullptr;
+  /// Where regions are priced, many at once; null: on the cores alone. Where it fails they go on,
+  /// from where it was, after `device_lost` was called on the calling thread.
+  std::shared_ptr<Device> device;
+  /// Of a document's mesh (Document::start): a device where it is expected to be faster.
+  bool device_if_faster = false;
+  MergeTrial::DeviceLost device_lost;
   ProgressCallback progress;
 };
 
@@ -105,21 +112,21 @@ struct SimplifyResult {
 /// InputError where the mesh has no size or covers no pixel, where it is smooth or no rectangle and
 /// the method is not for such, or, with `manual`, where an edge cannot be merged within epsilon and
 /// the local bound; the mesh is then as it was.
-SimplifyResult simplify(Mesh& mesh, const SimplifyOptions& options);
+SimplifyResult simplify(Mesh& mesh, const RunOptions& options);
 
 /// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most
 /// epsilon, whose prices are all that the methods need. They are added to `options.analysis`, if
 /// there is one. Fewer where the time budget ends or the caller cancels. Throw as simplify does.
-std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const SimplifyOptions& options);
-std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const SimplifyOptions& options);
+std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const RunOptions& options);
+std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const RunOptions& options);
 
 /// What those regions cost once each is fitted to the picture (methods/best.h), in their order.
 /// Throws as simplify does.
-std::vector<double> analyze_fits(const Mesh& mesh, const SimplifyOptions& options,
+std::vector<double> analyze_fits(const Mesh& mesh, const RunOptions& options,
                                  const std::vector<RegionPrice>& regions);
 
 /// The key of the analysis that belongs to this mesh and these options. Throws as simplify does.
-PriceTableKey analysis_key(const Mesh& mesh, const SimplifyOptions& options);
+PriceTableKey analysis_key(const Mesh& mesh, const RunOptions& options);
 
 /// Throws std::invalid_argument where a resolution is not 16 to the limit on it, in pixels.
 void check_resolution(int resolution);

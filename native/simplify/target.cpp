@@ -14,7 +14,7 @@ constexpr double precision = 1.05;
 /// Tries one epsilon after another and remembers the best mesh.
 class TargetSearch {
  public:
-  TargetSearch(const Mesh& mesh, const SimplifyOptions& options, int patches)
+  TargetSearch(const Mesh& mesh, const RunOptions& options, int patches)
       : mesh_(mesh), options_(options), patches_(patches), budget_(options.time_budget) {
     options_.patches.reset();
     options_.ratio.reset();
@@ -75,7 +75,7 @@ class TargetSearch {
   }
 
   const Mesh& mesh_;
-  SimplifyOptions options_;
+  RunOptions options_;
   const int patches_;
   const double budget_;
   StopWatch watch_{0, {}};
@@ -101,7 +101,7 @@ std::optional<int> target_patches(const SimplifyOptions& options, int patches_be
   return std::max(1, int(*options.ratio * patches_before));
 }
 
-SimplifyResult simplify_to_target(Mesh& mesh, const SimplifyOptions& options, int patches) {
+SimplifyResult simplify_to_target(Mesh& mesh, const RunOptions& options, int patches) {
   return TargetSearch(mesh, options, patches).run(mesh);
 }
 

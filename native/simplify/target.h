@@ -12,6 +12,6 @@ std::optional<int> target_patches(const SimplifyOptions& options, int patches_be
 /// simplifies to one epsilon after another, which is halved or doubled until it lies between two
 /// of which one is large enough, and then narrowed down. Where no error is enough, the fewest
 /// patches that were found. The time budget counts for all of it.
-SimplifyResult simplify_to_target(Mesh& mesh, const SimplifyOptions& options, int patches);
+SimplifyResult simplify_to_target(Mesh& mesh, const RunOptions& options, int patches);
 
 }  // namespace gradmesh

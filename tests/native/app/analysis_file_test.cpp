@@ -31,8 +31,8 @@ std::filesystem::path scratch(const std::string& name) {
   return folder / name;
 }
 
-SimplifyOptions small_options(MetricKind metric = MetricKind::ssim) {
-  SimplifyOptions options;
+RunOptions small_options(MetricKind metric = MetricKind::ssim) {
+  RunOptions options;
   options.metric = metric;
   options.resolution = 80;
   options.epsilon = 0.05;
@@ -47,7 +47,7 @@ Mesh mixed_mesh() {
   return test::changed_mesh(test::grid_parts(grid, random), 3, 10, 2);
 }
 
-PriceTable analysis_of(const Mesh& mesh, SimplifyOptions options) {
+PriceTable analysis_of(const Mesh& mesh, RunOptions options) {
   PriceTable analysis;
   options.analysis = &analysis;
   analyze_regions(mesh, options);
@@ -80,7 +80,7 @@ std::string refusal(const Work& work) {
 
 TEST(AnalysisFile, gives_back_what_was_written) {
   const Mesh first = mixed_mesh(), second = grid_mesh();
-  const SimplifyOptions options = small_options();
+  const RunOptions options = small_options();
   PriceTable a = analysis_of(first, options);
   const PriceTable b = analysis_of(second, options);
   a.prices.begin()->second = {INFINITY};
@@ -95,7 +95,7 @@ TEST(AnalysisFile, gives_back_what_was_written) {
 
 TEST(AnalysisFile, what_was_loaded_is_saved_with_what_was_added) {
   const Mesh first = mixed_mesh(), second = grid_mesh();
-  SimplifyOptions options = small_options();
+  RunOptions options = small_options();
   const PriceTable a = analysis_of(first, options), b = analysis_of(second, options);
   const auto path = scratch("prices.json"), more = scratch("more.json");
   write(path, {a, {b.key, {*b.prices.begin()}}});
@@ -109,7 +109,7 @@ TEST(AnalysisFile, what_was_loaded_is_saved_with_what_was_added) {
 
 TEST(AnalysisFile, loaded_prices_serve_every_epsilon_below_and_every_omega_and_kappa) {
   const Mesh mesh = mixed_mesh();
-  SimplifyOptions options = small_options();
+  RunOptions options = small_options();
   const auto path = scratch("prices.json");
   write(path, {analysis_of(mesh, options)});
   for (const std::string method : {"gqe", "gqe1"})
@@ -140,11 +140,11 @@ TEST(AnalysisFile, loaded_prices_serve_every_epsilon_below_and_every_omega_and_k
 
 TEST(AnalysisFile, says_what_differs) {
   const Mesh mesh = grid_mesh();
-  const SimplifyOptions options = small_options();
+  const RunOptions options = small_options();
   const auto path = scratch("prices.json");
   write(path, {analysis_of(mesh, options)});
   const std::string start = path.string() + ": this analysis ";
-  const auto refused = [&](const Mesh& wanted, const SimplifyOptions& with) {
+  const auto refused = [&](const Mesh& wanted, const RunOptions& with) {
     return refusal([&] { loaded(path, analysis_key(wanted, with), wanted); });
   };
 
@@ -152,7 +152,7 @@ TEST(AnalysisFile, says_what_differs) {
             start + "is of another mesh, or the mesh was changed since.");
   EXPECT_EQ(refused(mesh, small_options(MetricKind::flip)),
             start + "was made with the metric ssim, not flip.");
-  SimplifyOptions other = options;
+  RunOptions other = options;
   other.resolution = 90;
   EXPECT_EQ(refused(mesh, other), start + "was made at 80 x 80 pixels, not 90 x 90 pixels.");
   other = options;
@@ -171,7 +171,7 @@ TEST(AnalysisFile, says_what_differs) {
 TEST(AnalysisFile, of_several_the_closest_is_told_about) {
   const Mesh mesh = grid_mesh();
   const auto path = scratch("prices.json");
-  SimplifyOptions coarse = small_options();
+  RunOptions coarse = small_options();
   coarse.resolution = 40;
   write(path, {analysis_of(grid_mesh({.rows = 4}), small_options()), analysis_of(mesh, coarse)});
   EXPECT_EQ(refusal([&] { loaded(path, analysis_key(mesh, small_options()), mesh); }),
@@ -204,7 +204,7 @@ TEST(AnalysisFile, refuses_other_and_empty_files) {
 
 TEST(AnalysisFile, no_damage_passes) {
   const Mesh mesh = grid_mesh();
-  const SimplifyOptions options = small_options();
+  const RunOptions options = small_options();
   const PriceTable analysis = analysis_of(mesh, options);
   const auto path = scratch("prices.json");
   write(path, {analysis});
@@ -262,7 +262,7 @@ TEST(AnalysisFile, refuses_brackets_without_end) {
 
 TEST(AnalysisFile, refuses_regions_that_are_not_in_the_mesh) {
   const Mesh mesh = grid_mesh();
-  const SimplifyOptions options = small_options();
+  const RunOptions options = small_options();
   const PriceTableKey key = analysis_key(mesh, options);
   const auto path = scratch("prices.json");
   for (const Region& region :

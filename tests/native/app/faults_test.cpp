@@ -69,7 +69,7 @@ std::string sample(const std::string& name) {
 
 /// All that a run over an SVG document does, from bytes to bytes.
 std::string read_simplify_write(const std::string& bytes) {
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = 32;
   options.epsilon = 0.02;
   const auto document = Document::parse(bytes, "drawing.svg");
@@ -121,7 +121,7 @@ TEST_F(Faults, an_allocation_that_fails_ends_the_run_with_an_exception) {
 }
 
 TEST_F(Faults, a_document_whose_run_failed_is_as_it_was) {
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = 32;
   for (const long n : {10, 100, 1000, 3000}) {
     const auto document = Document::parse(bytes_, "drawing.svg");
@@ -146,7 +146,7 @@ TEST_F(Faults, of_a_worker_reach_the_caller) {
 }
 
 /// Simplifies until it has said `most` times how far it is; how often it did.
-long run_until(long most, Mesh& mesh, SimplifyOptions options) {
+long run_until(long most, Mesh& mesh, RunOptions options) {
   long said = 0;
   options.progress = [&](const Progress&) { return ++said < most; };
   const SimplifyResult result = simplify(mesh, options);
@@ -161,7 +161,7 @@ TEST(Cancelling, leaves_a_mesh_that_keeps_to_epsilon_wherever_it_happens) {
   std::mt19937 random(3);
   int cancelled = 0;
   for (int i = 0; cancelled < 1000 && i < 2000; ++i) {
-    SimplifyOptions options;
+    RunOptions options;
     options.method = method_names()[std::size_t(i) % 8];
     ASSERT_NE(options.method, "manual");
     options.metric = i % 3 ? MetricKind::flip : MetricKind::ssim;

@@ -152,7 +152,7 @@ TEST_P(SampleOnDevice, is_merged_the_same) {
     for (const std::string& method : method_names()) {
       if (method == "manual") continue;
       SCOPED_TRACE(std::string(method) + ", " + name(metric));
-      SimplifyOptions options;
+      RunOptions options;
       options.method = method;
       options.metric = metric;
       options.resolution = 64;
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(Samples, SampleOnDevice,
 /// Wherever the device is lost, the cores go on, and the person is told once.
 TEST_F(OnDevice, a_lost_device_changes_nothing) {
   const Mesh start = build_mesh(test::cross(3));
-  const auto patches_left = [&](SimplifyOptions options) {
+  const auto patches_left = [&](RunOptions options) {
     Mesh mesh = start;
     options.resolution = 150;
     options.epsilon = 0.02;
@@ -199,7 +199,7 @@ TEST_F(OnDevice, a_lost_device_changes_nothing) {
   // As many uses as one that is not lost takes: its objects, the picture, batches, their numbers.
   for (int uses = 1; uses < 100; ++uses) {
     SCOPED_TRACE(uses);
-    SimplifyOptions options;
+    RunOptions options;
     options.device = Device::open(false);
     options.device->lose_after(uses);
     int told = 0;

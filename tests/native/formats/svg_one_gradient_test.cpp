@@ -58,7 +58,7 @@ Mesh read(const SvgDocument& document, const MeshObject& object) {
 /// Takes all lines out of a mesh.
 Mesh one_patch(const Mesh& mesh) {
   Mesh merged = mesh;
-  SimplifyOptions options;
+  RunOptions options;
   options.method = "lines";
   options.epsilon = 1;
   options.resolution = 50;
@@ -202,7 +202,7 @@ TEST(OneGradient, and_blocks_that_no_reader_would_take_are_not_written) {
       "far.svg");
   const std::string before = document->bytes();
   for (const std::string method : {"gqe", "lines"}) {
-    SimplifyOptions options;
+    RunOptions options;
     options.method = method;
     options.epsilon = 1;
     options.resolution = 50;

@@ -18,8 +18,8 @@ namespace {
 using test::grid_mesh;
 using test::patches;
 
-SimplifyOptions line_options(double epsilon, MetricKind metric = MetricKind::flip) {
-  SimplifyOptions options;
+RunOptions line_options(double epsilon, MetricKind metric = MetricKind::flip) {
+  RunOptions options;
   options.method = "lines";
   options.metric = metric;
   options.epsilon = epsilon;
@@ -166,7 +166,7 @@ TEST(Lines, do_not_depend_on_the_number_of_threads) {
   std::optional<std::vector<Patch>> first;
   for (const int threads : {1, 2, 5}) {
     Mesh mesh = original;
-    SimplifyOptions options = line_options(0.02);
+    RunOptions options = line_options(0.02);
     options.threads = threads;
     simplify(mesh, options);
     EXPECT_LT(mesh.face_count(), 36);
@@ -192,7 +192,7 @@ TEST(Lines, of_other_meshes_are_refused_and_these_stay_as_they_were) {
 TEST(Lines, stay_whole_when_the_run_is_cancelled) {
   for (const int after : {0, 3, 20}) {
     Mesh mesh = noisy_grid(5, 7, 3);
-    SimplifyOptions options = line_options(0.1);
+    RunOptions options = line_options(0.1);
     int asked = 0;
     options.progress = [&](const Progress& p) {
       EXPECT_LE(p.done, p.total);
@@ -225,7 +225,7 @@ class FineRules : public WritingRules {
 
 TEST(Lines, are_taken_back_whole_where_what_is_written_costs_more) {
   const Mesh original = noisy_grid(4, 4, 11);
-  SimplifyOptions options = line_options(0.3);
+  RunOptions options = line_options(0.3);
   std::vector<int> seen;
   options.rules = std::make_shared<FineRules>(seen);
   Mesh mesh = original;

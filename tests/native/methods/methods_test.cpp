@@ -105,7 +105,7 @@ std::vector<int> some_edges(const Mesh& original) {
 bool leaves_nothing(const std::string& method) { return method != "best" && method != "manual"; }
 
 /// The patches that are left where a method runs once more on what it has made of the original.
-int patches_of_second_run(const Mesh& original, Mesh mesh, SimplifyOptions options) {
+int patches_of_second_run(const Mesh& original, Mesh mesh, RunOptions options) {
   options.analysis = nullptr;
   options.original = std::make_shared<const Mesh>(original);
   return simplify(mesh, options).patches_after;
@@ -120,7 +120,7 @@ void run_all(const Mesh& original, bool price_again) {
     SimplifyResult of_gqe;
     for (const std::string& method : method_names()) {
       SCOPED_TRACE(std::string(method) + ", epsilon " + std::to_string(epsilon));
-      SimplifyOptions options;
+      RunOptions options;
       options.method = method;
       options.metric = epsilon < 0.01 ? MetricKind::ssim : MetricKind::flip;
       // The person who names edges decides by the preview.
@@ -209,7 +209,7 @@ TEST(Methods, leave_one_patch_of_the_parts_of_one) {
   for (const std::string& method : method_names()) {
     if (method == "manual") continue;
     Mesh mesh = parts_of_one(5);
-    SimplifyOptions options;
+    RunOptions options;
     options.method = method;
     options.epsilon = 0.02;
     options.resolution = 200;
@@ -223,7 +223,7 @@ TEST(Methods, leave_one_patch_whatever_the_order_or_no_edge_that_can_be_merged) 
   for (const std::string method : {"random", "grid", "dual-grid", "motorcycle"})
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       Mesh mesh = parts;
-      SimplifyOptions options;
+      RunOptions options;
       options.method = method;
       options.epsilon = 1;
       options.resolution = 40;
@@ -243,7 +243,7 @@ TEST(Methods, see_across_junctions) {
     const Mesh refined = test::locally_refined(ColorModel::bicubic, seed, 16);
     for (const std::string method : {"gqe", "gqe1", "best"}) {
       Mesh mesh = refined;
-      SimplifyOptions options;
+      RunOptions options;
       options.method = method;
       options.resolution = 100;
       EXPECT_EQ(simplify(mesh, options).patches_after, 1) << method << ", seed " << seed;
@@ -259,7 +259,7 @@ TEST(Methods, leave_nothing_for_a_second_run) {
     const Mesh original = seed % 2 == 0 ? build_mesh(parts) : test::changed_mesh(parts, seed, 8);
     for (const std::string& method : method_names()) {
       if (!leaves_nothing(method) || (method == "lines" && !find_grid(original))) continue;
-      SimplifyOptions options;
+      RunOptions options;
       options.method = method;
       options.epsilon = 0.02;
       options.resolution = 100;
@@ -276,7 +276,7 @@ TEST(Manual, says_which_edge_cannot_be_merged_and_why) {
   const Mesh original = build_mesh(test::l_branch());
   const auto message = [&](std::vector<int> edges, double epsilon) -> std::string {
     Mesh mesh = original;
-    SimplifyOptions options;
+    RunOptions options;
     options.method = "manual";
     options.edges = std::move(edges);
     options.epsilon = epsilon;
@@ -299,7 +299,7 @@ TEST(Manual, keeps_to_epsilon_and_to_the_order) {
   const Mesh original = own_mesh("bicubic");
   const std::vector<int> edges = some_edges(original);
   ASSERT_EQ(edges.size(), 3u);
-  SimplifyOptions options;
+  RunOptions options;
   options.method = "manual";
   options.edges = edges;
   options.epsilon = 1;

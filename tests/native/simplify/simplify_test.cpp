@@ -21,7 +21,7 @@ Mesh split_patch(int times) {
 TEST(Simplify, takes_exact_splits_out_again) {
   Mesh mesh = split_patch(5);
   ASSERT_EQ(mesh.face_count(), 6);
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = 200;
   // The colours at the points between were rounded to 8 bits in the original; FLIP charges about
   // 0.03 where a pixel is one level off.
@@ -40,7 +40,7 @@ TEST(Simplify, keeps_the_error_below_epsilon_and_says_it_truly) {
       const Mesh original =
           grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.03, .color_noise = 0.03}, 5);
       Mesh mesh = original;
-      SimplifyOptions options;
+      RunOptions options;
       options.metric = metric;
       options.epsilon = epsilon;
       options.resolution = 200;
@@ -66,7 +66,7 @@ TEST(Simplify, changes_nothing_where_nothing_can_be_merged) {
   EXPECT_EQ(result.error, 0);
 
   Mesh noisy = grid_mesh({.rows = 4, .columns = 4, .color_noise = 0.8}, 2);
-  SimplifyOptions strict;
+  RunOptions strict;
   strict.epsilon = 0;
   EXPECT_EQ(simplify(noisy, strict).stopped, Stopped::nothing_to_merge);
   EXPECT_EQ(noisy.face_count(), 16);
@@ -76,7 +76,7 @@ TEST(Simplify, is_the_same_for_any_number_of_threads_and_follows_the_seed) {
   const auto run = [](int threads, std::uint64_t seed) {
     Mesh mesh =
         grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.05, .color_noise = 0.05}, 9);
-    SimplifyOptions options;
+    RunOptions options;
     options.method = "grid";
     options.threads = threads;
     options.seed = seed;
@@ -94,7 +94,7 @@ TEST(Simplify, is_the_same_for_any_number_of_threads_and_follows_the_seed) {
 
 TEST(Simplify, stops_when_told_and_keeps_the_best_so_far) {
   int calls = 0;
-  SimplifyOptions options;
+  RunOptions options;
   options.method = "grid";
   options.resolution = 100;
   options.progress = [&](const Progress& p) {
@@ -109,7 +109,7 @@ TEST(Simplify, stops_when_told_and_keeps_the_best_so_far) {
   EXPECT_EQ(validate(mesh), std::vector<std::string>{});
 
   Mesh other = split_patch(7);
-  SimplifyOptions short_time;
+  RunOptions short_time;
   short_time.time_budget = 1e-9;
   EXPECT_EQ(simplify(other, short_time).stopped, Stopped::budget);
   EXPECT_EQ(other.face_count(), 8);
@@ -118,15 +118,15 @@ TEST(Simplify, stops_when_told_and_keeps_the_best_so_far) {
 TEST(Simplify, refuses_options_out_of_range) {
   const auto refused = [](auto change) {
     Mesh mesh = grid_mesh();
-    SimplifyOptions options;
+    RunOptions options;
     change(options);
     EXPECT_THROW(simplify(mesh, options), std::invalid_argument);
   };
-  refused([](SimplifyOptions& o) { o.epsilon = -0.1; });
-  refused([](SimplifyOptions& o) { o.epsilon = std::nan(""); });
-  refused([](SimplifyOptions& o) { o.resolution = 3; });
-  refused([](SimplifyOptions& o) { o.time_budget = -1; });
-  refused([](SimplifyOptions& o) { o.threads = -1; });
+  refused([](RunOptions& o) { o.epsilon = -0.1; });
+  refused([](RunOptions& o) { o.epsilon = std::nan(""); });
+  refused([](RunOptions& o) { o.resolution = 3; });
+  refused([](RunOptions& o) { o.time_budget = -1; });
+  refused([](RunOptions& o) { o.threads = -1; });
   EXPECT_THROW(method_named("gqe2"), std::invalid_argument);
   EXPECT_THROW(metric_named("psnr"), std::invalid_argument);
 }

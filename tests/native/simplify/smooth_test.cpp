@@ -164,8 +164,8 @@ TEST(SmoothMesh, is_painted_as_its_parts_by_both_rasterizers) {
   }
 }
 
-SimplifyOptions line_options(double epsilon) {
-  SimplifyOptions options;
+RunOptions line_options(double epsilon) {
+  RunOptions options;
   options.method = "lines";
   options.epsilon = epsilon;
   options.resolution = 150;
@@ -205,7 +205,7 @@ TEST(SmoothMesh, does_not_depend_on_the_number_of_threads) {
   std::vector<Patch> first;
   for (const int threads : {1, 3}) {
     Mesh mesh = smooth_grid(4, 5, 6);
-    SimplifyOptions options = line_options(0.05);
+    RunOptions options = line_options(0.05);
     options.threads = threads;
     simplify(mesh, options);
     EXPECT_LT(mesh.face_count(), 20);
@@ -218,7 +218,7 @@ TEST(SmoothMesh, does_not_depend_on_the_number_of_threads) {
 
 TEST(SmoothMesh, is_refused_by_what_does_not_take_whole_lines) {
   Mesh mesh = smooth_grid(2, 2, 1);
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = 50;
   EXPECT_THROW(analyze_edges(mesh, options), InputError);
   EXPECT_THROW(analyze_regions(mesh, options), InputError);

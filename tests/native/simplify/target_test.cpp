@@ -14,8 +14,8 @@ Mesh rough_mesh() {
   return grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.03, .color_noise = 0.03}, 5);
 }
 
-SimplifyOptions small_options() {
-  SimplifyOptions options;
+RunOptions small_options() {
+  RunOptions options;
   options.resolution = 150;
   return options;
 }
@@ -23,7 +23,7 @@ SimplifyOptions small_options() {
 TEST(Target, as_many_patches_as_asked_for_with_an_error_not_worth_improving) {
   for (const int patches : {30, 20, 12, 5}) {
     Mesh mesh = rough_mesh();
-    SimplifyOptions options = small_options();
+    RunOptions options = small_options();
     options.patches = patches;
     const SimplifyResult result = simplify(mesh, options);
     EXPECT_EQ(validate(mesh), std::vector<std::string>{});
@@ -40,7 +40,7 @@ TEST(Target, as_many_patches_as_asked_for_with_an_error_not_worth_improving) {
 
 TEST(Target, a_share_counts_the_patches_before) {
   Mesh by_ratio = rough_mesh(), by_number = rough_mesh();
-  SimplifyOptions options = small_options();
+  RunOptions options = small_options();
   options.ratio = 0.5;
   const SimplifyResult result = simplify(by_ratio, options);
   options.ratio.reset();
@@ -51,7 +51,7 @@ TEST(Target, a_share_counts_the_patches_before) {
 
 TEST(Target, a_mesh_that_has_no_more_patches_stays) {
   Mesh mesh = grid_mesh({.rows = 1, .columns = 1}, 1);
-  SimplifyOptions options = small_options();
+  RunOptions options = small_options();
   options.patches = 1;
   const SimplifyResult result = simplify(mesh, options);
   EXPECT_EQ(result.patches_after, 1);
@@ -60,7 +60,7 @@ TEST(Target, a_mesh_that_has_no_more_patches_stays) {
 
 TEST(Target, the_time_budget_and_a_cancel_keep_the_best_so_far) {
   Mesh mesh = rough_mesh();
-  SimplifyOptions options = small_options();
+  RunOptions options = small_options();
   options.patches = 4;
   options.time_budget = 1e-9;
   EXPECT_EQ(simplify(mesh, options).stopped, Stopped::budget);
@@ -71,7 +71,7 @@ TEST(Target, the_time_budget_and_a_cancel_keep_the_best_so_far) {
 }
 
 TEST(Target, the_same_for_any_number_of_threads) {
-  SimplifyOptions options = small_options();
+  RunOptions options = small_options();
   options.ratio = 0.4;
   Mesh alone = rough_mesh(), together = rough_mesh();
   options.threads = 1;
@@ -85,15 +85,15 @@ TEST(Target, the_same_for_any_number_of_threads) {
 TEST(Target, refuses_what_makes_no_sense) {
   Mesh mesh = rough_mesh();
   const auto refuses = [&](auto set) {
-    SimplifyOptions options = small_options();
+    RunOptions options = small_options();
     set(options);
     EXPECT_THROW(simplify(mesh, options), std::invalid_argument);
   };
-  refuses([](SimplifyOptions& o) { o.patches = 0; });
-  refuses([](SimplifyOptions& o) { o.ratio = 0; });
-  refuses([](SimplifyOptions& o) { o.ratio = 1.5; });
-  refuses([](SimplifyOptions& o) { o.patches = 3, o.ratio = 0.5; });
-  refuses([](SimplifyOptions& o) { o.patches = 3, o.method = "manual", o.edges = {1}; });
+  refuses([](RunOptions& o) { o.patches = 0; });
+  refuses([](RunOptions& o) { o.ratio = 0; });
+  refuses([](RunOptions& o) { o.ratio = 1.5; });
+  refuses([](RunOptions& o) { o.patches = 3, o.ratio = 0.5; });
+  refuses([](RunOptions& o) { o.patches = 3, o.method = "manual", o.edges = {1}; });
 }
 
 }  // namespace

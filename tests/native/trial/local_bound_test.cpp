@@ -152,7 +152,7 @@ TEST_P(Results, keep_to_the_bound_as_written) {
   if (!std::filesystem::exists(file))
     GTEST_SKIP() << file.filename() << " is not among the authors' meshes in ../shared/meshes";
   const auto before = Document::read_file(file);
-  SimplifyOptions options;
+  RunOptions options;
   options.method = method;
   options.epsilon = 0.03;
   options.resolution = 160;
@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(All, Results, ::testing::ValuesIn(cases()), [](const au
 TEST(LocalBound, may_keep_a_target_from_being_reached) {
   const Mesh original =
       test::grid_mesh({.rows = 6, .columns = 6, .position_noise = 0.03, .color_noise = 0.03}, 5);
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = 150;
   options.patches = 3;
   Mesh free = original, bound = original;
@@ -210,7 +210,7 @@ TEST(LocalBound, may_keep_a_target_from_being_reached) {
 TEST(LocalBound, prices_know_nothing_of_it) {
   const Mesh mesh =
       test::grid_mesh({.rows = 5, .columns = 5, .position_noise = 0.03, .color_noise = 0.03}, 5);
-  SimplifyOptions options;
+  RunOptions options;
   options.resolution = 150;
   PriceTable free, bound;
   options.analysis = &free;
@@ -226,7 +226,7 @@ TEST(LocalBound, prices_know_nothing_of_it) {
 TEST(LocalBound, refuses_a_manual_merge_that_breaks_it_but_tells_the_error) {
   const auto document =
       Document::read_file(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" / "fruit.svg");
-  SimplifyOptions options;
+  RunOptions options;
   options.method = "manual";
   options.edges = {5, 60};
   options.epsilon = 1;
@@ -247,7 +247,7 @@ TEST(LocalBound, refuses_a_manual_merge_that_breaks_it_but_tells_the_error) {
 
 TEST(LocalBound, refuses_what_makes_no_sense) {
   Mesh mesh = test::grid_mesh();
-  SimplifyOptions options;
+  RunOptions options;
   for (const double bound : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     options.max_local_error = bound;
     EXPECT_THROW(simplify(mesh, options), std::invalid_argument);
