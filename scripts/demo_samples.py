@@ -24,7 +24,7 @@ from inkscape_harness import Inkscape, Timeout  # noqa: E402
 
 RAW_ID = "org.gradmesh.simplify"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-ERROR = re.compile(r"Gradient mesh: \d+ of \d+ patches, \w+ ([0-9.]+)")
+ERROR = re.compile(r"Gradient mesh: \d+ of \d+ patches, .+ ([0-9.]+)")
 
 
 def patches(svg):

@@ -28,7 +28,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
 VIEW, FILE_NAME = SODIPODI + "namedview", SODIPODI + "docname"
-LABEL_TEXT = re.compile(r"Gradient mesh: (\d+) of (\d+) patches, (FLIP|SSIM) (\d\.\d{4})")
+LABEL_TEXT = re.compile(r"Gradient mesh: (\d+) of (\d+) patches, (FLIP|1 - SSIM) (\d\.\d{4})")
 EPSILON = 0.01
 PAGE = 0.003  # the page has other pixels than the mesh was measured at
 RAW_ID = "org.gradmesh.simplify"
@@ -335,7 +335,7 @@ def test_preferences_reach_the_extension(inkscape, tmp_path):
     fine = label(amount="custom", epsilon="0.003", resolution=200)
     assert int(coarse[0]) < int(fine[0])
     assert float(fine[3]) <= 0.003 < float(coarse[3]) <= 0.03
-    assert label(metric="ssim", resolution=200)[2] == "SSIM"
+    assert label(metric="ssim", resolution=200)[2] == "1 - SSIM"
     assert int(label(amount="patches", patches=40, resolution=200)[0]) <= 40
 
 
