@@ -33,7 +33,8 @@ std::uint64_t number_of(const std::string& hex_digits) {
   return number;
 }
 
-/// Json::get would cut a number that is no int in a way that no one has defined.
+/// Returns the number as an int. Json::get would convert a number that is no int in an undefined
+/// way.
 int whole_number(const Json& json) {
   if (!json.is_number_integer()) throw std::invalid_argument("not a whole number");
   const auto number = json.get<std::int64_t>();
@@ -41,7 +42,7 @@ int whole_number(const Json& json) {
   return int(number);
 }
 
-/// Of the values, however they are laid out in the file.
+/// Returns the checksum of the values, however they are laid out in the file.
 std::string checksum(const Json& analyses) {
   Hash hash;
   hash.add(analyses.dump());
@@ -63,7 +64,8 @@ Json to_json(const PriceTable& analysis) {
           {"prices", prices}};
 }
 
-/// Throws one of the standard exceptions where something is missing or of another type.
+/// Reads an analysis. Throws one of the standard exceptions if something is missing or of another
+/// type.
 PriceTable from_json(const Json& json) {
   PriceTable analysis;
   analysis.key = {number_of(json.at("original").get<std::string>()),
@@ -83,7 +85,7 @@ PriceTable from_json(const Json& json) {
   return analysis;
 }
 
-/// Says how the key of an analysis differs from the one that is wanted.
+/// Returns the error that says how the key of an analysis differs from the one that is wanted.
 InputError other_key(const std::string& file, const PriceTableKey& found,
                      const PriceTableKey& wanted) {
   if (found.original != wanted.original)
@@ -102,7 +104,7 @@ InputError other_key(const std::string& file, const PriceTableKey& found,
       "{0}: this analysis was made before the mesh was moved, transformed or clipped.", file);
 }
 
-/// How much of two keys is the same, the more telling parts first.
+/// Returns which parts of two keys are equal, the more important parts first.
 auto likeness(const PriceTableKey& a, const PriceTableKey& b) {
   return std::array{a.original == b.original, a.metric == b.metric, a.color_model == b.color_model,
                     a.width == b.width && a.height == b.height, a.content == b.content};

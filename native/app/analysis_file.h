@@ -10,20 +10,21 @@
 
 namespace gradmesh {
 
-/// Where known prices come from, and where those go that a run has used. Empty: neither.
+/// Where known prices are read from, and where the prices that a run has used are written to. An
+/// empty path means that there is none.
 struct AnalysisPaths {
   std::filesystem::path load, save;
-  /// A folder where each mesh has a file of its own, named by its key: what is there is used, and
-  /// what a run has used is kept for the next. Nothing depends on it: it may be emptied at any
-  /// time, and what is damaged there or cannot be written is done without.
+  /// A folder where each mesh has a file of its own, named by its key: prices there are used, and
+  /// those that a run has used are kept for the next. Nothing depends on the folder: it may be
+  /// emptied at any time, and files that are damaged or cannot be written are ignored.
   std::filesystem::path cache = {};
 };
 
-/// The analyses in the text of such a file (AnalysisFiles); `name` is the file's, for messages.
-/// Throws InputError where the text is something else, or damaged.
+/// Returns the analyses in the text of a file as of AnalysisFiles. `name` is the file's, for
+/// messages. Throws InputError if the text is something else, or damaged.
 std::list<PriceTable> parse_analyses(std::string_view text, const std::string& name);
 
-/// The first of its regions that is not in the mesh; null where all are.
+/// Returns the first region of the analysis that is not in the mesh; null if all are.
 const Region* misfit(const PriceTable& analysis, const Mesh& mesh);
 
 /// The analyses of a document's meshes, kept in a file of their own (paper B.3): JSON,
@@ -35,15 +36,16 @@ const Region* misfit(const PriceTable& analysis, const Mesh& mesh);
 /// follows from the keys alone.
 class AnalysisFiles {
  public:
-  /// Throws InputError where the file to load cannot be read, is something else, or damaged.
+  /// Reads the file to load. Throws InputError if it cannot be read, is something else, or is
+  /// damaged.
   explicit AnalysisFiles(AnalysisPaths paths);
 
-  /// What a run over `mesh` begins with, and adds to: the analysis with this key, or where no file
-  /// is loaded the one in the cache, or an empty one. Throws InputError where the file holds none,
-  /// with what differs where that can be told, and where regions do not fit the mesh.
+  /// Returns the analysis that a run over `mesh` begins with, and adds to: the one with this key in
+  /// the file; if no file is loaded, the one in the cache, or an empty one. Throws InputError if
+  /// the file holds none, with what differs if that is known, or if regions do not fit the mesh.
   PriceTable& start(const PriceTableKey& key, const Mesh& mesh);
 
-  /// Writes what was loaded and added, whole or not at all. Throws InputError naming the file.
+  /// Writes the analyses, loaded and added, whole or not at all. Throws InputError naming the file.
   void save() const;
 
  private:

@@ -9,8 +9,8 @@
 namespace gradmesh {
 namespace {
 
-/// Takes the second mesh to where the first one is, as both are seen: the same box, whose longer
-/// sides agree.
+/// Returns the map that lays the second mesh on the first, as both are seen: the boxes then share
+/// their corner of least x and y, and their longer sides are equal.
 Affine aligned(const SeenMesh& a, const SeenMesh& b) {
   const Box to = bounding_box(a.mesh, a.view()), from = bounding_box(b.mesh, b.view());
   const double scale = std::max(to.size().x, to.size().y) / std::max(from.size().x, from.size().y);

@@ -32,8 +32,8 @@ void check(const ConvertOptions& options) {
   check_resolution(options.resolution);
 }
 
-/// Gives corners that meet the same colour where they differ by rounding only: blocks would end
-/// there as at a step in colour.
+/// Gives corners that meet the same colour where their colours differ by rounding only: blocks
+/// would end there as at a step in colour.
 void join_colors(MeshParts& parts) {
   constexpr double rounding = 0.1 / 255;
   constexpr int row[] = {0, 0, 3, 3}, column[] = {0, 3, 3, 0};
@@ -50,8 +50,8 @@ void join_colors(MeshParts& parts) {
   }
 }
 
-/// Between the coordinates of SVG and .hemesh, so that the mesh's longer side has `length` units
-/// and its middle lies at `middle`.
+/// Returns the map between the coordinates of SVG and .hemesh under which the longer side of `box`
+/// has `length` units and its middle lies at `middle`.
 Affine fitted(const Box& box, double length, glm::dvec2 middle) {
   const double scale = length / std::max(box.size().x, box.size().y);
   const glm::dvec2 center = 0.5 * (box.low() + box.high());
@@ -100,7 +100,7 @@ class Converter {
   }
 
  private:
-  /// The mesh subdivided, in the new coordinates.
+  /// Returns the mesh subdivided, in the new coordinates.
   MeshParts parts(int subdivide) const { return parts(source_, subdivide); }
   MeshParts parts(const Mesh& mesh, int subdivide) const {
     MeshParts result = subdivided(mesh, subdivide);
@@ -120,7 +120,7 @@ class Converter {
     return conversion;
   }
 
-  /// The mesh in the colours of SVG, with patches as small as the options want them.
+  /// Returns the mesh in the colour model `bilinear`, with patches as small as the options require.
   Mesh bilinear_mesh(const SvgPage& page, const Conversion& conversion) const {
     if (options_.subdivide) {
       MeshParts patches = as_bilinear(parts(*options_.subdivide));
@@ -147,7 +147,7 @@ class Converter {
     measure(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
   }
 
-  /// Takes the document and measures it.
+  /// Puts the document into the conversion and measures its error.
   void measure(Conversion& conversion, std::unique_ptr<Document> document) const {
     const Mesh mesh = document->mesh(document->meshes().front());
     conversion.error = mean(metric_->map(rasterizer_->paint(mesh, frame_)));
@@ -158,9 +158,9 @@ class Converter {
   const MeshEntry& entry_;
   const ConvertOptions& options_;
   const Mesh read_;
-  /// The same with colours that both kinds of documents understand.
+  /// The mesh with colours that both kinds of documents can hold.
   const Mesh source_;
-  /// From the old mesh's coordinates to the new document's.
+  /// The map from the old mesh's coordinates to the new document's.
   Affine place_;
   /// How the error is measured.
   const std::unique_ptr<Rasterizer> rasterizer_ = make_software_rasterizer();

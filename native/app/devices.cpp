@@ -29,7 +29,8 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-/// A square of so many patches along each side, in soft colours, that costs something to merge.
+/// Returns a square of `side` patches along each side, in soft colours, that cannot be merged
+/// without error.
 Mesh trial_mesh(int side) {
   const auto corner = [](int i, int j) {
     const double wave = 0.5 + 0.4 * ((i * 7 + j * 5) % 11) / 11.0;
@@ -51,18 +52,19 @@ Mesh trial_mesh(int side) {
   return build_mesh(parts);
 }
 
-/// Regions take so many times the pixels of the edges, as found with 1,600 patches.
+/// Pixels that pricing regions takes, as a multiple of those for pricing edges, as found with 1,600
+/// patches.
 constexpr double regions_to_edges = 8;
-/// Seconds of one core for a pixel, about, and how long pricing must take on the cores for a device
-/// to be worth its start.
+/// About the seconds of one core for a pixel, and the seconds that pricing must take on the cores
+/// for a device to be worth its start.
 constexpr double typical_per_pixel = 1e-7, worth_a_start = 0.5;
 
 std::size_t thread_number(int threads) {
   return threads > 0 ? std::size_t(threads) : thread_count();
 }
 
-/// Seconds that pricing all edges of the mesh takes, the shorter of two times: shaders are built
-/// in the first.
+/// Returns the seconds that pricing all edges of the mesh takes, the shorter of two runs, as
+/// shaders are built in the first.
 double pricing_seconds(const Mesh& mesh, const RunOptions& options) {
   double least = 1e30;
   for (int run = 0; run < 2; ++run) {
@@ -90,7 +92,7 @@ Speed measure(RunOptions options) {
   return speed;
 }
 
-/// Null where the user has no home.
+/// Returns the file that keeps the speeds; empty if the user has no home.
 std::filesystem::path speeds_file() {
   const auto variable = [](const char* key) {
     const char* const value = std::getenv(key);

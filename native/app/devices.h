@@ -18,16 +18,17 @@ enum class Renderer {
   egl,        ///< on the first device that EGL offers, even a program in its place
 };
 
-/// Names as in options: "auto", "software", "egl".
+/// Returns the name as in options: "auto", "software", "egl".
 const char* name(Renderer renderer);
-/// Throws std::invalid_argument with the names there are.
+/// Returns the renderer of that name. Throws std::invalid_argument with all names if there is none.
 Renderer renderer_named(const std::string& name);
 
-/// Why there is none where `egl` was asked for.
+/// Message if there is no device, but `egl` was asked for.
 inline constexpr const char* no_device =
     "EGL offers no device that can be used (gradmesh devices tells why)";
 
-/// The device that may be used, null for none. Opening one takes a tenth of a second.
+/// Opens the device that may be used; returns null if there is none. Opening one takes a tenth of a
+/// second.
 std::shared_ptr<Device> open_device(Renderer renderer);
 
 /// How long pricing takes, found by pricing two small meshes.
@@ -41,27 +42,30 @@ struct Speeds {
   Speed software, device;
 };
 
-/// About how many pixels are painted and measured when the edges and regions of a mesh are priced.
+/// Returns about how many pixels are painted and measured when the edges and regions of a mesh are
+/// priced.
 double priced_pixels(const Mesh& mesh, const Frame& frame, MetricKind metric);
 
-/// Measures both on so many threads (0: all cores); takes about a second. Throws DeviceError.
+/// Measures the speeds of software and device on `threads` threads (0: all cores), which takes
+/// about a second. Throws DeviceError.
 Speeds measure_speeds(const std::shared_ptr<Device>& device, int threads);
-/// As measured when the device was first used with this version and as many threads, and kept in
-/// the user's cache folder; what cannot be kept is measured again. Throws DeviceError.
+/// Returns the speeds measured when the device was first used with this version and as many
+/// threads, which are kept in the user's cache folder; if they cannot be kept they are measured
+/// again. Throws DeviceError.
 Speeds known_speeds(const std::shared_ptr<Device>& device, int threads);
 
-/// Which of both is expected to be faster, and why.
+/// The renderer that is expected to be faster, and why.
 struct RendererChoice {
   bool takes_device = false;
   Message reason;
 };
 RendererChoice faster(const Speeds& speeds, double pixels);
-/// What `auto` takes for a mesh, of software and this device; software where that fails.
+/// Returns what `auto` takes for a mesh, of software and this device; software if the device fails.
 RendererChoice choose_renderer(const std::shared_ptr<Device>& device, const Mesh& mesh,
                                const Frame& frame, MetricKind metric, int threads);
 
-/// The device that `auto` takes for a mesh, null for software. None is started where pricing takes
-/// less time than that.
+/// Returns the device that `auto` takes for a mesh, null for software. No device is started if
+/// pricing takes less time than starting one.
 std::shared_ptr<Device> automatic_device(const Mesh& mesh, const Frame& frame, MetricKind metric,
                                          int threads);
 

@@ -79,7 +79,7 @@ class Draw {
     return patch;
   }
 
-  /// As draw_regions() counts: -1 for all.
+  /// Returns the index of the chosen region as in draw_regions(), -1 for all.
   int chosen_region(Face patch, int count) const {
     const int chosen = options_.region.value_or(count);
     if (chosen > count)

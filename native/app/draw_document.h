@@ -18,23 +18,23 @@ enum class Show {
 
 struct DrawOptions {
   Show show = Show::edges;
-  /// regions: the number of the patch; otherwise one of the largest region.
+  /// regions: number of the patch; nothing for one of the largest region.
   std::optional<int> patch;
-  /// regions: which one, from 1, by rising size; 0: all; otherwise the largest.
+  /// regions: number of the region, from 1, by rising size, or 0 for all; nothing for the largest.
   std::optional<int> region;
-  /// Whether the mesh as it is painted lies behind the lines.
+  /// True if the mesh as it is painted lies behind the lines.
   bool picture = true;
-  /// Of the prices that the drawing needs.
+  /// Options for the prices that the drawing needs.
   RunOptions simplify;
 };
 
 /// Draws one mesh as an SVG document of its own, in the coordinates of the document that holds it
-/// (y down, without its viewBox). Throws InputError where there is no such patch or region, and
-/// std::invalid_argument where these are named for another drawing than that of regions.
+/// (y down, without its viewBox). Throws InputError if there is no such patch or region, and
+/// std::invalid_argument if one is given for another drawing than that of regions.
 std::string draw(const Document& document, const MeshEntry& entry, const DrawOptions& options,
                  const AnalysisPaths& analyses = {});
 
-/// Throws std::invalid_argument with the names there are.
+/// Returns the drawing of that name. Throws std::invalid_argument with all names if there is none.
 Show show_named(const std::string& name);
 
 }  // namespace gradmesh

@@ -84,7 +84,8 @@ class Refiner {
     split(journal_, below, t);
   }
 
-  /// A patch that is cut keeps its top and its left side, from which the next line starts.
+  /// Splits along the chosen lines. A patch that is cut keeps its top and its left side, from which
+  /// the next line starts.
   void split_lines() {
     if (options_.rows)
       for (int i = rows_.first; i < rows_.second; ++i)
@@ -103,7 +104,8 @@ class Refiner {
 
 constexpr int most_patches = 100000;
 
-/// Whether all patches that meet at a point have one colour there, but for rounding to 8 bits.
+/// Returns true if all patches that meet at a point have one colour there, but for rounding to 8
+/// bits.
 bool has_one_color_at_each_point(const Mesh& mesh) {
   std::map<Point, glm::dvec4> colors;
   for (const Face f : mesh.faces()) {
@@ -119,7 +121,7 @@ bool has_one_color_at_each_point(const Mesh& mesh) {
   return true;
 }
 
-/// The same surface as one grid.
+/// Returns the same surface as one grid.
 Mesh as_grid(Mesh mesh) {
   Journal journal(mesh);
   extend_stems(journal, most_patches);

@@ -9,45 +9,45 @@
 namespace gradmesh {
 
 /// Edits of single patches, as a person asks for them in a drawing. Blocks are named by the ids of
-/// their paths. All throw InputError, for .hemesh files too; the document is then as it was.
+/// their paths. All throw InputError, also for .hemesh files; the document is then unchanged.
 
-/// How the error is measured that the label tells.
+/// How the error in the label is measured.
 struct MeasureOptions {
   MetricKind metric = MetricKind::flip;
   int resolution = 700;
 };
 
 struct EditReport {
-  /// Of the mesh.
+  /// Id of the mesh.
   std::string id;
   int patches_before = 0, patches_after = 0;
-  /// Against the original that the mesh remembers, or else the mesh as it was.
+  /// Error against the original that the mesh remembers, or else against the mesh as it was.
   double error = 0;
 };
 
-/// Makes one patch of all patches of these blocks, which are of one mesh.
+/// Merges all patches of these blocks, which are of one mesh, to one patch.
 EditReport merge_blocks(Document& document, const std::vector<std::string>& ids,
                         const MeasureOptions& measure = {});
 
 struct RefineOptions {
-  /// Whether patches are cut by a line from left to right, from top to bottom.
+  /// True if patches are cut by a line from left to right (rows), from top to bottom (columns).
   bool rows = true, columns = true;
-  /// Where: from the top and from the left of each patch, above 0 and below 1.
+  /// Where the lines lie, from the top and from the left of each patch, above 0 and below 1.
   double place = 0.5;
-  /// Which patches of the block, from 1; nothing: all.
+  /// Row and column of the patches to cut in the block, from 1; nothing for all.
   std::optional<int> row, column;
-  /// Whether the lines go on across the whole mesh.
+  /// True if the lines go on across the whole mesh.
   bool whole = false;
 };
 
-/// Splits patches of a block, or of an object that is painted by a rectangular mesh. Exact.
+/// Splits patches of a block, or of an object that is painted by a rectangular mesh, exactly.
 EditReport refine(Document& document, const std::string& id, const RefineOptions& options,
                   const MeasureOptions& measure = {});
 
-/// Makes of simplified meshes objects with one ordinary mesh gradient again: every T-junction's
-/// line goes on across the mesh, which is exact but for the rounding of colours at new points to 8
-/// bits. The error is against the simplified mesh. Those of the ids that name other meshes are left
-/// out. Throws where no mesh is simplified, where one is no rectangle (holes, branches), has
+/// Turns simplified meshes into objects with one ordinary mesh gradient again: the line that ends
+/// at a T-junction goes on across the mesh, which is exact but for the rounding of colours at new
+/// points to 8 bits. The reported error is against the simplified mesh. Ids that name other meshes
+/// are ignored. Throws if no mesh is simplified, or if one is no rectangle (holes, branches), has
 /// several colours at one point, or would have more than 100,000 patches.
 std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::string>& ids,
                                     const MeasureOptions& measure = {});

@@ -12,9 +12,9 @@ class HemeshDocument : public Document {
   DocumentKind kind() const override { return DocumentKind::hemesh; }
   std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
   const Mesh& mesh(const MeshEntry&) const override { return mesh_; }
-  /// y points down in the file already.
+  /// Returns the identity, as y points down in the file already.
   Affine view(const MeshEntry&) const override { return {}; }
-  /// As the authors of the paper do.
+  /// Returns the padding that the authors of the paper use.
   FramePadding padding() const override { return {.share = 0, .length = 0.03}; }
 
  protected:

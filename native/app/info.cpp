@@ -32,7 +32,8 @@ ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
           {"elements", elements_json(mesh)}};
 }
 
-/// Objects and arrays down to `depth` with a line for each member; what lies below in one line.
+/// Appends a value as text: objects and arrays down to `depth` with a line for each member, deeper
+/// ones in one line.
 void append_text(const ordered_json& value, int depth, const std::string& indent,
                  std::string& out) {
   if (depth == 0 || !value.is_structured() || value.empty()) {

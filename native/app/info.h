@@ -7,7 +7,7 @@
 
 namespace gradmesh {
 
-/// What is in a document:
+/// Returns the contents of a document:
 ///   {"file", "kind": "svg" or "hemesh",
 ///    "meshes": [{"id", "role": "fill", "stroke" or null, "simplified", "color_model",
 ///                "patches", "points", "t_junctions", "elements"}],
@@ -17,7 +17,7 @@ namespace gradmesh {
 /// and "t_junctions", and "elements" as of elements_json (formats/json/elements.h).
 nlohmann::ordered_json info_json(const Document& document);
 
-/// The same as text, an element a line.
+/// Returns the same as text, with one element on each line.
 std::string info_text(const Document& document);
 
 }  // namespace gradmesh

@@ -29,13 +29,13 @@ bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
   return node != nullptr;
 }
 
-/// Whether the object is, or is inside of, the element that was named. A hidden original does not
-/// count where something around it was.
+/// Returns true if the object is, or is inside of, the element that was named. A hidden original
+/// counts only if it or something in it was named.
 bool is_named_by(const xmlNode* named, const MeshObject& object) {
   return is_inside(object.node, named) && (!object.kept || is_inside(named, object.kept));
 }
 
-/// Why an element is no mesh and holds none.
+/// Returns why an element is no mesh and holds none.
 Message why_unpainted(const xmlNode* node) {
   for (const xmlNode* outer = node; outer; outer = parent_element(outer))
     if (svg_name(outer) == "clipPath")
@@ -43,7 +43,7 @@ Message why_unpainted(const xmlNode* node) {
   return Message("it is not painted by a mesh gradient");
 }
 
-/// What is hidden today may be seen another time.
+/// Returns all overlaps, also those at hidden pixels, since what is hidden now may be seen later.
 std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
   frame.hidden = nullptr;
   return find_overlaps(mesh, frame);
@@ -304,10 +304,10 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     WrittenForm form;
     std::string label;
     int patches_before;
-    /// What the group remembers from now on.
+    /// The mesh that the group remembers from now on, as the value of its attribute.
     std::string original;
   };
-  // All are read before the first is written.
+  // All groups are read before the first is written.
   std::vector<UpdateReport> reports;
   std::vector<Edited> edited;
   for (const MeshEntry& entry : entries) {

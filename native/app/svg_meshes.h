@@ -26,16 +26,18 @@ class SvgMeshes : public Document {
   Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
 
-  /// The block whose path has this id. Throws InputError where it is something else.
+  /// Returns the block whose path has this id. Throws InputError if the id names something else.
   Rectangle block(const std::string& id) const;
-  /// The same, or the mesh of the object with this id that is not simplified and one rectangle.
+  /// Returns the block with this id, or the mesh of the object with this id if it is not simplified
+  /// and one rectangle. Throws InputError otherwise.
   Rectangle rectangle(const std::string& id) const;
-  /// Writes an edited mesh in the place of what it was; the error of what is written against the
-  /// original that is remembered, or else the mesh as it was. `entry` is then one no more.
+  /// Writes an edited mesh in the place of the entry's mesh. Returns the error of the mesh as
+  /// written against the original that is remembered, or else against the mesh as it was. `entry`
+  /// is no longer valid afterwards.
   double rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
 
-  /// Makes of groups of blocks the objects that they stand for again, each painted by one mesh
-  /// gradient. The meshes are grids with one colour at each point. All entries are then new.
+  /// Replaces groups of blocks by the objects that they were made of, each painted by one mesh
+  /// gradient. The meshes are grids with one colour at each point. All entries are listed anew.
   void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution);
 
  protected:
@@ -52,30 +54,33 @@ class SvgMeshes : public Document {
   std::string changed_bytes() const override { return svg_.serialize(); }
 
  private:
-  /// What is known of an entry once it has been read.
+  /// An entry's mesh once it has been read.
   struct ReadMesh {
     Mesh mesh;
-    /// Whether a person has changed it since it was written (mesh of a group).
+    /// True if a person has changed the mesh of a group since it was written.
     bool edited = false;
-    /// As of recalled(), once that has been asked.
+    /// The result of recalled(), once that has been called.
     std::optional<std::shared_ptr<const Mesh>> recalled = std::nullopt;
   };
 
   const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
-  /// Reads the mesh when it is first asked for.
+  /// Returns the mesh, which is read at the first call.
   const ReadMesh& read(const MeshEntry& entry) const;
-  /// The mesh of a group as a person has left it, made to fit together again.
+  /// Returns the mesh of a group as a person has left it, reconciled.
   Reconciled group_mesh(const MeshEntry& group) const;
-  /// What the group remembers of the mesh before it was first simplified, as the attribute's value.
+  /// Returns the mesh before it was first simplified, as the value of the group's attribute;
+  /// nothing if the group remembers none.
   std::optional<std::string> memory(const MeshEntry& group) const;
-  /// That mesh; null where it remembers none that can be read.
+  /// Returns that mesh; null if the group remembers none that can be read.
   std::shared_ptr<const Mesh> recalled(const MeshEntry& group) const;
-  /// Of a group that was edited, as it will be written: how far it is from what it remembers.
+  /// Returns the label of a group that was edited: how far the mesh, as it will be written, is from
+  /// the one that the group remembers.
   Message updated_label(const MeshEntry& group, const WrittenForm& form) const;
   void list_meshes();
-  /// MeshEntry::refused, found by reading the mesh and placing it.
+  /// Returns MeshEntry::refused, found by reading the mesh and placing it.
   std::optional<Message> refusal(const MeshEntry& entry) const;
-  /// The meshes that ids name, readable or not. Throws where one names none that can be read.
+  /// Returns the meshes that ids name, readable or not. Throws if an id names none that can be
+  /// read.
   std::vector<MeshEntry> named(const std::vector<std::string>& ids) const;
 
   SvgDocument svg_;

@@ -9,8 +9,8 @@
 namespace gradmesh {
 namespace {
 
-/// Handles grow as patches are merged. Throws InputError where the mesh, taken to the coordinates
-/// in which it is written, is one that the readers refuse.
+/// Builds the mesh. Throws InputError if the mesh, in the coordinates in which it is written, is
+/// one that the readers refuse: handles grow as patches are merged.
 Mesh readable_mesh(MeshParts parts, const Affine& to_written = {}) {
   Mesh mesh = build_mesh(parts);
   for (Patch& patch : parts.patches) {

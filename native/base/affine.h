@@ -18,17 +18,18 @@ struct Affine {
   static Affine scaling(glm::dvec2 by) { return {glm::dmat2(by.x, 0, 0, by.y), glm::dvec2(0.0)}; }
 
   glm::dvec2 point(glm::dvec2 p) const { return linear * p + offset; }
-  /// Differences of points and derivatives, which the offset does not move.
+  /// Returns the image of a difference of points or of a derivative, which the offset does not
+  /// move.
   glm::dvec2 vector(glm::dvec2 v) const { return linear * v; }
   double determinant() const { return glm::determinant(linear); }
-  /// Only where the determinant is not 0.
+  /// Returns the inverse map. The determinant must not be 0.
   Affine inverse() const {
     const glm::dmat2 back = glm::inverse(linear);
     return {back, -(back * offset)};
   }
 };
 
-/// First `inner`, then `outer`.
+/// Returns the map that applies `inner` first and then `outer`.
 inline Affine operator*(const Affine& outer, const Affine& inner) {
   return {outer.linear * inner.linear, outer.point(inner.offset)};
 }

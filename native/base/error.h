@@ -7,8 +7,9 @@
 
 namespace gradmesh {
 
-/// Bad input or a file that cannot be read or written: one plain sentence for the person, which
-/// names the file and the element where there is one. `what()` is the sentence in English.
+/// Thrown for bad input and for files that cannot be read or written. The message is one plain
+/// sentence for the person, which names the file and the element where there is one. `what()` is
+/// that sentence in English.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(Message message)

@@ -6,8 +6,8 @@
 
 namespace gradmesh {
 
-/// FNV-1a with 64 bits (draft-eastlake-fnv): tells contents apart, the same on every machine; no
-/// protection against malice.
+/// The 64-bit hash FNV-1a (draft-eastlake-fnv), which tells contents apart and is the same on every
+/// machine. It is no protection against malice.
 class Hash {
  public:
   void add(std::string_view bytes) {

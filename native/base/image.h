@@ -21,7 +21,7 @@ struct Window {
     return {std::max(x0, o.x0), std::max(y0, o.y0), std::min(x1, o.x1), std::min(y1, o.y1)};
   }
   Window grown(int by) const { return {x0 - by, y0 - by, x1 + by, y1 + by}; }
-  /// Smallest window that holds both; an empty one adds nothing.
+  /// Returns the smallest window that holds both; an empty one adds nothing.
   Window united(const Window& o) const {
     if (empty()) return o;
     if (o.empty()) return *this;
@@ -29,8 +29,8 @@ struct Window {
   }
 };
 
-/// Samples of the pixels of a window, plane after plane, one for each channel, in rows from top to
-/// bottom. Pixels keep the coordinates of the frame, of which the window may be a part.
+/// Samples of the pixels of a window: one plane after another, one for each channel, each in rows
+/// from top to bottom. Pixels keep the coordinates of the frame, of which the window may be a part.
 template <class Sample, int Channels>
 struct Raster {
   int x0 = 0, y0 = 0, width = 0, height = 0;
@@ -43,14 +43,14 @@ struct Raster {
     std::ranges::fill(samples, fill);
   }
 
-  /// Moves it to another window; the samples may be anything then. Takes new memory only where the
-  /// window is larger than all before.
+  /// Moves the raster to another window, after which the samples may have any values. Takes new
+  /// memory only where the window is larger than all before.
   void reset(Window to) {
     x0 = to.x0, y0 = to.y0, width = to.width(), height = to.height();
     samples.resize(pixels() * Channels);
   }
 
-  /// The sample at (x, y) in frame coordinates; those to its right follow.
+  /// Returns a pointer to the sample at (x, y) in frame coordinates; those to its right follow.
   Sample* at(int x, int y, int channel = 0) { return samples.data() + offset(x, y, channel); }
   const Sample* at(int x, int y, int channel = 0) const {
     return samples.data() + offset(x, y, channel);
@@ -74,7 +74,7 @@ struct Raster {
   }
 };
 
-/// Gives all samples of the window, which lies inside the raster's, one value.
+/// Gives all samples of `window`, which lies inside the raster's window, the value `value`.
 template <class Sample, int Channels>
 void fill(Raster<Sample, Channels>& raster, Window window, Sample value) {
   for (int c = 0; c < Channels; ++c)
@@ -82,9 +82,9 @@ void fill(Raster<Sample, Channels>& raster, Window window, Sample value) {
       std::fill_n(raster.at(window.x0, y, c), window.width(), value);
 }
 
-/// 8-bit sRGB, opaque.
+/// An opaque image in 8-bit sRGB.
 using Image = Raster<std::uint8_t, 3>;
-/// r, g, b, r, g, b, ... as files and NumPy hold an image.
+/// Returns the samples as r, g, b, r, g, b, ..., as files and NumPy hold an image.
 inline std::vector<std::uint8_t> interleaved(const Image& image) {
   std::vector<std::uint8_t> bytes(image.samples.size());
   for (std::size_t i = 0; i < image.pixels(); ++i)

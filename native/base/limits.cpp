@@ -15,7 +15,7 @@ struct Entry {
   std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 };
 
-// What most allows: elements on the stack of a thread, and pixels whose count is an int.
+// `most` keeps elements to the stack of a thread, and pixels to a number that an int holds.
 constexpr Entry entries[] = {
     {"document", &Limits::document},
     {"patches", &Limits::patches},

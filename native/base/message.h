@@ -11,8 +11,8 @@
 
 namespace gradmesh {
 
-/// The text of a message with places {0}, {1}, ... for its arguments. That it is a literal and has
-/// a place for each of `arguments`, ten at most, and no other brace, is checked while compiling.
+/// The text of a message with places {0}, {1}, ... for its arguments. The compiler checks that the
+/// text is a literal and has a place for each of `arguments`, ten at most, and no other brace.
 template <std::size_t arguments>
 class MessageTemplate {
  public:
@@ -38,15 +38,15 @@ class MessageTemplate {
   const char* text_;
 };
 
-/// From the template of a message to what stands for it in another language.
+/// Translates the template of a message into another language.
 using Translation = std::function<std::string(const std::string&)>;
 
-/// What a person is told, kept apart from what it is told about, so that it can be said in another
-/// language: xgettext finds the templates by the names `Message` and `InputError`, and whoever
+/// What a person is told: a template and its arguments, kept apart so that the message can be
+/// translated. xgettext finds the templates by the names `Message` and `InputError`, and whoever
 /// speaks to the person has the translations. Nothing here knows of languages.
 class Message {
  public:
-  /// Goes into a place as it is, such as a name, or is a message of its own.
+  /// Either text that is put into its place as it is, such as a name, or a message of its own.
   using Argument = std::variant<std::string, Message>;
 
   template <class... Arguments>

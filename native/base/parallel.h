@@ -14,7 +14,7 @@
 namespace gradmesh {
 
 /// Calls `body(i)` for every i in [0, count), on as many threads as the innermost ThreadLimit
-/// allows. Bodies must not depend on each other; whoever sums over i does so afterwards, in
+/// allows. Bodies must not depend on each other. A caller that sums over i does so afterwards, in
 /// order, so that results do not depend on the number of threads.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
@@ -43,7 +43,7 @@ void parallel_for(std::size_t count, const Body& body) {
 #endif
 }
 
-/// The most threads on which parallel_for works now.
+/// Returns the largest number of threads on which parallel_for works now.
 inline std::size_t thread_count() {
 #ifdef __SANITIZE_THREAD__
   return 2;
@@ -54,7 +54,7 @@ inline std::size_t thread_count() {
 #endif
 }
 
-/// While it lives, parallel_for uses at most `threads` threads (0: all cores).
+/// As long as it lives, parallel_for uses at most `threads` threads (0: all cores).
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads)

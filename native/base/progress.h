@@ -15,16 +15,16 @@ struct Progress {
 /// Called from the thread that started the run; returning false cancels it.
 using ProgressCallback = std::function<bool(const Progress&)>;
 
-/// Says when a run has to stop, and why.
+/// Tells when a run has to stop, and why.
 class StopWatch {
  public:
   enum class Reason { none, budget, cancelled };
 
-  /// `budget` in seconds, counted from now; 0 or less: no limit.
+  /// `budget` is in seconds, counted from now; 0 or less means no limit.
   StopWatch(double budget, ProgressCallback callback)
       : start_(Clock::now()), budget_(budget), callback_(std::move(callback)) {}
 
-  /// Reports progress; true where the run has to stop, now and ever after.
+  /// Reports progress. Returns true if the run has to stop, now and ever after.
   bool should_stop(const Progress& progress) {
     if (reason_ == Reason::none && callback_ && !callback_(progress)) reason_ = Reason::cancelled;
     if (reason_ == Reason::none && budget_ > 0 && seconds() > budget_) reason_ = Reason::budget;

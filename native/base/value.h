@@ -6,7 +6,7 @@
 namespace gradmesh {
 
 /// One vector of a patch: position in mesh units, colour as (r, g, b, a) in sRGB, not
-/// premultiplied, 0..1. Also used for tangents and twists, whose colour part is a derivative.
+/// premultiplied, 0..1. Tangents and twists are Values too; their colour part is a derivative.
 struct Value {
   glm::dvec2 position{0.0};
   glm::dvec4 color{0.0};

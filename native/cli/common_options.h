@@ -19,18 +19,19 @@ void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model)
 /// `--whole-mesh` makes `visible_only` false.
 void add_whole_mesh_option(CLI::App& command, bool& visible_only);
 void add_threads_option(CLI::App& command, int& threads);
-/// --renderer.
+/// Adds --renderer.
 void add_renderer_option(CLI::App& command, std::string& renderer);
-/// Takes what it names into the options, and says on stderr where it cannot be had or fails.
+/// Sets the device of the renderer in the options, and says on stderr if there is none or if it
+/// fails.
 void take_renderer(const std::string& renderer, RunOptions& options);
-/// One line on stderr.
+/// Says in one line on stderr that the run goes on without a device.
 void say_without_device(const std::string& reason);
-/// --original.
+/// Adds --original.
 void add_original_option(CLI::App& command, std::string& original);
-/// Lets `document` be measured against the file of that name, unless it is empty. What is returned
-/// must outlive the runs.
+/// Lets `document` be measured against the file `original`, unless that is empty. Returns the
+/// document of the file, which must outlive the runs.
 std::unique_ptr<Document> take_original(const std::string& original, Document& document);
-/// --load-analysis and --save-analysis.
+/// Adds --load-analysis and --save-analysis.
 void add_analysis_options(CLI::App& command, AnalysisPaths& analyses);
 
 }  // namespace gradmesh

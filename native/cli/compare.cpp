@@ -42,7 +42,7 @@ Pair paint_both(const OnlyMesh& a, const OnlyMesh& b, int resolution) {
   return {rasterizer->paint(a.seen.mesh, first), rasterizer->paint(b.seen.mesh, second)};
 }
 
-/// A document beside an image is painted as large as the image.
+/// Returns the two pictures. A document beside an image is painted as large as the image.
 Pair pictures(const std::string& a, const std::string& b, int resolution) {
   if (kind_of(a) && kind_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b), resolution);
   if (kind_of(a)) {

@@ -24,7 +24,7 @@ void print_device(const DeviceInfo& device) {
     std::printf("  can be used%s\n", device.is_hardware ? "" : ", with --renderer egl only");
 }
 
-/// What `auto` takes, and why.
+/// Prints what `auto` takes, and why.
 void print_choice(const DevicesArguments& a, const std::vector<DeviceInfo>& devices) {
   const std::shared_ptr<Device> device = open_device(Renderer::automatic);
   if (!device) {

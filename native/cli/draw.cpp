@@ -15,7 +15,7 @@ struct DrawArguments {
   bool no_picture = false, quiet = false;
 };
 
-/// What is wrong with the value of --region; empty: nothing.
+/// Returns what is wrong with the value of --region; empty if nothing is.
 std::string region_problem(const std::string& text) {
   int number = 0;
   if (text == "all" || (CLI::detail::lexical_cast(text, number) && number > 0)) return "";

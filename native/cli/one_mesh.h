@@ -7,10 +7,10 @@
 
 namespace gradmesh {
 
-/// The mesh that `ids` name or, where there are none, the only one of the document. Throws
-/// InputError where there are several.
+/// Returns the mesh that `ids` name or, if there are no ids, the only one of the document. Throws
+/// InputError if there are several.
 MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids);
-/// The same with one id, which may be empty.
+/// Does the same with one id, or with none if it is empty.
 MeshEntry one_mesh(const Document& document, const std::string& id);
 
 }  // namespace gradmesh

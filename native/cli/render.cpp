@@ -15,7 +15,8 @@ struct RenderArguments {
   bool like_inkscape = false;
 };
 
-/// One picture is no work for a device, so that it has to be asked for.
+/// Paints the picture. Uses a device only if it was asked for, as one picture is not worth starting
+/// it.
 Image render(const Document& document, const MeshEntry& entry, const RenderArguments& a,
              const Document* other) {
   RunOptions options;

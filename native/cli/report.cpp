@@ -16,7 +16,7 @@
 namespace gradmesh {
 namespace {
 
-/// Whether that is the name of a method that fits what it merges.
+/// Returns true if this is the name of a method that fits what it merges.
 bool fits(const std::string& name) {
   return std::ranges::any_of(all_methods(),
                              [&](const Method& m) { return m.name == name && m.fits; });
@@ -32,7 +32,7 @@ struct ReportArguments {
   bool quiet = false;
 };
 
-/// What a report of `simplify` says of one mesh. Throws InputError where it says nothing.
+/// Returns what a report of `simplify` says of one mesh. Throws InputError if it says nothing.
 ordered_json run_of(const std::string& path, const std::string& id) {
   const ordered_json report = ordered_json::parse(read_bytes(path), nullptr, false);
   if (!report.is_object() || !report.contains("meshes") || !report["meshes"].is_array())
@@ -42,7 +42,7 @@ ordered_json run_of(const std::string& path, const std::string& id) {
   throw InputError("{0}: this report says nothing of the mesh {1}.", path, id);
 }
 
-/// The option on the command line, else that of the run.
+/// Sets `value` to that of the run, unless the option is on the command line.
 template <class Value>
 void take(const ordered_json& run, const CLI::App& command, const char* key, Value& value) {
   if (command.count(std::string("--") + key) == 0 && run.contains(key)) run[key].get_to(value);

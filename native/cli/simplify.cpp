@@ -18,12 +18,12 @@ struct SimplifyArguments {
   RunOptions options;
   AnalysisPaths analyses;
   WriteOptions writing;
-  /// Changes nothing.
+  /// Accepted, but changes nothing.
   bool visible_only = false;
   bool quiet = false, preview = false;
 };
 
-/// The names of the methods that heed an option, as the help says them: "gqe, best: ".
+/// Returns the names of the methods that heed an option, as in the help: "gqe, best: ".
 std::string heeding(const std::string& option) {
   std::string names;
   for (const std::string& name : methods_with(option))
@@ -33,7 +33,7 @@ std::string heeding(const std::string& option) {
 
 constexpr double for_splitting = 0.9;
 
-/// What IN becomes where OUT is of the other kind. The error stays that against IN.
+/// Returns IN converted to the kind of OUT. The error is still measured against IN.
 std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, SimplifyArguments& a) {
   const MeshEntry entry = one_mesh(in, a.ids);
   const bool has_target = a.options.patches || a.options.ratio;
@@ -57,7 +57,7 @@ std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, Simpl
   return std::move(conversion.document);
 }
 
-/// The document that will be written to OUT.
+/// Returns the document that will be written to OUT.
 std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyArguments& a) {
   const DocumentKind kind = a.preview ? in->kind() : kind_of(a.out).value_or(in->kind());
   if (kind == in->kind()) return in;

@@ -15,7 +15,7 @@
 namespace gradmesh {
 namespace {
 
-/// What the shaders take (shaders/).
+/// What the shaders need (shaders/).
 constexpr int most_buffers = 7, most_shared_bytes = 32768, most_threads = 256;
 
 bool has_extension(const char* extensions, const char* name) {
@@ -28,8 +28,8 @@ struct Place {
   bool is_hardware;
 };
 
-/// Where EGL can be asked for a display that needs no window: each of its devices or, with an older
-/// Mesa, the one without a surface.
+/// Returns the places where EGL can be asked for a display that needs no window: each of its
+/// devices or, with an older Mesa, the platform without a surface.
 std::vector<Place> places() {
   if (!epoxy_has_egl()) return {};
   const char* const client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -54,8 +54,8 @@ std::vector<Place> places() {
   return found;
 }
 
-/// Whether the library with the functions of OpenGL, or OpenGL ES, is installed. EGL may offer a
-/// context without it; libepoxy then ends the program at the first call.
+/// Returns true if the library with the functions of OpenGL, or OpenGL ES, is installed. EGL may
+/// offer a context without it; libepoxy then ends the program at the first call.
 bool has_library(bool es) {
   const auto opens = [](const char* name) {
     return dlopen(name, RTLD_LAZY | RTLD_LOCAL) != nullptr;
@@ -93,7 +93,7 @@ std::string text(GLenum name) {
   return value ? reinterpret_cast<const char*>(value) : "";
 }
 
-/// What is missing in the current context; empty: nothing.
+/// Returns what is missing in the current context; empty if nothing is.
 std::string what_is_missing() {
   if (limit(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS) < most_buffers)
     return "it has too few storage buffers";
@@ -111,7 +111,7 @@ struct Device::Context {
   EGLContext context = EGL_NO_CONTEXT;
   DeviceInfo info;
   std::mutex mutex;
-  /// By their sources.
+  /// The programs by their sources.
   std::map<std::string, Program> programs;
 
   explicit Context(const Place& place) {
@@ -160,7 +160,7 @@ struct Device::Context {
 std::vector<DeviceInfo> Device::list() {
   std::vector<DeviceInfo> devices;
   for (const Place& place : places()) {
-    // What the devices offered already is no other device.
+    // A display that the devices have offered already is not listed again.
     if (place.platform == EGL_PLATFORM_SURFACELESS_MESA && !devices.empty()) continue;
     devices.push_back(Context(place).info);
   }

@@ -10,22 +10,22 @@
 
 namespace gradmesh {
 
-/// Measures many edits of one picture at once on a device: what they change is painted into the
-/// tiles of an atlas and compared with the original there, and one number each comes back. Every
-/// call may throw DeviceError; then it is of no further use.
+/// Measures many edits of one picture at once on a device: what the edits change is painted into
+/// the tiles of an atlas and compared with the original there, and one number for each edit comes
+/// back. Every call may throw DeviceError; the object is then of no further use.
 class DeviceErrors {
  public:
   DeviceErrors(std::shared_ptr<Device> device, MetricKind metric, const Image& original,
                Frame frame);
   ~DeviceErrors();
 
-  /// The picture that the edits start from.
+  /// Sets the picture that the edits start from.
   void start(const Painting& painting);
 
   /// Begins to measure these edits and returns before that is done.
   void submit(std::span<const EditTile> edits);
-  /// By how much the sum of the metric's map over the frame rises with each of the edits submitted
-  /// last.
+  /// Waits for the edits submitted last. Returns for each of them by how much the sum of the
+  /// metric's map over the frame rises.
   std::vector<double> rises();
 
   const DeviceInfo& device() const { return device_->info(); }

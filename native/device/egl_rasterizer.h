@@ -7,9 +7,9 @@
 
 namespace gradmesh {
 
-/// Paints on a device what the software rasterizer paints: the same pixels, and the same colours
-/// but for roundings. Patches that may fold have their parameters found by the processor. paint()
-/// may throw DeviceError.
+/// Returns a rasterizer that paints on a device what the software rasterizer paints: the same
+/// pixels, and the same colours but for roundings. The parameters of patches that may fold are
+/// found by the processor. paint() may throw DeviceError.
 std::unique_ptr<Rasterizer> make_egl_rasterizer(std::shared_ptr<Device> device);
 
 }  // namespace gradmesh

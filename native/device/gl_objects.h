@@ -8,8 +8,8 @@
 
 namespace gradmesh {
 
-// What lives on a device. All of it is made, used and let go while a Device::Use lives, or let go
-// without one where the device is lost.
+// Objects that live on a device. They are made, used and released while a Device::Use lives, or
+// released without one where the device is lost.
 
 /// A buffer that shaders read and write. Grows as needed, never shrinks.
 class Buffer {
@@ -19,8 +19,8 @@ class Buffer {
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 
-  /// Room for so many bytes, whose values may be anything. Throws DeviceError where the device has
-  /// none.
+  /// Makes room for `bytes` bytes, whose values may be anything. Throws DeviceError if the device
+  /// has none.
   void reserve(std::size_t bytes);
   template <class T>
   void write(std::span<const T> values) {
@@ -30,7 +30,7 @@ class Buffer {
   void read(std::span<T> values) const {
     read(values.data(), values.size_bytes());
   }
-  /// As the block with `binding` in the shaders.
+  /// Binds the buffer as the block with this `binding` in the shaders.
   void bind(unsigned binding) const;
 
  private:
@@ -41,30 +41,30 @@ class Buffer {
   std::size_t size_ = 0, used_ = 0;
 };
 
-/// A compute shader, which goes with its context.
+/// A compute shader, which is freed with its context.
 class Program {
  public:
-  /// Throws DeviceError, with what the driver says, where it cannot be built.
+  /// Builds the shader. Throws DeviceError, with what the driver says, if it cannot be built.
   explicit Program(const std::string& source);
 
-  /// Sets uniforms of the program in use.
+  /// Makes this the program in use, whose uniforms set() sets.
   void use() const { glUseProgram(name_); }
   void set(const char* uniform, int value) const;
   void set(const char* uniform, int x, int y) const;
-  /// Runs so many groups, and lets those after it see what it wrote.
+  /// Runs `groups` groups, and lets later programs see what they wrote.
   void run(int groups) const;
 
  private:
   GLuint name_ = 0;
 };
 
-/// "const float NAME[n] = float[n](...);" to the last bit.
+/// Returns the declaration of a constant, such as "const float NAME[n] = float[n](...);", exact to
+/// the last bit.
 std::string constant(const char* name, std::span<const float> values);
 std::string constant(const char* name, float value);
 std::string constant(const char* name, int value);
 
-/// A shader's source from its parts, in front of them the version and what the device's language
-/// wants.
+/// Returns a shader's source: the version and what the device's language wants, then the parts.
 std::string shader_source(std::initializer_list<std::string> parts);
 
 }  // namespace gradmesh

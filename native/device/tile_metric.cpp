@@ -36,16 +36,16 @@ std::string flip_source() {
 
 std::string ssim_source() { return taps("GAUSSIAN_TAPS", ssim_taps()) + shaders::ssim_glsl; }
 
-/// What the shaders of a metric need.
+/// The shader of a metric and what it needs.
 struct MetricShader {
   std::string (*source)();
-  /// Planes of floats that are kept of the reference image.
+  /// Number of planes of floats that are kept of the reference image.
   std::size_t planes;
   /// Fills the table that the source reads.
   void (*write_table)(Buffer& table, const Image& reference);
 };
 
-/// Throws DeviceError for a metric that has no shader.
+/// Returns the shader of a metric. Throws DeviceError for a metric that has none.
 const MetricShader& shader_of(MetricKind kind) {
   static const std::map<MetricKind, MetricShader> shaders = {
       {MetricKind::flip,
@@ -63,7 +63,7 @@ const MetricShader& shader_of(MetricKind kind) {
   return found->second;
 }
 
-/// A tile of the whole frame that changes nothing.
+/// Returns a tile of the whole frame that changes nothing.
 AtlasTile whole_frame(const Image& image, int blocks) {
   return {{}, image.window(), 0, 0, 0, 0, 0, blocks};
 }

@@ -7,16 +7,16 @@
 
 namespace gradmesh {
 
-/// SSIM and FLIP against one reference image, by compute shaders: the numbers of Metric::update_map
-/// to some parts in a million. All images stay on the device.
+/// Measures SSIM or FLIP against one reference image by compute shaders, equal to
+/// Metric::update_map to some parts in a million. All images stay on the device.
 class TileMetric {
  public:
   TileMetric(const Device::Use& use, MetricKind kind, const Image& reference);
 
   /// Measures the whole picture, from which edits start.
   void start(const FramePicture& picture);
-  /// By how much the sum of the distances rises with each tile of the atlas, which `painter` has
-  /// painted. They stay on the device until they are read.
+  /// Measures by how much the sum of the distances rises with each tile of the atlas, which
+  /// `painter` has painted. The rises stay on the device until read_rises.
   void measure(const Atlas& atlas, const TilePainter& painter, const FramePicture& picture);
   void read_rises(std::span<float> rises) const { totals_.read(rises); }
 
@@ -30,7 +30,7 @@ class TileMetric {
 
   int reach_;
   const Program &distances_, &rises_, &total_;
-  /// What the shader needs beside: linear light of the levels, or the reference's colours.
+  /// A table for the shader: the linear light of the levels, or the reference's colours.
   Buffer table_;
   Buffer whole_, reference_, map_, block_rises_, totals_;
 };

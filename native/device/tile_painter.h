@@ -17,7 +17,7 @@ struct AtlasTile {
   std::int32_t paint_blocks, metric_blocks, metric_blocks_end;
 };
 
-/// Tiles side by side in one atlas, and what is painted into them.
+/// Tiles side by side in one atlas, and the patches that are painted into them.
 struct Atlas {
   std::vector<AtlasTile> tiles;
   std::vector<std::uint32_t> touched;
@@ -27,15 +27,15 @@ struct Atlas {
   std::int32_t pixels = 0, segments = 0, paint_blocks = 0, metric_blocks = 0;
 
   void clear();
-  /// `measured` is clipped to the frame; empty where nothing is to be measured.
+  /// Adds a tile. `measured` is clipped to the frame, and empty if nothing is to be measured.
   void add(const EditTile& tile, Window measured);
 };
 
 /// The picture that edits start from, on the device.
 struct FramePicture {
   int width = 0, height = 0;
-  /// r + 256 g + 65536 b; numbers of the faces on top (TilePatch), `hidden_number` where a pixel
-  /// stays white whatever covers it.
+  /// For each pixel the colour as r + 256 g + 65536 b, and the number of the face on top
+  /// (TilePatch), or `hidden_number` where the pixel stays white whatever covers it.
   Buffer colors, tops;
 
   static constexpr std::uint32_t hidden_number = 0xffffffff;
@@ -49,11 +49,12 @@ class TilePainter {
  public:
   explicit TilePainter(const Device::Use& use);
 
-  /// Without a picture the tiles begin white, with nothing on top.
+  /// Paints the tiles over the picture. If `picture` is null the tiles begin white, with nothing on
+  /// top.
   void paint(const Atlas& atlas, const FramePicture* picture);
 
   const Buffer& tiles() const { return tiles_; }
-  /// Of the atlas, as in FramePicture.
+  /// Returns the colours of the atlas, as in FramePicture.
   const Buffer& colors() const { return colors_; }
 
  private:
@@ -61,10 +62,10 @@ class TilePainter {
   Buffer tiles_, touched_, patches_, spans_, parameters_, tops_, colors_, bases_;
 };
 
-/// r + 256 g + 65536 b for each pixel of an image.
+/// Returns r + 256 g + 65536 b for each pixel of an image.
 std::vector<std::uint32_t> packed(const Image& image);
 
-/// Parts of the shaders' sources.
+/// Returns the source that the shaders share (shaders/tiles.glsl).
 std::string tiles_source();
 
 }  // namespace gradmesh

@@ -15,9 +15,9 @@ class Device::Use {
   Use(const Use&) = delete;
   Use& operator=(const Use&) = delete;
 
-  /// Built when it is first asked for.
+  /// Returns the program of this source, built at the first call.
   const Program& program(const std::string& source) const;
-  /// Throws DeviceError where anything went wrong since the last check.
+  /// Throws DeviceError if anything went wrong since the last check.
   void check() const;
 
  private:
@@ -25,7 +25,8 @@ class Device::Use {
   std::unique_lock<std::mutex> lock_;
 };
 
-/// Lets go of what lives on a device. Where that is lost, its part goes with the context.
+/// Releases objects that live on a device. Where the device is lost, their part on it is freed with
+/// the context.
 template <class Objects>
 void release_on(Device& device, std::unique_ptr<Objects>& objects) {
   std::optional<Device::Use> use;

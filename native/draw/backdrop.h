@@ -5,8 +5,8 @@
 
 namespace gradmesh {
 
-/// The mesh as painted in `frame`, faded, to lie behind its lines; `gray` where colours mean
-/// something else. `view` as of the Subject.
+/// Returns the mesh as painted in `frame`, faded, to lie behind its lines. It is gray if `gray`,
+/// for drawings in which colours mean something else. `view` is that of the Subject.
 Picture backdrop(Image painted, const Frame& frame, const Affine& view, bool gray);
 
 }  // namespace gradmesh

@@ -11,21 +11,22 @@
 
 namespace gradmesh {
 
-/// What a mesh is made of (B.1): curves, control points, T-junctions and handles.
+/// Draws the elements of a mesh (B.1): curves, control points, T-junctions and handles.
 Drawing draw_edges(const Subject& subject);
 
-/// The patches in the means of their corners' colours, with their numbers.
+/// Draws the patches in the means of their corners' colours, with their numbers.
 Drawing draw_faces(const Subject& subject);
 
-/// What merging single edges costs (B.3), as colours; `measure` says by what, for the legend.
+/// Draws the prices of single edges (B.3) as colours. `measure` names the error for the legend.
 Drawing draw_errors(const Subject& subject, const std::vector<EdgePrice>& prices,
                     const std::string& measure);
 
-/// The motorcycle graph and its parts (Fig. 8); `limit` is what costly edges exceed.
+/// Draws the motorcycle graph and its parts (Fig. 8). `limit` is the price that costly edges
+/// exceed.
 Drawing draw_motorcycle(const Subject& subject, const MotorcycleGraph& graph, double limit);
 
-/// One patch and, of the regions that hold it, the one at place `shown` (all where that is not
-/// among them), with a list of all.
+/// Draws one patch and, of the regions that hold it, the one with index `shown`, or all if there is
+/// none, with a list of all.
 Drawing draw_regions(const Subject& subject, Face patch, const std::vector<RegionPrice>& regions,
                      int shown);
 

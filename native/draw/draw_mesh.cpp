@@ -35,7 +35,8 @@ Layer curves_layer(const Subject& subject, const Style& style) {
   return layer;
 }
 
-/// The numbers of the inner edges, by which the method `manual` is told what to merge.
+/// Returns a layer with the numbers of the inner edges, by which the method `manual` is told what
+/// to merge.
 Layer edge_numbers_layer(const Subject& subject) {
   const Mesh& mesh = subject.mesh();
   Layer layer{subject.say(Message("Numbers of half-edges")), {}, {}};

@@ -20,7 +20,7 @@ Style unmergeable_style(const Subject& subject) {
           .dash = 4 * subject.line_width()};
 }
 
-/// Curves with a patch on one side only.
+/// Returns a layer of the curves with a patch on one side only.
 Layer boundary_layer(const Subject& subject) {
   Layer layer{subject.say(Message("Boundary")), {}, {}};
   for (const Halfedge h : subject.curves())
@@ -80,11 +80,12 @@ Drawing draw_errors(const Subject& subject, const std::vector<EdgePrice>& prices
 
 namespace {
 
-/// Tints that are told apart beside each other, also without red or green.
+/// Tints that can be distinguished beside each other, also without seeing red or green.
 constexpr std::array<const char*, 6> part_colors{"#56b4e9", "#e69f00", "#009e73",
                                                  "#cc79a7", "#f0e442", "#0072b2"};
 
-/// A patch belongs to the part of any of its edges.
+/// Returns the part of each face, by slots, -1 for none. A patch belongs to the part of any of its
+/// edges.
 std::vector<int> parts_of_faces(const Mesh& mesh, const MotorcycleGraph& graph) {
   std::vector<int> part(mesh.face_slots(), -1);
   for (std::size_t i = 0; i < graph.parts.size(); ++i)
@@ -94,7 +95,7 @@ std::vector<int> parts_of_faces(const Mesh& mesh, const MotorcycleGraph& graph) 
   return part;
 }
 
-/// For each part the first tint that none of its neighbours before it has.
+/// Returns for each part the first tint that none of its neighbours before it has, if there is one.
 std::vector<int> tints(const Mesh& mesh, const std::vector<int>& part, std::size_t parts) {
   std::vector<std::vector<int>> beside(parts);
   for (const Halfedge h : mesh.halfedges()) {

@@ -10,7 +10,8 @@ constexpr const char *region_color = "#0072b2", *patch_color = "#d55e00";
 /// How many lines of a list are shown on either side of the chosen one.
 constexpr int lines_around = 8;
 
-/// Rows and columns, "2 × 3", or the patches where T-junctions are inside.
+/// Returns the rows and columns of a region, "2 × 3", or the number of patches if T-junctions are
+/// inside.
 std::string describe(const Subject& subject, const RegionPrice& region) {
   const auto [face, top, rows, columns] = region.region;
   if (region.size() != rows * columns) return subject.say(Message("{0} patches", region.size()));
@@ -23,7 +24,7 @@ Shape region_area(const Subject& subject, const RegionPrice& region, double opac
   return {path, {.fill = region_color, .fill_opacity = opacity}, ""};
 }
 
-/// The sides of the region's patches that have no patch of it on their other side.
+/// Returns the sides of the region's patches that have no patch of the region on their other side.
 Shape region_border(const Subject& subject, const RegionPrice& region, double width) {
   const Mesh& mesh = subject.mesh();
   std::vector<bool> inside(mesh.face_slots(), false);

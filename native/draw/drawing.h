@@ -16,7 +16,7 @@ struct Style {
   double fill_opacity = 1;
   std::string stroke = "none";
   double stroke_width = 0;
-  /// Length of dashes and gaps; 0: not dashed.
+  /// Length of dashes and gaps; 0 for a solid line.
   double dash = 0;
 };
 
@@ -24,7 +24,7 @@ struct Shape {
   /// SVG path data.
   std::string path;
   Style style;
-  /// What a browser shows when it is pointed at; may be empty.
+  /// Text that a browser shows when one points at the shape; may be empty.
   std::string title;
 };
 
@@ -32,7 +32,7 @@ enum class Anchor { start, middle, end };
 
 struct Label {
   std::string text;
-  /// On the baseline.
+  /// Point on the baseline.
   glm::dvec2 at;
   double size;
   std::string color;
@@ -40,7 +40,7 @@ struct Label {
   bool bold = false;
 };
 
-/// A layer of Inkscape's. Labels lie above shapes.
+/// A layer as Inkscape has them. Labels lie above shapes.
 struct Layer {
   std::string name;
   std::vector<Shape> shapes;
@@ -57,7 +57,7 @@ struct Picture {
 /// Layers from bottom to top, over a picture, over white. y points down.
 struct Drawing {
   std::string title;
-  /// What is shown.
+  /// The area that is shown.
   Box box;
   std::optional<Picture> picture;
   std::vector<Layer> layers;

@@ -9,7 +9,8 @@
 namespace gradmesh {
 namespace {
 
-/// At equal distances; their lightness in Oklab falls from 0.98 to 0.24 by equal steps nearly.
+/// Colours at equal distances on the scale; their lightness in Oklab falls from 0.98 to 0.24 by
+/// equal steps nearly.
 constexpr std::array<std::array<int, 3>, 8> anchors{{{0xfc, 0xf9, 0xe6},
                                                      {0xf7, 0xdd, 0x87},
                                                      {0xfb, 0xb0, 0x35},

@@ -9,7 +9,7 @@ namespace gradmesh {
 namespace {
 
 constexpr const char* ink = "#1d1d24";
-/// In units: the size of text, and where it begins beside a sample.
+/// Size of text, and its distance from the start of a sample, in Subject::unit().
 constexpr double font = 2.2, indent = 5.6;
 
 }  // namespace

@@ -9,22 +9,22 @@
 
 namespace gradmesh {
 
-/// A column to the right of a drawing that says what is what, one line below the other. The subject
-/// must outlive it.
+/// The legend in a column to the right of a drawing, one line below the other. The subject must
+/// outlive the legend.
 class Legend {
  public:
   Legend(const Subject& subject, const Drawing& drawing, const std::string& heading);
 
   void text(const std::string& text);
   void gap() { y_ += 0.5 * line_height(); }
-  /// A sample and what it stands for.
+  /// Adds a sample and its meaning.
   void line(const Style& style, const std::string& text);
   void area(const Style& style, const std::string& text);
   void circle(const Style& style, const std::string& text);
   void diamond(const Style& style, const std::string& text);
-  /// A line of a list in three columns; the one that is shown stands out.
+  /// Adds a line of a list in three columns, emphasized if `shown`.
   void entry(const std::array<std::string, 3>& columns, bool shown);
-  /// A bar with ticks at the powers of ten, and the least and the largest error beside it.
+  /// Adds a bar with ticks at the powers of ten, and the least and the largest error beside it.
   void scale(const HeatScale& scale, double least);
 
   /// Makes room for the column and adds it as the topmost layer.
@@ -34,7 +34,7 @@ class Legend {
   double line_height() const { return 3.4 * unit_; }
   void add_label(glm::dvec2 at, const std::string& text, bool bold = false,
                  Anchor anchor = Anchor::start);
-  /// Goes to the next line; the middle of the place for its sample.
+  /// Goes to the next line. Returns the middle of the place for its sample.
   glm::dvec2 next_sample(const std::string& text);
   void add_mark(const PathText& path, const Style& style);
 
@@ -46,7 +46,7 @@ class Legend {
   Layer layer_;
 };
 
-/// A number for people: "0.0012", "4.1e-06".
+/// Returns a number for people: "0.0012", "4.1e-06".
 std::string short_number(double value);
 
 }  // namespace gradmesh

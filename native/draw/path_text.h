@@ -16,11 +16,11 @@ class PathText {
 
   void move(glm::dvec2 to);
   void line(glm::dvec2 to);
-  /// Goes on from the curve's start.
+  /// Continues the path, which must be at the curve's start, along the curve.
   void curve(const Cubic<Value>& curve);
   void close() { text_ += " Z"; }
 
-  /// Marks around a point; `radius` in the units of the drawing.
+  /// Adds a mark around a point; `radius` is in the units of the drawing.
   void circle(glm::dvec2 center, double radius);
   void diamond(glm::dvec2 center, double radius);
 

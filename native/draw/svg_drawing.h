@@ -6,7 +6,8 @@
 
 namespace gradmesh {
 
-/// The drawing as an SVG document of its own, with its box as `viewBox`. The picture is embedded.
+/// Returns the drawing as an SVG document of its own, with its box as `viewBox`. The picture is
+/// embedded.
 std::string svg_text(const Drawing& drawing);
 
 }  // namespace gradmesh

@@ -35,7 +35,7 @@ int bring_to_disk(std::FILE* file) { return _commit(_fileno(file)); }
 #else
 
 File open_to_read(const fs::path& path) { return File(std::fopen(path.c_str(), "rb")); }
-/// Null with errno EEXIST where there is such a file already.
+/// Creates a file. Returns null with errno EEXIST if there is such a file already.
 File create(const fs::path& path) { return File(std::fopen(path.c_str(), "wbx")); }
 int bring_to_disk(std::FILE* file) { return fsync(fileno(file)); }
 
@@ -61,7 +61,8 @@ int bring_to_disk(std::FILE* file) { return fsync(fileno(file)); }
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-/// A new file in the folder; its path goes to `path`. Null with errno where none can be made.
+/// Creates a new file in the folder and sets `path` to its path. Returns null with errno where none
+/// can be made.
 File create_temporary(const fs::path& folder, fs::path& path) {
   std::random_device random;
   for (int tries = 0; tries < 100; ++tries) {
@@ -105,7 +106,7 @@ void write_bytes(const fs::path& path, std::string_view bytes) {
   fs::path temporary;
   File file = create_temporary(target.parent_path(), temporary);
   if (!file) fail_to_write(path, last_error());
-  // Before anything is in it that others must not read.
+  // The permissions are set before the file holds bytes that others must not read.
   if (fs::exists(replaced)) fs::permissions(temporary, replaced.permissions(), error);
   if (!error) error = store(std::move(file), bytes);
   if (!error) fs::rename(temporary, target, error);

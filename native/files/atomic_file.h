@@ -6,11 +6,11 @@
 
 namespace gradmesh {
 
-/// All bytes of a file. Throws InputError naming the file, also where it is beyond the limit on
-/// documents.
+/// Returns all bytes of a file. Throws InputError naming the file, also where the file is beyond
+/// the limit on documents.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Puts `bytes` into the file, wholly or not at all: they are written to a new file in the same
+/// Writes `bytes` into the file, wholly or not at all: they are written to a new file in the same
 /// folder, brought to the disk and renamed over `path`. The file keeps its permissions. Throws
 /// InputError naming the file.
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);

@@ -6,10 +6,10 @@
 
 namespace gradmesh {
 
-/// Bytes as text (RFC 4648, section 4).
+/// Returns the bytes as text (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
-/// The bytes of such a text; nothing where it is none.
+/// Returns the bytes of such a text, or nothing if it is none.
 std::optional<std::string> base64_bytes(std::string_view text);
 
 }  // namespace gradmesh

@@ -14,7 +14,7 @@ namespace {
 
 std::string one_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
-/// Sample times alpha over white, rounded; both 0..255.
+/// Returns the sample laid over white with this alpha, rounded; both are 0..255.
 std::uint8_t over_white(int sample, int alpha) {
   return std::uint8_t((sample * alpha + 255 * (255 - alpha) + 127) / 255);
 }

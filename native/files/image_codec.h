@@ -6,12 +6,12 @@
 
 namespace gradmesh {
 
-/// What the module `gradmesh_images` offers to image_module.cpp. Both functions return what is
-/// wrong, in one line, or nothing: errors do not cross the border of a module as exceptions.
+/// The functions that the module `gradmesh_images` offers to image_module.cpp. Both return the
+/// error in one line, or an empty string: errors do not cross the border of a module as exceptions.
 struct ImageCodec {
-  /// Any file that OpenImageIO reads, as read_image gives it.
+  /// Reads any file that OpenImageIO reads, as read_image does.
   std::string (*read)(const std::string& path, Image& image);
-  /// `bytes` becomes a PNG file. The image has pixels.
+  /// Encodes the image, which has pixels, as a PNG file in `bytes`.
   std::string (*encode_png)(const Image& image, std::string& bytes);
 };
 

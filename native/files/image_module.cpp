@@ -24,7 +24,7 @@ constexpr const char* symbol_name = "gradmesh_image_codec";
 
 #ifdef _WIN32
 
-/// The folder of the program or library that this is linked into.
+/// Returns the folder of the program or library that this code is linked into.
 std::filesystem::path own_folder() {
   HMODULE own = nullptr;
   GetModuleHandleExW(
@@ -36,8 +36,8 @@ std::filesystem::path own_folder() {
 }
 
 const void* load() {
-  // What a RUNPATH says elsewhere: beside a Python module, in lib/gradmesh for the program, and
-  // for both of them while they are in the build folder.
+  // The folders that a RUNPATH names elsewhere: beside a Python module, in lib/gradmesh for the
+  // program, and for both of them while they are in the build folder.
   for (const char* folder :
        {".", "../lib/gradmesh", "../../../gradmesh", "lib/gradmesh", "../../lib/gradmesh"}) {
     const auto path = (own_folder() / folder / "gradmesh_images.dll").lexically_normal();

@@ -4,8 +4,9 @@
 
 namespace gradmesh {
 
-/// The module `gradmesh_images`, loaded when it is first asked for: OpenImageIO brings hundreds of
-/// libraries, and loading them takes longer than many a mesh. Throws InputError where it cannot be.
+/// Returns the module `gradmesh_images`, which the first call loads: OpenImageIO brings hundreds of
+/// libraries, and loading them takes longer than many a mesh. Throws InputError where the module
+/// cannot be loaded.
 const ImageCodec& image_codec();
 
 }  // namespace gradmesh

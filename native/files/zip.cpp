@@ -10,9 +10,9 @@
 namespace gradmesh {
 namespace {
 
-/// What zlib calls the format of gzip with the largest window.
+/// zlib's number for the format of gzip with the largest window.
 constexpr int gzip_window = 16 + MAX_WBITS;
-/// In the header of RFC 1952.
+/// Value of the header's field OS (RFC 1952).
 constexpr int unknown_system = 255;
 
 const Bytef* input(std::string_view bytes) { return reinterpret_cast<const Bytef*>(bytes.data()); }
@@ -31,7 +31,7 @@ std::string zip(std::string_view bytes) {
 }
 
 std::optional<std::string> unzip(std::string_view zipped, std::size_t most) {
-  // The size is not told beforehand: guessed, and doubled while it is too small.
+  // The size is not known beforehand: it is guessed, and doubled while it is too small.
   for (std::size_t room = 8 * zipped.size() + 64;; room *= 2) {
     std::string bytes(std::min(room, most), '\0');
     auto size = uLongf(bytes.size());
@@ -48,7 +48,7 @@ std::string gzip(std::string_view bytes) {
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY) !=
       Z_OK)
     throw std::runtime_error("zlib does not compress.");
-  // Otherwise the header names the system.
+  // zlib's own header would name the system.
   gz_header header{};
   header.os = unknown_system;
   deflateSetHeader(&stream, &header);
@@ -81,7 +81,7 @@ std::optional<std::string> gunzip(std::string_view bytes) {
   const std::size_t most = gunzipped_size(bytes);
   std::string text;
   int status = Z_OK;
-  // What a damaged file says of its size is not believed before the bytes are there.
+  // The size that a damaged file states is not allocated before the bytes are there.
   do {
     text.resize(std::min(most, 2 * text.size() + 8 * bytes.size()));
     stream.next_out = output(text) + stream.total_out;

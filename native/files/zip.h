@@ -8,19 +8,20 @@
 
 namespace gradmesh {
 
-/// Bytes compressed by zlib (RFC 1950), with its checksum.
+/// Returns the bytes compressed by zlib (RFC 1950), with its checksum.
 std::string zip(std::string_view bytes);
 
-/// The bytes again; nothing where they are damaged or more than `most`.
+/// Returns the uncompressed bytes, or nothing if they are damaged or more than `most`.
 std::optional<std::string> unzip(std::string_view zipped, std::size_t most);
 
-/// The same in the format of gzip (RFC 1952), as .svgz files have it: without a name or a time, so
-/// that equal bytes have equal files.
+/// Returns the bytes compressed in the format of gzip (RFC 1952), as .svgz files have it. The
+/// header has neither a name nor a time, so that equal bytes give equal files.
 std::string gzip(std::string_view bytes);
 bool is_gzip(std::string_view bytes);
-/// How many bytes a gzip file says it unpacks to, modulo 2^32.
+/// Returns the size, modulo 2^32, that a gzip file states for its uncompressed bytes.
 std::uint64_t gunzipped_size(std::string_view bytes);
-/// These bytes; nothing where the file is damaged or does not unpack to as many.
+/// Returns the uncompressed bytes, or nothing if the file is damaged or their number is not
+/// gunzipped_size().
 std::optional<std::string> gunzip(std::string_view bytes);
 
 }  // namespace gradmesh

@@ -18,7 +18,7 @@ namespace {
 constexpr int samples_per_side = 6;
 constexpr std::size_t sample_count = std::size_t(samples_per_side) * samples_per_side;
 
-/// The same from a table, linear between its entries.
+/// visible_difference from a table, linear between its entries.
 class VisibleDifference {
  public:
   VisibleDifference() {
@@ -37,11 +37,11 @@ class VisibleDifference {
 };
 
 struct Sample {
-  /// The part of the patch that it stands for.
+  /// The part of the patch that the sample represents.
   double area;
   /// How much each of the four corners counts.
   std::array<double, 4> shares;
-  /// The colour, in levels.
+  /// The wanted colour, in levels.
   glm::dvec3 wanted;
 };
 
@@ -105,7 +105,7 @@ class CornerColors {
     return sum;
   }
 
-  /// Changes a channel of a colour by so many levels where that is better.
+  /// Changes a channel of a colour by `by` levels if that is better. Returns true if it was.
   bool step(const std::vector<Halfedge>& leaves, int channel, int by) {
     const std::size_t depth = journal_.depth();
     journal_.begin();
@@ -130,7 +130,7 @@ class CornerColors {
     return true;
   }
 
-  /// Less would be rounding.
+  /// Returns the smallest gain that counts; less would be rounding.
   double smallest_gain(const std::vector<Face>& faces, int channel) const {
     double sum = 0;
     for (const Face f : faces) sum += costs_[slot(f)][std::size_t(channel)];

@@ -11,24 +11,25 @@
 namespace gradmesh {
 namespace {
 
-/// What a place that is off by a pixel counts, as a difference of colour: holds places where colour
-/// says nothing.
+/// The difference of colour that counts as much as a place that is off by a pixel. It holds places
+/// where colour says nothing.
 constexpr double anchor = 0.5 / 255;
-/// What an outline that is off by a pixel counts.
+/// The difference of colour that counts as much as an outline that is off by a pixel.
 constexpr double outline_weight = 0.2;
-/// The same of an outline that nobody sees. It is held loosely, so that a person who opens the
-/// mesh tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
+/// The same for an outline that is hidden. It is held loosely, so that a person who opens the mesh
+/// tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
 constexpr double hidden_outline_weight = 0.05;
-/// Differences above this are more likely of another surface, beyond an edge: they count less.
+/// Differences of colour above this are more likely those of another surface, beyond an edge, and
+/// count less.
 constexpr double outlier = 0.08;
 
-/// A patch at its samples, and what it is to look like there.
+/// A patch at its samples, and its difference from the target there.
 struct Surface {
   /// One column for each of x, y (pixels), r, g, b, a; one row for each sample.
   Eigen::MatrixXd at, by_u, by_v;
-  /// By sample: pixels it stands for, and how much its difference of colour counts.
+  /// By sample: its area in pixels, and how much its difference of colour counts.
   Eigen::VectorXd area, weight;
-  /// By sample and channel of the picture: its difference and its slopes over the picture.
+  /// By sample and channel of the picture: the difference, and the slopes over the picture.
   Eigen::MatrixXd difference, slope_x, slope_y;
   /// By sample beyond the outline: the weighted way back to it, along a normal.
   Eigen::MatrixXd normal;
@@ -48,7 +49,7 @@ Eigen::Matrix<double, 16, 6> control_in_pixels(const Patch& patch, const Frame& 
   return control;
 }
 
-/// The number of samples along two opposite sides: one for some pixels.
+/// Returns the number of samples along two opposite sides: one for every few pixels.
 int sample_count(const Patch& patch, int side, int opposite, const Frame& frame) {
   constexpr double pixels = 5;
   double longest = 0;
@@ -60,7 +61,7 @@ int sample_count(const Patch& patch, int side, int opposite, const Frame& frame)
   return std::clamp(int(longest / pixels), 5, most_samples);
 }
 
-/// The picture's difference at a sample, from what the colours are over white.
+/// Sets the difference, slopes and weight of the i-th sample, from the colours over white.
 void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted) {
   const double a = s.at(i, 5), det = s.by_u(i, 0) * s.by_v(i, 1) - s.by_u(i, 1) * s.by_v(i, 0);
   double square = 0;
@@ -114,8 +115,8 @@ Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& tar
   return s;
 }
 
-/// Some rows of the Jacobian hold the same functions of the unknowns, weighted: this is what
-/// they add to the normal equations.
+/// Returns what some rows of the Jacobian add to the normal equations, which hold the same
+/// functions of the unknowns, weighted.
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::ArrayXd& weight,
                         const Eigen::MatrixXd& b) {
   return a.transpose() * weight.matrix().asDiagonal() * b;
@@ -207,7 +208,8 @@ class SurfaceEquations {
   NormalEquations result_;
 };
 
-/// How much a point of a side moves with each column that holds places: column and share, x only.
+/// How much a point of a side moves with each column that holds places: column (that of x) and
+/// share.
 using SideRow = std::vector<std::pair<int, double>>;
 
 SideRow side_row(const InfluencedFace& face, const Columns& columns,
@@ -225,7 +227,7 @@ SideRow side_row(const InfluencedFace& face, const Columns& columns,
   return row;
 }
 
-/// The way of a side's points back to the target's outline, across it.
+/// Adds the distances of a side's points from the target's outline, across the outline.
 void add_outline(const Patch& patch, const InfluencedFace& face, const Columns& columns,
                  const std::map<int, int>& local, int side, const FitTarget& target,
                  NormalEquations& equations) {

@@ -8,8 +8,8 @@
 
 namespace gradmesh {
 
-/// Where the numbers of each unknown stand in the equations: x and y from `place` on, in pixels,
-/// and r, g, b from `color` on, -1 where colour does not count.
+/// The columns of the equations for each unknown: `place` and the next one for x and y, in pixels;
+/// `color` and the next two for r, g, b, or -1 where colour does not count.
 struct Columns {
   std::vector<int> place, color;
   int count = 0;
@@ -24,17 +24,18 @@ struct NormalEquations {
   Eigen::VectorXd rhs;
 };
 
-/// How the picture of a face and the target's differ, to first order in the unknowns: by colour at
-/// samples over the patch, each as large as the area it stands for, and where its sides are
-/// outlines by how far these are from the target's. At a fixed place of the picture the colour
-/// changes with the patch's colours, and with its places as much as colour changes along the way
-/// there: so the gradients of the patch's own colours are all that is needed, and places can do
-/// what colours cannot.
+/// Returns the equations of how the picture of a face and that of the target differ, to first order
+/// in the unknowns: by colour at samples over the patch, each weighted by the area around it, and
+/// where sides of the patch are outlines by their distance from the target's outlines. At a fixed
+/// place of the picture the colour changes with the patch's colours, and with its places as much as
+/// colour changes along the way there: so only the gradients of the patch's own colours are needed,
+/// and places can do what colours cannot.
 NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
                                  const Columns& columns, const FitTarget& target);
 
-/// Solves the sum of them. `damping` by column: the diagonal is raised by this share of itself
-/// (Levenberg and Marquardt). Not finite where that fails.
+/// Solves the sum of the equations. `damping` holds for each column the share of itself by which
+/// the diagonal is raised (Levenberg and Marquardt). Returns numbers that are not finite if there
+/// is no solution.
 Eigen::VectorXd solve(const std::vector<NormalEquations>& parts, const Eigen::VectorXd& damping);
 
 }  // namespace gradmesh

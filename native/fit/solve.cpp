@@ -6,7 +6,7 @@
 namespace gradmesh {
 namespace {
 
-/// Up to so many columns a full matrix is quicker.
+/// Number of columns up to which a full matrix is quicker.
 constexpr Eigen::Index most_full = 150;
 
 double damped(double diagonal, double damping) {

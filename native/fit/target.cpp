@@ -14,7 +14,7 @@ namespace {
 constexpr double smallest_jump = 0.01;
 /// Colours of neighbouring pixels that differ by more than this belong to two surfaces, 0..1.
 constexpr double edge_in_picture = 0.06;
-/// How far an outline is looked for, and the side of a grid cell, in pixels.
+/// The distance within which an outline is looked for, and the side of a grid cell, in pixels.
 constexpr double reach = 8;
 
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }

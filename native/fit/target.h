@@ -11,8 +11,8 @@
 
 namespace gradmesh {
 
-/// Whether the colour jumps across the curve of a curve side, or nothing lies beyond it: where such
-/// a curve runs is seen as an outline.
+/// Returns true if the colour jumps across the curve of a curve side, or if the curve is on the
+/// boundary: such a curve is seen as an outline.
 bool is_outline(const Mesh& mesh, Halfedge side);
 
 /// What a mesh is fitted to: the picture of the original, and the outlines in it. Places are in
@@ -23,18 +23,18 @@ class FitTarget {
 
   const Frame& frame() const { return frame_; }
 
-  /// The picture's colour between the centres of pixels, 0..1; none where the original does not
-  /// cover the nearest of them.
+  /// Returns the picture's colour, 0..1, interpolated between the centres of pixels; nothing where
+  /// the original does not cover the nearest of them.
   std::optional<glm::dvec3> color_at(glm::dvec2 place) const;
 
   /// A point of an outline, and the unit vector across.
   struct OutlinePoint {
     glm::dvec2 place, normal;
   };
-  /// The closest point of an outline; none where there is none within a few pixels.
+  /// Returns the closest point of an outline; nothing where there is none within a few pixels.
   std::optional<OutlinePoint> outline_near(glm::dvec2 place) const;
 
-  /// Whether nobody sees the pixel of this place.
+  /// Returns true if the pixel of this place is hidden.
   bool is_hidden(glm::dvec2 place) const;
 
  private:
@@ -48,7 +48,7 @@ class FitTarget {
   std::vector<std::vector<OutlinePoint>> cells_;
 };
 
-/// A cubic curve in pixels of the frame.
+/// Returns a cubic curve in pixels of the frame.
 Cubic<glm::dvec2> in_pixels(const Cubic<Value>& curve, const Frame& frame);
 
 }  // namespace gradmesh

@@ -27,7 +27,8 @@ void add_tangents(const Mesh& mesh, const std::vector<Face>& faces,
       unknowns.push_back({Unknown::tangent, has_color_tangents(mesh), {}, curve, handle});
 }
 
-/// The influence of an unknown on a patch that was `before`, and is `after` a unit step of it.
+/// Returns the influence of an unknown on a patch that is `before` without, and `after` with, a
+/// unit step of the unknown.
 Influence influence(int number, const Unknown& unknown, const Patch& before, const Patch& after) {
   Influence result{number, {}, {}};
   for (std::size_t k = 0; k < 16; ++k) {
@@ -67,7 +68,7 @@ void change(Journal& journal, const Unknown& unknown, const Value& by) {
 }
 
 std::vector<InfluencedFace> influences(Journal& journal, const std::vector<Unknown>& unknowns) {
-  // A unit step of each unknown shows its column, as the mesh is linear in it; x stands for y and
+  // A unit step of each unknown shows its column, as the mesh is linear in it; x represents y and
   // red for the other colours.
   const Value unit{glm::dvec2(1.0, 0.0), glm::dvec4(1.0, 0.0, 0.0, 0.0)};
   const Mesh& mesh = journal.mesh();

@@ -14,7 +14,7 @@ struct Unknown {
     tangent,  ///< of a curve, at one of its ends
   };
   Kind kind;
-  /// Whether its colour part counts in the mesh's colour model.
+  /// True if the vector's colour part counts in the mesh's colour model.
   bool moves_color;
   /// twist: the half-edge that has it.
   Halfedge corner{};
@@ -23,29 +23,31 @@ struct Unknown {
   Handle handle{};
 };
 
-/// The unknowns of these faces: their twists, and the tangents of the curves on which their sides
-/// lie. Points and the colours of corners stay: freeing these as well gains nothing
+/// Returns the unknowns of these faces: their twists, and the tangents of the curves on which their
+/// sides lie. Points and the colours of corners stay: freeing these as well gains nothing
 /// (docs/quality.md).
 std::vector<Unknown> unknowns_of(const Mesh& mesh, const std::vector<Face>& faces);
 
-/// Adds `by` to an unknown, as a part of the journal's operation; what hangs on it follows.
+/// Adds `by` to an unknown, as a part of the journal's operation. T-junctions that depend on it
+/// follow.
 void change(Journal& journal, const Unknown& unknown, const Value& by);
 
 /// How the control vectors of a patch change with an unknown, by row and column of Patch::c: their
 /// places with its place, their colours with its colour. The mesh is linear in its unknowns.
 struct Influence {
-  /// Which of the unknowns.
+  /// Index of the unknown.
   int unknown;
   std::array<double, 16> place, color;
 };
 
-/// A face and all that changes its patch.
+/// A face and the influences of all unknowns that change its patch.
 struct InfluencedFace {
   Face face;
   std::vector<Influence> by;
 };
 
-/// The faces that the unknowns change, in rising order. The journal's mesh is as before, after.
+/// Returns the faces that the unknowns change, in rising order. Leaves the journal's mesh as it
+/// was.
 std::vector<InfluencedFace> influences(Journal& journal, const std::vector<Unknown>& unknowns);
 
 }  // namespace gradmesh

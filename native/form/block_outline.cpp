@@ -11,7 +11,7 @@ using Polygon = std::vector<glm::dvec2>;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-/// Sides of the block clockwise, each as the cells along it.
+/// Returns the sides of the block clockwise, each as the half-edges along it.
 std::array<std::vector<Halfedge>, 4> outer_sides(const Mesh& mesh, const Block& block) {
   std::array<std::vector<Halfedge>, 4> sides;
   for (int j = 0; j < block.columns; ++j) {
@@ -39,7 +39,8 @@ double chord_length(const Mesh& mesh, const std::vector<Halfedge>& side) {
   return sum;
 }
 
-/// Pieces into which each side of a patch is cut, so that chords are off by at most `flatness`.
+/// Returns the number of pieces into which each side of a patch is cut, so that chords are off by
+/// at most `flatness`, unless that takes more than 64.
 int steps_within(const Mesh& mesh, const std::array<std::vector<Halfedge>, 4>& sides,
                  double flatness) {
   double bend = 0;
@@ -61,9 +62,9 @@ Polygon without_repeats(const Polygon& polygon) {
   return result;
 }
 
-/// Moves every edge of a polygon (clockwise on a screen, y down) outwards. Where neighbours come
-/// apart they are joined; where they cross, the old corner between them makes sure that the sum of
-/// turns around any point near the polygon stays positive.
+/// Moves every edge of a polygon (clockwise on a screen, y down) outwards. Where neighbouring edges
+/// come apart they are joined; where they cross, the old corner between them makes sure that the
+/// sum of turns around any point near the polygon stays positive.
 Polygon offset(const Polygon& polygon, double by) {
   Polygon result;
   const std::size_t n = polygon.size();
@@ -108,7 +109,7 @@ int winding(const Polygon& polygon, glm::dvec2 p) {
   return turns;
 }
 
-/// Andrew's monotone chain.
+/// Returns the convex hull, by Andrew's monotone chain.
 Polygon convex_hull(Polygon points) {
   std::ranges::sort(points, {}, [](glm::dvec2 p) { return std::pair(p.x, p.y); });
   Polygon hull;
@@ -136,7 +137,8 @@ Polygon surface_points(const Mesh& mesh, const Block& block) {
   return points;
 }
 
-/// Whether all points, and all within about `margin` of them, are inside.
+/// Returns true if all points, and all places within about `margin` of them, are inside the
+/// polygon.
 bool holds(const Polygon& polygon, const Polygon& points, double margin) {
   return std::ranges::all_of(points, [&](glm::dvec2 p) {
     for (int k = 0; k < 8; ++k) {

@@ -22,7 +22,7 @@ bool same_as_written(const glm::dvec4& a, const glm::dvec4& b) {
   return true;
 }
 
-/// The order in which faces must be painted, and what it means for blocks.
+/// The order in which faces must be painted, and which faces may therefore form a block.
 class PaintOrder {
  public:
   PaintOrder(const Mesh& mesh, const std::vector<Overlap>& overlaps)
@@ -34,11 +34,11 @@ class PaintOrder {
     for (const Overlap& overlap : overlaps) above_[overlap.below.value].push_back(overlap.above);
   }
 
-  /// Whether every order is as good.
+  /// Returns true if every order is as good.
   bool is_free() const { return free_; }
 
-  /// Whether these faces may be a block: they lie over one another only as they come, and nothing
-  /// lies both over one and below another of them.
+  /// Returns true if these faces may be a block: they lie over one another only in the order of the
+  /// cells, and nothing lies both over one and below another of them.
   bool allows(const std::vector<Cell>& cells) {
     if (free_) return true;
     for (std::size_t i = 0; i < cells.size(); ++i) place_[cells[i].face.value] = int(i);
@@ -52,8 +52,8 @@ class PaintOrder {
     blocks_.push_back(cells);
   }
 
-  /// The blocks, which are those that were taken: what lies below first, and of the others those of
-  /// the largest area.
+  /// Returns the blocks, which are those given to take(), in the order of painting: each after
+  /// those below it, and where that leaves a choice the one of the largest area first.
   std::vector<Block> sorted(std::vector<Block> blocks) const {
     std::vector<std::set<int>> above(blocks.size());
     std::vector<int> below(blocks.size(), 0);
@@ -88,7 +88,7 @@ class PaintOrder {
     return true;
   }
 
-  /// Whether a way upwards from one of them leads through others back to one.
+  /// Returns true if a way upwards from one of the faces leads through others back to one of them.
   bool is_crossed(const std::vector<Cell>& cells) const {
     std::vector<Face> open;
     std::set<Face> met;
@@ -112,12 +112,12 @@ class PaintOrder {
 
   const Mesh& mesh_;
   const bool free_;
-  /// Of each face, those directly over it.
+  /// For each face, the faces directly over it.
   std::vector<std::vector<Face>> above_;
-  /// The block of each face, or -1, and those blocks.
+  /// The block of each face, or -1, and the cells of those blocks.
   std::vector<int> block_;
   std::vector<std::vector<Cell>> blocks_;
-  /// Of the faces in question, where they come; -1 of others.
+  /// The place of each face among the cells in question; -1 for other faces.
   std::vector<int> place_;
 };
 
@@ -165,8 +165,8 @@ class BlockFinder {
     }
   };
 
-  /// The cell across side `side`, if the surface goes on there without a T-junction or a step in
-  /// colour and the cell is free.
+  /// Returns the cell across side `side` if the surface goes on there without a T-junction or a
+  /// step in colour and the cell is free.
   std::optional<Cell> across(const Cell& cell, int side) const {
     const Halfedge h = block_side(mesh_, cell, side);
     if (mesh_.is_bar(h)) return std::nullopt;
@@ -183,7 +183,7 @@ class BlockFinder {
     return Cell{face, (found - side + 6) % 4};
   }
 
-  /// The largest rectangle with this cell in its top left corner.
+  /// Returns the largest rectangle with this cell in its top left corner.
   Block largest_from(const Cell& seed) {
     std::vector<std::vector<Cell>> rows;
     ++search_;
@@ -211,7 +211,8 @@ class BlockFinder {
     return block;
   }
 
-  /// Cells to the right of `first`, each below the one of the row above, at most `width`.
+  /// Returns the cells from `first` to the right, each below the one of the row above, at most
+  /// `width`.
   std::vector<Cell> row_from(const Cell& first, const std::vector<Cell>* above, std::size_t width) {
     std::vector<Cell> row;
     for (std::optional<Cell> cell = first; cell && row.size() < width;
@@ -226,14 +227,14 @@ class BlockFinder {
   const Mesh& mesh_;
   PaintOrder& order_;
   std::vector<bool> used_;
-  /// The last search that has met a face.
+  /// For each face, the last search that has met it.
   std::vector<int> taken_in_;
   int search_ = 0;
 };
 
 bool is_opaque(double opacity) { return std::round(255 * opacity) == 255; }
 
-/// Whether the side of a patch is opaque from end to end, or paints nothing.
+/// Returns true if the side of a patch is opaque from end to end, or fully transparent.
 bool is_clear_cut(const Mesh& mesh, Halfedge side) {
   const double a = mesh[side].color.a, b = mesh[mesh.next(side)].color.a;
   return (is_opaque(a) && is_opaque(b)) || std::round(255 * (a + b)) == 0;
@@ -244,7 +245,8 @@ bool is_opaque(const Mesh& mesh, Face face) {
                              [&](Halfedge h) { return is_opaque(mesh[h].color.a); });
 }
 
-/// Whether two blocks would both be seen somewhere, were they not opaque.
+/// Returns true if two blocks would both be seen at some place, since what they paint there is not
+/// opaque.
 bool needs_mask(const Mesh& mesh, const std::vector<Block>& blocks,
                 const std::vector<Overlap>& overlaps) {
   if (!is_translucent(mesh)) return false;
@@ -257,7 +259,7 @@ bool needs_mask(const Mesh& mesh, const std::vector<Block>& blocks,
   for (const Halfedge h : mesh.halfedges()) {
     if (!mesh.is_leaf(h) || is_clear_cut(mesh, h)) continue;
     const Halfedge other = mesh.other_side(h);
-    // Beyond a T-junction nobody knows without a search which faces lie there: another block's.
+    // The faces beyond a T-junction are not known without a search: they count as another block's.
     if (!other.valid()) continue;
     if (mesh.is_bar(h) || mesh.is_parent(other) || apart(mesh.face(h), mesh.face(other)))
       return true;

@@ -22,7 +22,7 @@ double change(const glm::dvec4& a, const glm::dvec4& b) {
   return std::max({d.r, d.g, d.b, d.a});
 }
 
-/// What eight digits of coordinates, each relative to the last, may be off.
+/// Returns the error that eight digits of coordinates, each relative to the last, may have.
 double position_tolerance(const MeshParts& parts) {
   Box box;
   for (const Patch& patch : parts.patches)
@@ -41,7 +41,7 @@ bool is_edited(const Patch& read, const Patch& written, double tolerance) {
   return false;
 }
 
-/// The parameter in [low, high] at which the curve comes nearest to the point.
+/// Returns the parameter in [low, high] at which the curve comes nearest to the point.
 double nearest(const Cubic<glm::dvec2>& curve, glm::dvec2 point, double low, double high) {
   const auto distance = [&](double t) { return glm::distance(curve.at(t), point); };
   constexpr int samples = 64;
@@ -83,8 +83,8 @@ class Reconciler {
   }
 
  private:
-  /// A copy of a handle: at the start or the end of a patch's side, which is a part of this length
-  /// of the curve.
+  /// A copy of a handle: at the start or the end of a patch's side, which is a part of the curve of
+  /// length `length` in the curve's parameter.
   struct Copy {
     Halfedge leaf;
     bool at_end;
@@ -94,7 +94,7 @@ class Reconciler {
   static Value corner(const MeshParts& parts, Halfedge leaf) {
     return parts.patches[leaf.value / 4].corner(leaf.value % 4);
   }
-  /// The side that a copy is on, from the copy's end.
+  /// Returns the side on which a copy lies, from the copy's end.
   static Cubic<Value> side(const MeshParts& parts, const Copy& copy) {
     const Cubic<Value> side = parts.patches[copy.leaf.value / 4].side(copy.leaf.value % 4);
     return copy.at_end ? side.reversed() : side;
@@ -123,7 +123,8 @@ class Reconciler {
     }
   }
 
-  /// Those of patches along the whole curve, if there are any.
+  /// Returns the copies at the start of `side`: those of patches along the whole curve, if there
+  /// are any, otherwise those of patches along a part of it.
   std::vector<Copy> copies_at_start(Halfedge side) const {
     const Halfedge twin = mesh_[side].twin;
     std::vector<Copy> copies;
@@ -148,7 +149,8 @@ class Reconciler {
       const glm::dvec2 place = now.bezier1().position;
       const double moved = glm::distance(before.bezier1().position, place);
       if (mesh_[at].is_junction()) {
-        // It follows the junction, wherever that will be, unless it was moved against it.
+        // The handle follows the junction, wherever that will be, unless the handle was moved
+        // against it.
         const double turned = glm::distance(before.m0.position, now.m0.position) / 3;
         if (moved > farthest && turned > tolerance_) tangent = now.m0.position / copy.length;
       } else if (moved > farthest || (farthest == tolerance_ && point_moved(before, now))) {
@@ -191,7 +193,7 @@ class Reconciler {
             positions_[mesh_.end(side).value]};
   }
 
-  /// Those first on which others hang.
+  /// Places the T-junctions of each curve once the curve's ends are placed.
   void place_junctions() {
     std::vector<Halfedge> curves;
     for (const Halfedge h : mesh_.halfedges()) {
@@ -231,7 +233,7 @@ class Reconciler {
       const auto [start, end] = mesh_[mesh_.curve_side(Halfedge{curve.a.halfedges[0]})].handles;
       curve.tangents = {{{tangents_[start.value], {}}, {tangents_[end.value], {}}}};
     }
-    // The mesh knows the sides of patches that are parts of longer curves.
+    // The mesh gives the sides of patches that are parts of longer curves.
     const Mesh mesh = build_mesh(parts);
     for (const Face f : mesh.faces()) {
       Patch& patch = parts.patches[f.value] = mesh.patch(f);
@@ -260,16 +262,16 @@ class Reconciler {
   const MeshParts& read_;
   const MeshParts& written_;
   const double tolerance_;
-  /// As it was written.
+  /// The mesh as it was written.
   const Mesh mesh_;
-  /// Where a person has put a point.
+  /// For each point, where a person has put it.
   std::vector<std::optional<glm::dvec2>> put_;
-  /// As they will be, by points, handles and leaves.
+  /// The values that points, handles and leaves will have.
   std::vector<glm::dvec2> positions_, tangents_;
   std::vector<glm::dvec4> colors_;
-  /// Leaves at T-junctions whose colour is that of the long curve.
+  /// True for leaves at T-junctions whose colour is that of the long curve.
   std::vector<bool> follows_;
-  /// Where leaves start on their curves.
+  /// For each leaf, where it starts on its curve.
   std::map<Halfedge, double> starts_;
 };
 

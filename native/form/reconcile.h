@@ -6,7 +6,7 @@ namespace gradmesh {
 
 struct Reconciled {
   MeshParts parts;
-  /// Whether anything was moved or recoloured, beyond the rounding of whoever wrote it.
+  /// True if anything was moved or recoloured, beyond the rounding of whoever wrote it.
   bool edited = false;
 };
 
@@ -14,20 +14,20 @@ struct Reconciled {
 /// `written`: each patch holds copies of the points, handles and colours that it shares. Both
 /// meshes are `bilinear` and have the same patches and curves (same_curves()).
 ///   - Of the copies of a point, a handle or a colour the one that moved farthest wins, and stays
-///     where it was put. What was not moved stays too, but handles follow their point where their
-///     own patches were left alone.
-///   - A T-junction lies on its curve, whose handles the patch on its long side knows best. One
-///   that
-///     was moved goes to the nearest place on the curve between its neighbours there; handles of
-///     the curves that start at it follow it.
+///     where it was put. Copies that were not moved stay too, but handles follow their point where
+///     their own patches were left alone.
+///   - A T-junction lies on its curve, whose handles are taken from the patch on its long side. One
+///     that was moved goes to the nearest place on the curve between its neighbours there; handles
+///     of the curves that start at it follow it.
 ///   - A patch that is a Coons patch as read stays one.
-/// Nothing edited: the parts as written. Throws InputError as build_mesh.
+/// If nothing was edited, the parts are as written. Throws InputError as build_mesh.
 Reconciled reconcile(const MeshParts& read, const MeshParts& written);
 
-/// The same where nobody knows how the mesh was written: the first copy counts as unmoved.
+/// Does the same where it is not known how the mesh was written: the first copy counts as unmoved.
 Reconciled reconcile(const MeshParts& read);
 
-/// Whether two meshes have as many patches, and the same sides of them on the same curves.
+/// Returns true if two meshes have as many patches and equal curves, with the same sides of
+/// patches, breaks and tangents.
 bool same_curves(const MeshParts& a, const MeshParts& b);
 
 }  // namespace gradmesh

@@ -12,7 +12,7 @@
 namespace gradmesh {
 namespace {
 
-/// So many parts each way does Inkscape make of a patch.
+/// The number of parts each way into which Inkscape divides a patch.
 constexpr int parts_per_side = 8;
 
 /// A corner on a line of the grid.
@@ -31,13 +31,13 @@ double inner_slope(double before, double here, double after, double distance, do
   return slope;
 }
 
-/// The slope at the end of a line that makes a parabola of its last part, `slope` being that at the
-/// part's other end.
+/// Returns the slope at the end of a line that makes a parabola of its last part, `slope` being
+/// that at the part's other end.
 glm::dvec3 end_slope(const glm::dvec3& difference, double distance, const glm::dvec3& slope) {
   return distance > 0 ? 2.0 * difference / distance - slope : glm::dvec3(0);
 }
 
-/// The slopes of the colours at the corners along a line, by Inkscape's rule.
+/// Returns the slopes of the colours at the corners along a line, by Inkscape's rule.
 std::vector<glm::dvec3> slopes(const std::vector<Corner>& line) {
   const std::size_t last = line.size() - 1;
   std::vector<glm::dvec3> result(line.size(), glm::dvec3(0));
@@ -109,7 +109,7 @@ class SmoothGrid {
   }
 
  private:
-  /// The patch with `top` as its top side, wherever its face begins.
+  /// Returns the patch with `top` as its top side, wherever its face begins, and bilinear colours.
   Patch top_patch(Halfedge top) const {
     std::array<Cubic<Value>, 4> sides;
     std::array<Value, 4> twists;
@@ -132,11 +132,11 @@ class SmoothGrid {
 
   const Mesh& mesh_;
   const Grid grid_;
-  /// By row of corners and by column of corners.
+  /// Slopes by row of corners and by column of corners.
   std::vector<std::vector<glm::dvec3>> right_, down_;
 };
 
-/// The corners of a patch's parts, in its colours.
+/// Colours at the corners of a patch's parts.
 using PartColors = std::array<std::array<glm::dvec4, parts_per_side + 1>, parts_per_side + 1>;
 
 PartColors part_colors(const Patch& patch) {
@@ -148,7 +148,7 @@ PartColors part_colors(const Patch& patch) {
   return colors;
 }
 
-/// The parts of one row of parts of a patch, from left to right.
+/// Appends row i of the parts of a patch, from left to right.
 void append_row(const Patch& patch, const PartColors& colors, int i, std::vector<Patch>& parts) {
   const Patch row = patch.part_u(double(i) / parts_per_side, double(i + 1) / parts_per_side);
   for (int j = 0; j < parts_per_side; ++j) {

@@ -7,16 +7,16 @@
 
 namespace gradmesh {
 
-/// How a mesh is written, and what readers will see of that. A run measures the surface, and the
+/// How a mesh is written, and what readers will see of it. A run measures the surface, and the
 /// writer writes the mesh in just this form.
 struct WrittenForm {
   /// The mesh as a reader will find it.
   Mesh surface = {};
-  /// The blocks of the group that it becomes; nothing: it is written as a whole, in SVG as one mesh
-  /// gradient.
+  /// The blocks of the group that the mesh becomes; if there are none, the mesh is written as a
+  /// whole, in SVG as one mesh gradient.
   std::optional<BlockForm> blocks = std::nullopt;
-  /// How far an interior point may be from the Coons patch's without `tensor` being written, in
-  /// the unit of the positions.
+  /// The largest distance of an interior point from the Coons patch's at which `tensor` is not
+  /// written, in the unit of the positions.
   double coons_tolerance = 0;
 
   bool masks_opacity() const { return blocks && blocks->masks_opacity; }

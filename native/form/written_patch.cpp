@@ -12,7 +12,7 @@ double round_to_8_bits(double channel) {
   return std::round(std::clamp(channel, 0.0, 1.0) * 255) / 255;
 }
 
-/// How far channels may be from grey, in levels: as far as it takes to reach every opacity.
+/// The largest differences of channels from grey, in levels: enough to reach every opacity.
 constexpr int most_red = 3, most_green = 1, most_blue = 5;
 
 double distance_from_coons(const BezierNet& net) {
@@ -41,7 +41,7 @@ glm::dvec3 mask_color(double opacity) {
       for (int b = -most_blue; b <= most_blue; ++b) {
         const glm::dvec3 color = grey + glm::dvec3(r, g, b);
         if (color != glm::clamp(color, 0.0, 255.0)) continue;
-        // Sums that are the same but for roundings.
+        // Sums that differ by less are equal up to rounding.
         constexpr double same = 1e-9;
         const double distance = std::abs(level - mask_opacity(color));
         const int off = std::abs(r) + std::abs(g) + std::abs(b);
@@ -54,7 +54,7 @@ glm::dvec3 mask_color(double opacity) {
 }
 
 double mask_opacity(const glm::dvec3& color) {
-  // Of a grey, its level to the last bit.
+  // For a grey this is its level to the last bit.
   return color.r + 0.7154 * (color.g - color.r) + 0.0721 * (color.b - color.r);
 }
 

@@ -8,7 +8,8 @@
 namespace gradmesh {
 namespace {
 
-/// The parameters in (0, 1) where one coordinate of a cubic Bezier curve turns; the rest stay 0.
+/// Returns the parameters in (0, 1) at which one coordinate of a cubic Bezier curve has an
+/// extremum; unused elements are 0.
 std::array<double, 2> turning_points(double p0, double p1, double p2, double p3) {
   // Derivative / 3 = a t^2 - 2 b t + c.
   const double a = p3 - 3 * p2 + 3 * p1 - p0, b = -(p2 - 2 * p1 + p0), c = p1 - p0;

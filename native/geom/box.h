@@ -8,7 +8,7 @@ namespace gradmesh {
 class Box {
  public:
   void add(glm::dvec2 p);
-  /// The cubic Bezier curve, with its exact extrema.
+  /// Adds the cubic Bezier curve, with its exact extrema.
   void add_cubic(glm::dvec2 p0, glm::dvec2 p1, glm::dvec2 p2, glm::dvec2 p3);
   bool empty() const { return empty_; }
   glm::dvec2 low() const { return low_; }

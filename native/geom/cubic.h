@@ -21,14 +21,14 @@ struct Cubic {
     return (p1 + p0 * -1.0) * (6 * t - 6 * t2) + m0 * (1 - 4 * t + 3 * t2) + m1 * (3 * t2 - 2 * t);
   }
 
-  /// The same curve over [a, b], with its own parameter from 0 to 1.
+  /// Returns the same curve over [a, b], with its own parameter from 0 to 1.
   Cubic part(double a, double b) const {
     return {at(a), derivative(a) * (b - a), derivative(b) * (b - a), at(b)};
   }
 
   Cubic reversed() const { return {p1, m1 * -1.0, m0 * -1.0, p0}; }
 
-  /// Inner Bezier control points.
+  /// Return the inner Bezier control points.
   V bezier1() const { return p0 + m0 * (1.0 / 3.0); }
   V bezier2() const { return p1 + m1 * (-1.0 / 3.0); }
 

@@ -8,7 +8,7 @@ namespace gradmesh {
 /// Closed polygons; the last point is joined to the first.
 using Outline = std::vector<std::vector<glm::dvec2>>;
 
-/// Which points lie inside an outline, as SVG's fill-rule.
+/// SVG's fill-rule: which points lie inside an outline.
 enum class FillRule { nonzero, evenodd };
 
 struct FilledOutline {
@@ -16,7 +16,8 @@ struct FilledOutline {
   FillRule rule = FillRule::nonzero;
 };
 
-/// What of a mesh is seen: what lies, in mesh units, inside of any outline of each of these sets.
+/// The part of a mesh that is seen, in mesh units: the points that lie, for each of these sets,
+/// inside of at least one outline of the set.
 struct VisibleArea {
   std::vector<std::vector<FilledOutline>> sets;
 };

@@ -22,30 +22,30 @@ struct Patch {
 
   bool operator==(const Patch&) const = default;
 
-  /// H(u, v), Eq. 1.
+  /// Returns H(u, v) of Eq. 1.
   Value at(double u, double v) const;
   Value derivative_u(double u, double v) const;
   Value derivative_v(double u, double v) const;
-  /// Mixed second derivative H_uv.
+  /// Returns the mixed second derivative H_uv.
   Value derivative_uv(double u, double v) const;
 
   Value corner(int k) const;
-  /// Curve of side k in the side's own direction.
+  /// Returns the curve of side k in the side's own direction.
   Cubic<Value> side(int k) const;
-  /// Mixed derivative at corner k along (side k, the reverse of side k-1). In these local axes
-  /// the number does not depend on which side of a face is called the top.
+  /// Returns the mixed derivative at corner k along (side k, the reverse of side k-1). In these
+  /// local axes its value does not depend on which side of a face is called the top.
   Value twist(int k) const;
 
-  /// The part [a, b] of u or of v, exactly (A.1).
+  /// Return the part [a, b] of u or of v, exactly (A.1).
   Patch part_u(double a, double b) const;
   Patch part_v(double a, double b) const;
-  /// The parts [0, t] and [t, 1]. t in (0, 1).
+  /// Return the parts [0, t] and [t, 1] of u or of v. t in (0, 1).
   std::array<Patch, 2> split_u(double t) const;
   std::array<Patch, 2> split_v(double t) const;
 };
 
-/// Patch from its four sides (clockwise, each starting where the one before ends) and the
-/// four twists in local axes as of Patch::twist.
+/// Returns the patch with these four sides (clockwise, each starting where the one before ends) and
+/// these four twists, in local axes as of Patch::twist.
 Patch patch_from_sides(const std::array<Cubic<Value>, 4>& sides,
                        const std::array<Value, 4>& twists);
 
@@ -54,14 +54,14 @@ using BezierNet = std::array<std::array<Value, 4>, 4>;
 BezierNet bezier_net(const Patch& patch);
 Patch patch_from_bezier(const BezierNet& net);
 
-/// Positions of the interior control points b11, b12, b21, b22 of the Coons patch with the
-/// net's boundary (SVG 2 without `tensor`; formula in PDF 32000-1, 8.7.4.5.8).
+/// Returns the positions of the interior control points b11, b12, b21, b22 of the Coons patch with
+/// the net's boundary (SVG 2 without `tensor`; formula in PDF 32000-1, 8.7.4.5.8).
 std::array<std::array<glm::dvec2, 2>, 2> coons_interior(const BezierNet& net);
 
 /// Gives the patch the interior control points of the Coons patch with its sides.
 void make_coons(Patch& patch);
 
-/// The patch under an affine map of its positions.
+/// Applies an affine map to the patch's positions.
 void transform(Patch& patch, const Affine& affine);
 
 /// Replaces every colour tangent and twist by those of the bilinear blend of the four corner

@@ -6,7 +6,7 @@
 
 namespace gradmesh {
 
-/// The indices of the records that are alive, rising: for (const Face f : mesh.faces()).
+/// The indices of the records that are alive, in rising order: for (const Face f : mesh.faces()).
 template <class Element, class Record>
 class AliveRange {
  public:

@@ -9,18 +9,20 @@
 
 namespace gradmesh {
 
-/// The boundary of the mesh as closed loops of leaves, each starting where the one before ends.
-/// A point through which the boundary passes more than once may join loops or part them.
+/// Returns the boundary of the mesh as closed loops of leaves, each leaf starting where the one
+/// before ends. A point through which the boundary passes more than once may join loops or part
+/// them.
 std::vector<std::vector<Halfedge>> boundary_loops(const Mesh& mesh);
 
-/// For each face (by index) a number that all faces of its connected part of the mesh share; faces
-/// that meet in points only are not connected, nor are those across curves that `divides`.
+/// Returns for each face (by index) a number that all faces of its connected part of the mesh
+/// share. Faces that meet in points only are not connected, nor are faces across curves for which
+/// `divides` returns true.
 std::vector<int> face_components(
     const Mesh& mesh,
     const std::function<bool(Halfedge)>& divides = [](Halfedge) { return false; });
 
-/// The box around the mesh as `view` shows it, from the sides of its patches with their exact
-/// extrema: it does not depend on how finely the mesh is divided.
+/// Returns the box around the mesh as `view` shows it, from the sides of its patches with their
+/// exact extrema: the box does not depend on how finely the mesh is divided.
 Box bounding_box(const Mesh& mesh, const Affine& view);
 
 }  // namespace gradmesh

@@ -70,7 +70,7 @@ class MeshBuilder {
       add_handles(use_a ? a : b);
   }
 
-  /// One half-edge for the whole side: the only leaf, or a new parent above the bars.
+  /// Adds a side and returns its half-edge: the only leaf, or a new parent above the bars.
   Halfedge add_side(const CurveSide& side) {
     if (side.halfedges.empty() || side.breaks.size() + 1 != side.halfedges.size())
       inconsistent(Message("a curve has no side, or not one break fewer than patches"));
@@ -102,7 +102,7 @@ class MeshBuilder {
     return parent;
   }
 
-  /// Handles for the tangents that the patches along a side have.
+  /// Adds handles for the tangents of the patches along a side.
   void add_handles(Halfedge side) {
     const Halfedge first = mesh_.first_leaf(side), last = mesh_.last_leaf(side);
     const Value start = patch_side(first).m0 * (1 / mesh_.span(first).length());
@@ -168,7 +168,7 @@ class MeshBuilder {
     }
   }
 
-  /// Hangs a stem between any two neighbouring bars of `parent`.
+  /// Makes the curve between any two neighbouring bars of `parent` a stem of `parent`.
   void add_stems(Halfedge parent) {
     const std::vector<Halfedge> bars = mesh_.leaves(parent).list();
     for (std::size_t k = 1; k < bars.size(); ++k) {
@@ -188,7 +188,7 @@ class MeshBuilder {
     }
   }
 
-  /// Puts every T-junction on its parent, those first on which others hang.
+  /// Puts the T-junctions of each curve on it once the curve's ends are placed.
   void place_junctions() {
     std::vector<Halfedge> curves;
     for (const Halfedge h : mesh_.halfedges())
@@ -203,7 +203,7 @@ class MeshBuilder {
   void place_junction(Halfedge stem) {
     const Value value = junction_value(mesh_, stem);
     mesh_.points_[mesh_.origin(stem).value].position = value.position;
-    // What a writer's rounding leaves: half a level of 8 bits and a little, or of six digits.
+    // The rounding of a writer: half a level of 8 bits and a little, or of six digits.
     const double tolerance = mesh_.color_model_ == ColorModel::bilinear ? 0.51 / 255 : 1e-5;
     for (const Halfedge leaf : {mesh_.first_leaf(stem), at(stem).next_sibling}) {
       const glm::dvec4 difference = at(leaf).color - value.color;

@@ -11,12 +11,12 @@ namespace gradmesh {
 /// the parent's (by more than the rounding to 8 bits, or to six digits in `bicubic`).
 ///
 /// Half-edge 4 * patch + side keeps its index, and face i is patch i.
-/// Throws InputError where the parts do not fit together or a curve hangs on itself (4.4), and
+/// Throws InputError where the parts do not fit together or a curve depends on itself (4.4), and
 /// where there are more patches than the limit (base/limits.h).
 Mesh build_mesh(const MeshParts& parts);
 
-/// The same of parts that were made of a mesh which keeps to the limit: there is none on how many
-/// they are.
+/// Does the same for parts that were made of a mesh which keeps to the limit, and does not limit
+/// their number.
 Mesh build_derived_mesh(const MeshParts& parts);
 
 }  // namespace gradmesh

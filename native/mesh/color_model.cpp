@@ -5,7 +5,7 @@
 namespace gradmesh {
 namespace {
 
-/// How colour changes from the first to the last corner along a side of a curve.
+/// Returns the difference of colour from the first to the last corner along a side of a curve.
 glm::dvec4 color_change(const MeshParts& parts, const CurveSide& side) {
   const auto corner = [&](int halfedge, int offset) {
     return parts.patches[std::size_t(halfedge / 4)].corner((halfedge + offset) % 4).color;

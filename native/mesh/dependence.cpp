@@ -12,10 +12,12 @@ std::vector<Halfedge> supports(const Mesh& mesh, Halfedge curve) {
 }
 
 std::vector<Halfedge> in_order_of_dependence(const Mesh& mesh, std::span<const Halfedge> curves) {
-  // Depth first; a curve is listed once all that hangs on it is, and the list is turned round.
+  // Depth first: a curve is listed after all curves that depend on it, and the list is reversed at
+  // the end.
   struct Visit {
     Halfedge curve;
-    /// The side of the curve whose stems are next, and the first child there not seen yet.
+    /// The side of the curve whose stems are visited next, and the first child there not visited
+    /// yet.
     Halfedge side, child;
   };
   std::vector<Halfedge> order;
@@ -54,7 +56,7 @@ bool has_cycle(const Mesh& mesh) {
   std::vector<int> place(mesh.halfedge_slots());
   const std::vector<Halfedge> order = in_order_of_dependence(mesh, curves);
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i].value] = int(i);
-  // In a mesh without cycles, and only there, everything comes after what it hangs on.
+  // In a mesh without cycles, and only there, every curve comes after those it depends on.
   return std::ranges::any_of(curves, [&](Halfedge curve) {
     return std::ranges::any_of(supports(mesh, curve), [&](Halfedge support) {
       return place[support.value] >= place[curve.value];

@@ -7,21 +7,22 @@
 
 namespace gradmesh {
 
-/// A curve hangs on another where it ends at a T-junction of it: it moves with the other. A mesh
-/// can only be drawn while nothing hangs on itself (paper 4.4).
+/// A curve depends on another if one of its ends is a T-junction on the other, with which it then
+/// moves. A mesh can only be drawn while no curve depends on itself, directly or not (paper 4.4).
 
-/// The curves on which `curve` hangs directly: none, one or two.
+/// Returns the curves on which `curve` depends directly: none, one or two.
 std::vector<Halfedge> supports(const Mesh& mesh, Halfedge curve);
 
-/// `curves` and all that hangs on them, directly or not, each after those it hangs on. Curves
-/// are given and returned as Mesh::curve names them. Where the mesh has a cycle, its curves come
-/// in no useful order.
+/// Returns `curves` and all curves that depend on them, directly or not, each after those it
+/// depends on. Curves are given and returned as Mesh::curve names them. Where the mesh has a cycle,
+/// its curves come in no useful order.
 std::vector<Halfedge> in_order_of_dependence(const Mesh& mesh, std::span<const Halfedge> curves);
 
-/// Whether some curve hangs on itself.
+/// Returns true if some curve depends on itself, directly or not.
 bool has_cycle(const Mesh& mesh);
 
-/// The T-junction from which a stem starts, worked out from its parent.
+/// Returns the position and colour of the T-junction from which a stem starts, computed from the
+/// parent's curve.
 Value junction_value(const Mesh& mesh, Halfedge stem);
 
 }  // namespace gradmesh

@@ -25,11 +25,11 @@ using Handle = Index<HandleRecord>;
 using Face = Index<FaceRecord>;
 using Halfedge = Index<HalfedgeRecord>;
 
-/// A control point, or a T-junction: then `stem` is the half-edge that starts here as a stem, and
-/// the position is kept equal to the point of the stem's parent.
+/// A control point or a T-junction. At a T-junction, `stem` is the half-edge that starts there as a
+/// stem, and the position is kept equal to the point of the stem's parent.
 struct PointRecord {
   glm::dvec2 position{0.0};
-  /// Some half-edge that starts here and is no bar.
+  /// A half-edge that starts here and is no bar.
   Halfedge halfedge;
   Halfedge stem;
   bool alive = true;
@@ -57,7 +57,7 @@ struct FaceRecord {
   bool operator==(const FaceRecord&) const = default;
 };
 
-/// Of two faces that lie over one another, with none between them somewhere.
+/// Two faces of which one lies over the other, with none between them, at some pixel.
 struct Overlap {
   Face below, above;
 
@@ -82,7 +82,7 @@ struct Interval {
 ///   bar           parent, interval             (a bar of a bar is kept as a bar of the parent)
 struct HalfedgeRecord {
   Point origin;
-  /// Other side of the curve; none for bars and on the boundary.
+  /// The half-edge on the other side of the curve; none for bars and on the boundary.
   Halfedge twin;
   /// Tangents at the start and at the end; none for bars, which take the parent's.
   std::array<Handle, 2> handles;
@@ -94,7 +94,8 @@ struct HalfedgeRecord {
   /// Parents only.
   Halfedge first_child;
 
-  /// Leaves only: the loop of the face and the face's corner at the origin.
+  /// Leaves only: the loop of the face. Twist and colour are those of the face's corner at the
+  /// origin.
   Halfedge next, prev;
   Face face;
   /// Mixed derivative in the local axes of Patch::twist. Its colour part counts in `bicubic` only.
@@ -102,9 +103,9 @@ struct HalfedgeRecord {
   glm::dvec4 color{0.0};
   /// At a T-junction: false where the colour is kept equal to that of the parent's curve.
   bool own_color = true;
-  /// Bars only, in `bicubic`: by how much the colour tangents at the start and at the end differ
-  /// from those of the parent's curve. Not zero where a side between T-junctions with colours of
-  /// their own was split.
+  /// Bars only, in `bicubic`: the difference of the colour tangents at the start and at the end
+  /// from those of the parent's curve. It is not zero where a side between T-junctions with colours
+  /// of their own was split.
   std::array<glm::dvec4, 2> own_tangents{glm::dvec4(0.0), glm::dvec4(0.0)};
 
   bool alive = true;

@@ -7,8 +7,8 @@ namespace {
 
 bool on_boundary(const Mesh& mesh, Halfedge leaf) { return !mesh.other_side(leaf).valid(); }
 
-/// How many patches there are from `side` of a patch straight on to the boundary, or to a place
-/// where the mesh is no grid; more than there are patches where there is no end.
+/// Returns the number of patches from `side` of a patch straight on to the boundary, or to a place
+/// where the mesh is no grid. Returns more than the mesh has patches where there is no end.
 int count_across(const Mesh& mesh, Halfedge side) {
   int count = 1;
   while (count <= mesh.face_count() && (side = leaf_across(mesh, side)).valid()) {

@@ -16,13 +16,15 @@ struct Grid {
   Halfedge top(int row, int column) const { return tops[row * columns + column]; }
 };
 
-/// The whole mesh as a grid, where it is one: nothing but whole edges and regular points inside,
-/// and all around it the boundary. Nothing for meshes with T-junctions, holes, branches or several
+/// Returns the whole mesh as a grid: nothing but whole edges and regular points inside, and all
+/// around it the boundary. Returns nothing for meshes with T-junctions, holes, branches or several
 /// parts, and for rings. Rows and columns are counted as the patches themselves have them, if they
-/// agree; a mesh read row by row and all that is left of it starts at the same corner.
+/// agree; a mesh that is read row by row starts at the same corner before and after patches of it
+/// are merged.
 std::optional<Grid> find_grid(const Mesh& mesh);
 
-/// The same with the side `top` of the patch `face` as the top of its first patch.
+/// Returns the whole mesh as such a grid, whose first patch is `face` with its side `top` as its
+/// top.
 std::optional<Grid> grid_from(const Mesh& mesh, Face face, int top);
 
 }  // namespace gradmesh

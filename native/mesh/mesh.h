@@ -17,9 +17,9 @@ namespace gradmesh {
 class Mesh {
  public:
   ColorModel color_model() const { return color_model_; }
-  /// Whether between the corners of a mesh of the model `bilinear` colours are painted smoothly,
-  /// following the neighbours (SVG's type="bicubic", smooth_colors.h). The patches here know
-  /// nothing of that.
+  /// Returns true if the mesh, of the model `bilinear`, is painted with smooth colours between the
+  /// corners, which follow the neighbours (SVG's type="bicubic", smooth_colors.h). The patches here
+  /// do not have these colours.
   bool is_smooth() const { return smooth_; }
 
   const PointRecord& operator[](Point p) const { return points_[p.value]; }
@@ -27,19 +27,20 @@ class Mesh {
   const FaceRecord& operator[](Face f) const { return faces_[f.value]; }
   const HalfedgeRecord& operator[](Halfedge h) const { return halfedges_[h.value]; }
 
-  /// The elements that are alive, in the order of their indices.
+  /// Return the elements that are alive, in the order of their indices.
   auto points() const { return AliveRange<Point, PointRecord>(points_); }
   auto handles() const { return AliveRange<Handle, HandleRecord>(handles_); }
   auto faces() const { return AliveRange<Face, FaceRecord>(faces_); }
   auto halfedges() const { return AliveRange<Halfedge, HalfedgeRecord>(halfedges_); }
 
-  /// Sizes of the arrays, counting what is not alive: bounds for arrays beside the mesh.
+  /// Return the sizes of the arrays, counting elements that are not alive: bounds for arrays beside
+  /// the mesh.
   std::size_t face_slots() const { return faces_.size(); }
   std::size_t halfedge_slots() const { return halfedges_.size(); }
 
   int face_count() const { return face_count_; }
 
-  /// Record by record, those that are not alive too: what an undo restores.
+  /// Compares record by record, those that are not alive too: an undo restores all of them.
   bool operator==(const Mesh&) const = default;
 
   // --- the half-edge tree ---
@@ -51,21 +52,22 @@ class Mesh {
   }
   bool is_stem(Halfedge h) const { return is_child(h) && !is_bar(h); }
 
-  /// The half-edge that is one whole side of the curve on which h lies: h, or its parent for bars.
+  /// Returns the half-edge that is one whole side of the curve on which h lies: h, or the parent of
+  /// h where h is a bar.
   Halfedge curve_side(Halfedge h) const { return is_bar(h) ? (*this)[h].parent : h; }
-  /// The part of its curve side that h spans.
+  /// Returns the part of its curve side that h spans.
   Interval span(Halfedge h) const { return is_bar(h) ? (*this)[h].interval : Interval{}; }
-  /// The other side of h's curve; invalid on the boundary.
+  /// Returns the other side of h's curve; invalid on the boundary.
   Halfedge other_side(Halfedge h) const { return (*this)[curve_side(h)].twin; }
-  /// One half-edge to stand for the whole curve: that of the smaller index.
+  /// Returns the half-edge that names the whole curve of h: of its sides the one of smaller index.
   Halfedge curve(Halfedge h) const {
     const Halfedge side = curve_side(h), twin = (*this)[side].twin;
     return twin.valid() && twin < side ? twin : side;
   }
 
-  /// Bars and stems by turns, in the parent's direction.
+  /// Returns the bars and stems in turn, in the parent's direction.
   SiblingRange children(Halfedge parent) const { return range(parent, SiblingRange::children); }
-  /// The leaves along a curve side, in its direction: its bars, or itself.
+  /// Returns the leaves along a curve side, in its direction: its bars, or the side itself.
   SiblingRange leaves(Halfedge side) const {
     return is_leaf(side) ? SiblingRange(halfedges_, side, SiblingRange::alone)
                          : range(side, SiblingRange::bars);
@@ -80,7 +82,7 @@ class Mesh {
   Halfedge next(Halfedge leaf) const { return (*this)[leaf].next; }
   Halfedge prev(Halfedge leaf) const { return (*this)[leaf].prev; }
   Face face(Halfedge leaf) const { return (*this)[leaf].face; }
-  /// The four sides of a face, clockwise from its top.
+  /// Returns the four sides of a face, clockwise from its top.
   std::array<Halfedge, 4> sides(Face f) const;
 
   // --- geometry ---
@@ -88,10 +90,11 @@ class Mesh {
   Point end(Halfedge h) const;
   glm::dvec2 position(Point p) const { return (*this)[p].position; }
 
-  /// Curve of a whole curve side in its own direction, with the colours of that side's faces
-  /// (linear between its ends in the model `bilinear`).
+  /// Returns the curve of a whole curve side in the side's own direction, with the colours of that
+  /// side's faces (linear between its ends in the model `bilinear`).
   Cubic<Value> curve_of(Halfedge side) const;
-  /// Curve of a leaf: a part of its curve side. Its ends are exactly the positions of its points.
+  /// Returns the curve of a leaf, which is a part of its curve side. The ends are exactly the
+  /// positions of the leaf's points.
   Cubic<Value> side_of(Halfedge leaf) const;
   Patch patch(Face f) const;
 
@@ -112,7 +115,8 @@ class Mesh {
   bool smooth_ = false;
 };
 
-/// Whether a mesh is not opaque everywhere, as 8 bits tell.
+/// Returns true if a mesh is not opaque everywhere: if some corner's opacity, rounded to 8 bits, is
+/// not 255.
 bool is_translucent(const Mesh& mesh);
 
 }  // namespace gradmesh

@@ -12,7 +12,8 @@ Halfedge leaf_across(const Mesh& mesh, Halfedge leaf) {
 
 namespace {
 
-/// The top side of the patch to the right of the one below `top`.
+/// Returns the top side of the patch to the right of the patch whose top side is `top`; invalid
+/// where there is none.
 Halfedge to_the_right(const Mesh& mesh, Halfedge top) {
   const Halfedge across = leaf_across(mesh, mesh.next(top));
   return across.valid() ? mesh.next(across) : Halfedge{};
@@ -22,7 +23,7 @@ Halfedge below(const Mesh& mesh, Halfedge top) {
   return leaf_across(mesh, mesh.next(mesh.next(top)));
 }
 
-/// The region that starts at the patch of `top`.
+/// Returns the region that starts at the patch of `top`.
 Region region_at(const Mesh& mesh, Halfedge top, int rows, int columns) {
   const Face face = mesh.face(top);
   const std::array<Halfedge, 4> sides = mesh.sides(face);

@@ -8,15 +8,15 @@
 
 namespace gradmesh {
 
-/// Children of one half-edge in their order, as they are when the range reaches them:
-/// for (const Halfedge stem : mesh.stems(side)).
+/// The children of one half-edge in their order, as they are when the iteration reaches them.
+/// Example: for (const Halfedge stem : mesh.stems(side)).
 class SiblingRange {
  public:
   enum Kind {
     children,
     bars,
     stems,
-    /// The first alone, whatever it is.
+    /// The first half-edge alone, of whatever kind.
     alone,
   };
 

@@ -8,7 +8,7 @@
 namespace gradmesh {
 namespace {
 
-/// Colours that differ by less are the same but for rounding.
+/// Colours that differ by less are equal up to rounding.
 constexpr double same_color = 1e-9;
 
 class Subdivider {
@@ -25,11 +25,11 @@ class Subdivider {
   }
 
  private:
-  /// A side of a new patch along an old curve side, and the part of that which it spans.
+  /// A side of a new patch along an old curve side, and the part of the curve side that it spans.
   struct Piece {
     int halfedge;
     double first, second;
-    /// Whether the corners of the patch at its ends are T-junctions with their own colours.
+    /// True if the corner of the patch at that end is a T-junction with its own colour.
     bool own_at_start = false, own_at_end = false;
   };
   using Pieces = std::span<const Piece>;
@@ -51,7 +51,7 @@ class Subdivider {
     }
   }
 
-  /// Side of the m-th new patch along a leaf.
+  /// Returns the side of the m-th new patch along a leaf, as 4 * patch + side.
   int side_along(Halfedge leaf, int m) const {
     const int number = number_[std::size_t(leaf.value)], k = number % 4;
     const int back = n_ - 1 - m, last = n_ - 1;
@@ -84,7 +84,7 @@ class Subdivider {
       const std::size_t first_a = i++, first_b = j++;
       const auto gap = [&] { return a[i - 1].second - (1 - b[b.size() - j].first); };
       while (std::abs(gap()) > same_place && i < a.size() && j < b.size()) ++(gap() < 0 ? i : j);
-      // What is left of only one side is no curve of its own.
+      // A remainder of only one side is no curve of its own.
       if (i == a.size()) j = b.size();
       if (j == b.size()) i = a.size();
       add_part(side, Pieces(a).subspan(first_a, i - first_a),
@@ -92,7 +92,7 @@ class Subdivider {
     }
   }
 
-  /// The part of an old curve along which the pieces lie.
+  /// Adds the part of an old curve along which the pieces lie.
   void add_part(Halfedge side, Pieces a, Pieces b) {
     const Cubic<Value> curve = mesh_.curve_of(side).part(a.front().first, a.back().second);
     parts_.curves.push_back({curve_side(a), curve_side(b), std::array{curve.m0, -curve.m1}});
@@ -100,7 +100,7 @@ class Subdivider {
     add_own_colors(curve.reversed(), b);
   }
 
-  /// Where a piece ends, as a parameter of the part from the first to the last of `pieces`.
+  /// Returns the end of a piece as a parameter of the part from the first to the last of `pieces`.
   static double break_after(const Piece& piece, Pieces pieces) {
     const double first = pieces.front().first;
     return (piece.second - first) / (pieces.back().second - first);
@@ -121,8 +121,8 @@ class Subdivider {
   }
   static int next(int halfedge) { return halfedge - halfedge % 4 + (halfedge + 1) % 4; }
 
-  /// Colours at T-junctions that are not those of the new curve, which starts and ends in the
-  /// colours of its own patches.
+  /// Adds the corners at T-junctions whose colours are not those of the new curve, which starts and
+  /// ends in the colours of its own patches.
   void add_own_colors(Cubic<Value> curve, Pieces pieces) {
     curve.p0.color = color_at_start(pieces.front().halfedge);
     curve.p1.color = color_at_start(next(pieces.back().halfedge));
@@ -143,7 +143,7 @@ class Subdivider {
   const Mesh& mesh_;
   const int n_;
   MeshParts parts_;
-  /// For each leaf, 4 * patch + side with the first new patch of its face.
+  /// For each leaf, its number 4 * patch + side, with the first new patch of its face.
   std::vector<int> number_;
 };
 

@@ -14,7 +14,8 @@
 namespace gradmesh {
 namespace {
 
-/// Steps of the fit after a set of regions was merged, after one was, and of the whole mesh.
+/// Steps of the fit after a set of regions was merged, after one region was merged, and of the
+/// whole mesh.
 constexpr int steps_for_set = 4, steps_for_one = 5, steps_at_rest = 3;
 
 struct Candidate {
@@ -29,8 +30,8 @@ Candidate candidate(const Mesh& mesh, const RegionPrice& r) {
   return c;
 }
 
-/// Of candidates in this order those that do not overlap the ones before, as long as they cost at
-/// most gamma together.
+/// Returns the items, in their order, that do not overlap those taken before, as long as they cost
+/// at most gamma together.
 Packing greedy_packing(const std::vector<PackingItem>& items, std::size_t face_slots,
                        double gamma) {
   Packing chosen;
@@ -46,8 +47,8 @@ Packing greedy_packing(const std::vector<PackingItem>& items, std::size_t face_s
   return chosen;
 }
 
-/// The regions that save the most patches for gamma together. Candidates in the order in which a
-/// greedy choice takes them.
+/// Returns the regions that save the most patches for at most gamma together. `candidates` are in
+/// the order in which a greedy choice takes them.
 std::vector<Region> best_regions(const std::vector<Candidate>& candidates, std::size_t face_slots,
                                  double gamma) {
   constexpr int most_nodes = 200;
@@ -70,11 +71,12 @@ std::vector<Face> all_faces(const Mesh& mesh) {
   return faces;
 }
 
-/// Prices of regions of a mesh that changes here and there.
+/// Prices of regions, fitted, of a mesh of which parts change.
 class FittedPrices {
  public:
-  /// The regions of two patches that cost at most `limit`, the cheapest first. Prices stand until
-  /// one of the patches changes; those beyond an earlier limit, until the limit is above that.
+  /// Returns the regions of two patches that cost at most `limit`, the cheapest first. A price is
+  /// kept until one of the patches changes; one above the limit at which it was found only until
+  /// the limit rises.
   std::vector<Candidate> up_to(double limit, FitTrial& trial,
                                const std::function<bool()>& should_stop) {
     const Mesh& mesh = trial.mesh();
@@ -106,7 +108,7 @@ class FittedPrices {
  private:
   struct Known {
     double price, limit;
-    /// FitTrial::changes() when it was found.
+    /// FitTrial::changes() when the price was found.
     int changes;
   };
 
@@ -124,7 +126,7 @@ class FittedPrices {
   std::map<Region, Known> known_;
 };
 
-/// A mesh on its way.
+/// A mesh that is merged and fitted in rounds.
 class Rounds {
  public:
   Rounds(MergeTrial& from, const FitContext& context, StopWatch& watch)
@@ -136,8 +138,8 @@ class Rounds {
   const Mesh& mesh() const { return fork_->mesh; }
   double error() const { return fork_->trial.error(); }
 
-  /// Merges and fits what costs gamma together, the best by Eq. 7 first, if that leaves some room
-  /// below epsilon.
+  /// Merges and fits regions that cost at most gamma together, the best by Eq. 7 first. Returns
+  /// true if that leaves some room below epsilon; otherwise nothing is merged.
   bool begin(const std::vector<RegionPrice>& regions, double gamma) {
     std::vector<Candidate> candidates;
     for (const RegionPrice& r : regions) candidates.push_back(candidate(mesh(), r));
@@ -153,7 +155,7 @@ class Rounds {
 
   void fit(int steps) { fork_->trial.improve(all_faces(mesh()), steps); }
 
-  /// Rounds until nothing more helps; the best mesh that keeps to epsilon as written.
+  /// Runs rounds until nothing more helps. Returns the best mesh that keeps to epsilon as written.
   std::optional<FittedMesh> run() {
     keep();
     for (bool at_rest = false; !should_stop();) {
@@ -175,7 +177,8 @@ class Rounds {
  private:
   bool should_stop() { return watch_.should_stop({rounds_, rounds_ + 1, patches_, error_}); }
 
-  /// Some merges more: as many of the cheapest as keep to the limit together, or else one.
+  /// Merges as many of the cheapest regions as keep to the limit together, or else one. Returns
+  /// true if something was merged.
   bool round() {
     ++rounds_;
     FitTrial& trial = fork_->trial;
@@ -197,8 +200,8 @@ class Rounds {
     return false;
   }
 
-  /// Remembers the mesh if it keeps to epsilon as it will be written. What writing adds to its
-  /// error is left free from now on.
+  /// Remembers the mesh if it keeps to epsilon as it will be written. The error that writing adds
+  /// is kept free below epsilon from now on.
   void keep() {
     const FitContext::Written written = context_.written(mesh());
     limit_ = epsilon_ - std::max(0.0, written.error - error());
@@ -216,12 +219,13 @@ class Rounds {
   FittedPrices prices_;
   std::optional<FittedMesh> best_;
   std::size_t rounds_ = 0;
-  /// Of the best, for those who watch.
+  /// Patches and error of the best mesh so far, for `watch_`.
   int patches_ = fork_->mesh.face_count();
   double error_ = fork_->trial.error();
 };
 
-/// The mesh of the most regions that keep to epsilon once fitted, by their prices together.
+/// Returns the mesh with the most regions merged, by the sum of their prices, that keeps to epsilon
+/// once fitted.
 std::unique_ptr<Rounds> beyond_epsilon(MergeTrial& start, const std::vector<RegionPrice>& regions,
                                        const FitContext& context, StopWatch& watch) {
   constexpr int tries = 4;

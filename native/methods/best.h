@@ -11,46 +11,47 @@
 
 namespace gradmesh {
 
-/// What merge_and_fit needs to know beside the mesh.
+/// Input of merge_and_fit beside the mesh.
 struct FitContext {
   std::shared_ptr<const FitTarget> target;
-  /// The error of a mesh as it will be written, on the whole frame, and whether that keeps to
-  /// epsilon and to the local bound.
+  /// The error of a mesh as it will be written, in the whole frame, and whether the mesh then keeps
+  /// to epsilon and to the local bound.
   struct Written {
     double error;
     bool keeps;
   };
   std::function<Written(const Mesh&)> written;
-  /// Weight of a region's size against its error, as of gqe.
+  /// Weight of a region's size against its error, as in gqe.
   double omega = 0.75;
 };
 
 struct FittedMesh {
   Mesh mesh;
-  /// Error of the mesh, added up from what single edits changed.
+  /// Error of the mesh, as the sum of the changes by single edits.
   double error = 0;
 };
 
-/// Goes on where gqe ends. Fitting a merged mesh to the picture lowers its error, often to less
-/// than half: so sets of regions that together cost more than epsilon are merged as well, if they
-/// keep to it once fitted. From the best of them, or from what gqe merged, merging goes on in
-/// rounds, each priced, merged and fitted on the mesh as it then is, until nothing more keeps to
-/// epsilon.
+/// Merges and fits from where gqe ends. Fitting a merged mesh to the picture lowers its error,
+/// often to less than half: so sets of regions that together cost more than epsilon are merged as
+/// well, if they keep to epsilon once fitted. From the best of these sets, or from the mesh that
+/// gqe merged, merging goes on in rounds, each priced, merged and fitted on the mesh as it then is,
+/// until nothing more keeps to epsilon.
 ///
-/// `start` is the mesh before anything was merged, `regions` those of price_regions there, and
-/// `merged` what gqe made of them; all stay as they are. Returns the mesh with the fewest patches
-/// that, as it will be written, keeps to epsilon and to the local bound; none where that is not
-/// fewer than at the start. Never more than `merged`, if that keeps to them.
+/// `start` is the mesh before anything was merged, `regions` are those of price_regions there, and
+/// `merged` is the mesh that gqe made with them; all stay as they are. Returns the mesh with the
+/// fewest patches that, as it will be written, keeps to epsilon and to the local bound; nothing if
+/// it has no fewer patches than the mesh at the start. It never has more patches than `merged`, if
+/// that keeps to both.
 std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
                                         const std::vector<RegionPrice>& regions,
                                         const FitContext& context, StopWatch& watch);
 
-/// The same rounds from what gqe merged, whatever else there is.
+/// Runs the same rounds from the mesh that gqe merged only.
 std::optional<FittedMesh> fit(MergeTrial& merged, const FitContext& context, StopWatch& watch);
 
-/// By how much each of the regions raises the error where it alone is merged and its patch fitted,
-/// in their order: at most its price, which must be at most `limit`. The price itself for those
-/// that `watch` leaves no time for.
+/// Returns for each of the regions, in their order, by how much the error rises if it alone is
+/// merged and its patch fitted: at most its price, which must be at most `limit`. For regions that
+/// `watch` leaves no time for it is the price itself.
 std::vector<double> fitted_prices(FitTrial& trial, const std::vector<RegionPrice>& regions,
                                   double limit, StopWatch& watch);
 

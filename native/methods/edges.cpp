@@ -12,7 +12,8 @@ namespace gradmesh {
 
 namespace {
 
-/// What the regions cost, many at once on the trial's device. Where that fails some are left.
+/// Returns the prices of the regions, found many at once on the trial's device. Some are missing if
+/// the device fails.
 std::vector<std::optional<double>> prices_on_device(
     MergeTrial& trial, ParallelTrials<MergeTrial>& trials, const std::vector<Region>& regions,
     const std::function<bool(std::size_t done)>& stop) {

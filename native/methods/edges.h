@@ -10,28 +10,28 @@
 
 namespace gradmesh {
 
-/// Every edge between two patches once, as its curve's name; edges that T-junctions divide among
-/// them.
+/// Returns every edge between two patches once, as its curve's name. Edges that T-junctions divide
+/// are among them.
 std::vector<Halfedge> inner_edges(const Mesh& mesh);
 
-/// What merging one edge would cost.
+/// The price of an edge.
 struct EdgePrice {
   Halfedge edge;
-  /// Why it cannot be merged, or `none`.
+  /// Why the edge cannot be merged, or `none`.
   MergeObstacle obstacle;
-  /// By how much merging it alone raises the error; infinity where it cannot be merged.
+  /// By how much merging the edge alone raises the error; infinity if it cannot be merged.
   double error;
 };
 
-/// The prices of all inner edges (paper 6.2). Fewer where `watch` says to stop.
+/// Returns the prices of all inner edges (paper 6.2), or of fewer if `watch` says to stop.
 std::vector<EdgePrice> price_edges(MergeTrial& trial, PriceTable& analysis, StopWatch& watch);
 
-/// Which edges of a mesh a method tries, in its order.
+/// Returns the edges of a mesh that a method tries, in its order.
 using EdgeOrder = std::function<std::vector<Halfedge>(const Mesh& mesh)>;
 
 /// Tries to merge the edges in their order (paper 6.1), round after round, each in the order for
 /// the mesh as it then is: merges join curves and change what can be merged. Ends after a round in
-/// which nothing was merged, so that no edge of the order is left that could be.
+/// which nothing was merged, so that no edge of the order is left that could be merged.
 void try_edges(MergeTrial& trial, const EdgeOrder& order, StopWatch& watch);
 
 }  // namespace gradmesh

@@ -32,12 +32,12 @@ struct Plan {
   Ranking chosen;
 };
 
-/// What became of a plan.
+/// The result of a plan.
 struct Outcome {
   std::vector<Region> regions;
   int patches = 0;
   double error = 0;
-  /// Whether the set as planned kept to epsilon.
+  /// True if the set as planned kept to epsilon.
   bool fits = false;
 
   bool is_better_than(const Outcome& other) const {
@@ -65,7 +65,7 @@ class Choice {
 /// Ranks the candidates for one gamma and picks the set.
 class Planner {
  public:
-  /// `patches` and `face_slots` of the mesh before anything is merged.
+  /// `patches` and `face_slots` are those of the mesh before anything is merged.
   Planner(const std::vector<Candidate>& candidates, int patches, std::size_t face_slots,
           double omega, double gamma)
       : candidates_(candidates),
@@ -93,10 +93,10 @@ class Planner {
     return plan;
   }
 
-  /// Eq. 8: each candidate by the better of its own score and its score with its best partner; the
-  /// two of a pair, which score the same, by their own scores. As the set grows partners are taken
-  /// and scores fall. A candidate keeps its place in the list of partners and is ranked anew only
-  /// when its turn comes and its partner is gone.
+  /// Ranks by Eq. 8: each candidate by the better of its own score and its score with its best
+  /// partner; the two of a pair, which score the same, by their own scores. As the set grows
+  /// partners are taken and scores fall. A candidate keeps its place in the list of partners and is
+  /// ranked anew only when its turn comes and its partner is gone.
   Plan by_pairs() const {
     Plan plan;
     Choice choice(slots_);
@@ -133,8 +133,9 @@ class Planner {
     sum += c.error;
   }
 
-  /// Moves `partner` on to the best free candidate that does not overlap the i-th. The score of a
-  /// pair is the sum of both less the same share for all pairs.
+  /// Moves `partner` on to the best free candidate that does not overlap the i-th. Returns the
+  /// better of the candidate's own score and that of the pair. The score of a pair is the sum of
+  /// both scores less the same share for all pairs.
   double with_partner(int i, std::size_t& partner, const Choice& choice) const {
     while (partner < by_score_.size() && !is_partner(i, by_score_[partner], choice)) ++partner;
     if (partner == by_score_.size()) return scores_[i];
@@ -151,7 +152,7 @@ class Planner {
   const double patches_, omega_, gamma_;
   std::vector<double> scores_;
   Ranking by_score_;
-  /// Of each candidate in that.
+  /// Place of each candidate in `by_score_`.
   std::vector<std::size_t> places_;
 };
 
@@ -196,7 +197,7 @@ class Gqe {
   }
 
  private:
-  /// Leaves out the regions that break the local bound alone, which their prices do not tell.
+  /// Leaves out the regions that alone break the local bound, which prices do not show.
   void leave_out_breakers() {
     std::vector<char> keeps(candidates_.size(), true);
     ParallelTrials(trial_).for_each(
@@ -211,7 +212,7 @@ class Gqe {
     candidates_ = std::move(kept);
   }
 
-  /// The plans for these values of gamma, each set once.
+  /// Returns the plans for these values of gamma, each set of regions once.
   std::vector<Plan> plans_for(const std::vector<double>& gammas) const {
     std::vector<Plan> plans;
     const auto add = [&](Plan plan) {
@@ -230,7 +231,8 @@ class Gqe {
     return {candidates_, patches_, slots_, options_.omega, gamma};
   }
 
-  /// The paper's search for gamma. One after the other, as each halving follows from the last.
+  /// Returns the best outcome of the paper's search for gamma, which runs on one thread, as each
+  /// halving follows from the last.
   Outcome best_of_halvings(MergeTrial& own) {
     Outcome best;
     // The last halvings hardly change the set any more.
@@ -254,7 +256,7 @@ class Gqe {
     return best;
   }
 
-  /// Merges the set of the plan, mends it, and takes everything back.
+  /// Merges the set of the plan, mends it, and takes everything back. Returns the outcome.
   Outcome outcome(MergeTrial& own, const Plan& plan) const {
     Outcome result;
     const MergeTrial::State start = own.state();
@@ -277,14 +279,14 @@ class Gqe {
     return result;
   }
 
-  /// Whether to stop; asked on the thread that started the run.
+  /// Returns true if the run is to stop. Called on the thread that started the run.
   bool stop(std::size_t done) {
     const std::lock_guard lock(shown_);
     stopped_ = stopped_ || watch_.should_stop({done, 1 + sweeps, best_.patches, best_.error});
     return stopped_;
   }
 
-  /// Keeps the best outcome so far in mind, for those who watch.
+  /// Keeps the best outcome so far, for `watch_`.
   void show(const Outcome& outcome) {
     const std::lock_guard lock(shown_);
     if (outcome.is_better_than(best_)) best_ = outcome;
@@ -293,7 +295,7 @@ class Gqe {
   MergeTrial& trial_;
   const GqeOptions options_;
   StopWatch& watch_;
-  /// Of the mesh as it is at first: while trials run, each changes its own.
+  /// Patches of the mesh as it is at first; while trials run, each changes its own mesh.
   const int patches_;
   const std::size_t slots_;
   std::vector<Candidate> candidates_;

@@ -10,13 +10,14 @@ namespace gradmesh {
 namespace {
 
 /// A place in the grid: a leaf that is the far side of its face in the direction of the row.
-/// `mirrored`: columns are counted against the face's sense of rotation.
+/// `mirrored` is true if columns are counted against the face's sense of rotation.
 struct Place {
   Halfedge ahead;
   bool mirrored;
 };
 
-/// `along_lines`: the edges of a line together (dual-grid), not those of a row.
+/// The walk over the mesh. With `along_lines` the edges of a line come together (dual-grid),
+/// otherwise those of a row.
 class GridWalk {
  public:
   GridWalk(const Mesh& mesh, std::uint64_t seed, bool along_lines)
@@ -38,7 +39,7 @@ class GridWalk {
   }
 
  private:
-  /// The next side of the same face, in the direction of the next row.
+  /// Returns the next side of the same face, in the direction of the next row.
   Halfedge beside(const Place& p) const {
     return p.mirrored ? mesh_.prev(p.ahead) : mesh_.next(p.ahead);
   }
@@ -55,7 +56,7 @@ class GridWalk {
     return Place{p.mirrored ? mesh_.prev(twin) : mesh_.next(twin), p.mirrored};
   }
 
-  /// Rows of faces, one after another; a row and the list of rows end at a boundary, at a
+  /// Walks rows of faces, one after another. A row and the list of rows end at a boundary, at a
   /// T-junction or where they come round to themselves.
   void walk(const Place& start) {
     std::vector<bool> in_rows(mesh_.face_slots(), false);
@@ -94,7 +95,7 @@ class GridWalk {
     if (mesh_[curve].twin.valid()) order_.push_back(mesh_.curve_side(h));
   }
 
-  /// A corner of the mesh among the faces not yet seen or, without corners, any such face.
+  /// Returns a corner of the mesh among the faces not yet seen or, without corners, any such face.
   std::optional<Place> find_start() {
     std::vector<Halfedge> corners, others;
     for (const Face f : mesh_.faces()) {

@@ -12,10 +12,10 @@
 namespace gradmesh {
 namespace {
 
-/// Which way a line runs: between two rows of patches or between two columns.
+/// The direction of a line: between two rows of patches or between two columns.
 enum class Along { rows, columns };
 
-/// A line inside the grid, by its number in the mesh as it was at first, from 1.
+/// A line inside the grid, by its number, from 1, in the mesh as it was at first.
 struct Line {
   Along along;
   int number;
@@ -24,7 +24,8 @@ struct Line {
 };
 
 /// The grid's first patch, and which of its sides is the top. Of two patches that are merged the
-/// one nearer to it stays, so that it stays itself, and so do the numbers of rows and columns.
+/// one nearer to the first patch stays, so that the first patch stays, and so does the order of
+/// rows and columns.
 struct Corner {
   Face face;
   int top;
@@ -41,9 +42,10 @@ Corner corner_of(const Mesh& mesh) {
   return {face, int(std::ranges::find(sides, grid->tops.front()) - sides.begin())};
 }
 
-/// The edges along the line that is the `at`-th inside now, from one end to the other. Each can be
-/// merged after the one before: where that has made a T-junction the next one ends, and its merge
-/// takes the T-junction away again (paper, Fig. 4b). So the last leaves none.
+/// Returns the edges along the line that is now the `at`-th inside, from one end to the other. Each
+/// can be merged after the one before: if the merge before has made a T-junction, the next edge
+/// ends there, and its merge takes the T-junction away again (paper, Fig. 4b). So the last merge
+/// leaves none.
 std::vector<Halfedge> edges_along(const Mesh& mesh, Corner corner, Along along, int at) {
   const Grid grid = grid_from(mesh, corner.face, corner.top).value();
   std::vector<Halfedge> edges;
@@ -75,10 +77,11 @@ class LineSelection {
   }
 
  private:
-  /// A line that is still there and may go.
+  /// A line that is still in the mesh and may be taken out.
   struct Candidate {
     Line line;
-    /// By how much taking it out raised the error when so many lines had been taken out.
+    /// By how much taking the line out raised the error when `lines_before` lines had been taken
+    /// out.
     double price;
     int lines_before;
   };
@@ -99,7 +102,7 @@ class LineSelection {
       if (errors[i]) candidates_.push_back({lines_[i], *errors[i] - trial_.error(), 0});
   }
 
-  /// The edges of a line now that others are gone.
+  /// Returns the edges of a line in the mesh as it is now.
   std::vector<Halfedge> edges_of(const Line& line) const {
     const auto is_before = [&](const Line& other) {
       return other.along == line.along && other.number < line.number;
@@ -108,8 +111,8 @@ class LineSelection {
     return edges_along(trial_.mesh(), corner_, line.along, before + 1);
   }
 
-  /// Takes the first candidate out, or finds that it is not the cheapest; false: it is no
-  /// candidate any more.
+  /// Takes the first candidate out, or finds that it is not the cheapest and updates its price.
+  /// Returns true if it remains a candidate, which is so only in the second case.
   bool try_cheapest() {
     Candidate& first = candidates_.front();
     const double before = trial_.error();
@@ -136,7 +139,7 @@ class LineSelection {
   MergeTrial& trial_;
   StopWatch& watch_;
   const Corner corner_;
-  /// The lines that are in the mesh, and those that may still go.
+  /// The lines that are in the mesh, and those that may still be taken out.
   std::vector<Line> lines_;
   std::vector<Candidate> candidates_;
   std::size_t total_ = 0;

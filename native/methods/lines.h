@@ -5,13 +5,13 @@
 
 namespace gradmesh {
 
-/// Takes whole grid lines out of a mesh that is one rectangle of patches (find_grid), so that it
-/// stays one: the line that costs least first, as long as the whole error stays within epsilon.
-/// After each line the others cost something else; the cheapest is priced anew until the one that
-/// is cheapest has its price in the mesh as it is then. A line that does not fit stays for good.
-/// The curves that cross a line are each split where they change least (split_share): one place for
-/// all of them has left as many patches or more on every sample.
-/// Throws InputError where the mesh is no such grid.
+/// Takes whole grid lines out of a mesh that is one rectangle of patches (find_grid), so that the
+/// mesh stays one: the line that costs least first, as long as the whole error stays within
+/// epsilon. After each line the prices of the others change; the cheapest is priced anew until the
+/// cheapest line has its price in the mesh as it then is. A line whose removal would exceed epsilon
+/// stays for good. The curves that cross a line are each split where they change least
+/// (split_share): one place for all of them has left as many patches or more on every sample.
+/// Throws InputError if the mesh is no such grid.
 void take_out_lines(MergeTrial& trial, StopWatch& watch);
 
 }  // namespace gradmesh

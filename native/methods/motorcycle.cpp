@@ -33,7 +33,7 @@ class Tracer {
   void mark(Halfedge edge) { marked_[mesh_.curve(edge).value] = true; }
   bool is_marked(Halfedge edge) const { return marked_[mesh_.curve(edge).value]; }
 
-  /// Traces paths until the marked edges leave rectangles everywhere; the edges added.
+  /// Traces paths until the marked edges leave rectangles everywhere. Returns the edges added.
   std::vector<Halfedge> run() {
     bool traced = true;
     while (traced) {
@@ -48,8 +48,9 @@ class Tracer {
  private:
   using Path = std::vector<Halfedge>;
 
-  /// Starts paths at a point where a marked edge ends, or two make a bend; the shorter of the two
-  /// ways to do so is taken. At other points the edges meet in right angles already.
+  /// Starts paths at a point where a marked edge ends, or where two marked edges make a bend; the
+  /// shorter of the two ways to do so is taken. At other points the edges meet in right angles
+  /// already.
   bool extend(const Fan& fan) {
     std::vector<int> marked;
     for (int k = 0; k < 4; ++k)
@@ -70,7 +71,8 @@ class Tracer {
     return false;
   }
 
-  /// The edges straight on from a spoke, up to a marked edge, the boundary or an irregular point.
+  /// Returns the edges straight on from a spoke, up to a marked edge, the boundary or an irregular
+  /// point.
   Path path(Halfedge spoke) const {
     Path edges;
     for (Halfedge h = spoke; h.valid();) {

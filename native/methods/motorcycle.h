@@ -14,23 +14,25 @@ struct MotorcycleGraph {
   std::vector<Halfedge> costly;
   /// Inner edges that cannot be merged.
   std::vector<Halfedge> unmergeable;
-  /// Edges marked on the paths that start where the marked ones end or bend.
+  /// Edges marked on the paths that start where marked edges end or bend.
   std::vector<Halfedge> traced;
   /// The inner edges that are not marked, one list for each part of the mesh that has some, by
   /// rising sum of their prices.
   std::vector<std::vector<Halfedge>> parts;
 };
 
-/// `prices` as of price_edges; `limit` is kappa * epsilon.
+/// Returns the motorcycle graph of a mesh. `prices` are those of price_edges; `limit` is kappa *
+/// epsilon.
 MotorcycleGraph motorcycle_graph(const Mesh& mesh, const std::vector<EdgePrice>& prices,
                                  double limit);
 
-/// All edges inside the parts, part by part, in the grid order (the paper's choice) of `seed`.
+/// Returns all edges inside the parts, part by part, in the grid order (the paper's choice) of
+/// `seed`.
 std::vector<Halfedge> motorcycle_order(const Mesh& mesh, const MotorcycleGraph& graph,
                                        std::uint64_t seed);
 
 struct MotorcycleOptions {
-  /// Edges that cost more than this share of epsilon bound the parts, 0 or more.
+  /// Share of epsilon, 0 or more, above which edges bound the parts.
   double kappa = 0.05;
   std::uint64_t seed = 0;
 };

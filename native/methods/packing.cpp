@@ -10,12 +10,12 @@
 namespace gradmesh {
 namespace {
 
-/// Share of gamma that is left unused, and that an improvement must be worth: more than the
+/// Share of gamma that is left unused, and by which a set must be better to count: more than the
 /// solver's tolerances.
 constexpr double slack = 1e-6;
 
-/// Of the relaxation, a few hundred for the meshes of the paper. Where it takes more, there is no
-/// time for its tree either.
+/// Most pivots of the relaxation, which takes a few hundred for the meshes of the paper. If it
+/// takes more, its tree would take too long as well.
 constexpr int most_pivots = 20000;
 
 struct Totals {
@@ -36,7 +36,8 @@ Totals totals_of(const std::vector<PackingItem>& items, const Packing& packing) 
   return totals;
 }
 
-/// The items that can be in a set at all, whatever lowers the error beside them.
+/// Returns the items that can be in a set at all, whatever items with negative prices are beside
+/// them.
 Packing affordable(const std::vector<PackingItem>& items, double gamma) {
   double most = gamma;
   for (const PackingItem& item : items) most -= std::min(item.price, 0.0);
@@ -46,13 +47,14 @@ Packing affordable(const std::vector<PackingItem>& items, double gamma) {
   return found;
 }
 
-/// What GLPK holds for a thread.
+/// The memory that GLPK holds for a thread, freed at the end.
 struct SolverMemory {
   SolverMemory() { glp_term_out(GLP_OFF); }
   ~SolverMemory() { glp_free_env(); }
 };
 
-/// A column for each affordable item, and rows for the two sums and the patches.
+/// The integer program: a column for each affordable item, and rows for the two sums and the
+/// patches.
 class Program {
  public:
   Program(const std::vector<PackingItem>& items, double gamma, int most_nodes)
@@ -77,20 +79,21 @@ class Program {
     add_patches(items);
   }
 
-  /// The set that saves the most patches, if that is more than `saved`. Nothing also where none
-  /// was found in time.
+  /// Returns the set that saves the most patches, if that is more than `saved`. Returns nothing
+  /// also if none was found within the limits of the search.
   std::optional<Packing> with_most_saved(int saved) {
     glp_set_obj_dir(program_.get(), GLP_MAX);
     return best_for(saved_, budget_, saved + 1);
   }
 
-  /// The set with the smallest sum of those that save as many patches, if it is smaller.
+  /// Returns the set with the smallest sum of prices of those that save at least as many patches as
+  /// `than`, if its sum is smaller.
   std::optional<Packing> with_least_price(const Totals& than) {
     glp_set_obj_dir(program_.get(), GLP_MIN);
     return best_for(prices_, std::min(than.price / unit_ - slack, budget_), than.saved);
   }
 
-  /// Whether every search so far came to its end.
+  /// Returns true if every search so far came to its end.
   bool proven() const { return proven_; }
 
  private:
@@ -100,7 +103,7 @@ class Program {
     int most, entered = 0;
   };
 
-  /// `columns` as GLPK counts them, from 1.
+  /// Sets the coefficients of a row. `columns` are counted as in GLPK, from 1.
   void set_row(int row, std::vector<int> columns, std::vector<double> coefficients) {
     const int count = int(columns.size());
     columns.insert(columns.begin(), 0);
@@ -108,7 +111,8 @@ class Program {
     glp_set_mat_row(program_.get(), row, count, columns.data(), coefficients.data());
   }
 
-  /// At most one item takes a patch: a clique of the paper's conflict graph (6.3).
+  /// Adds a row for each patch that several items take, as at most one item may take it: a clique
+  /// of the paper's conflict graph (6.3).
   void add_patches(const std::vector<PackingItem>& items) {
     for (int f = 0; f < int(items.front().patches.face_slots()); ++f) {
       std::vector<int> takers;
@@ -146,7 +150,7 @@ class Program {
     return chosen;
   }
 
-  /// Branches from the solved relaxation; whether the search came to its end.
+  /// Branches from the solved relaxation. Returns true if the search came to its end.
   bool search() {
     NodeCount nodes{most_nodes_};
     glp_iocp options;
@@ -160,9 +164,9 @@ class Program {
     return glp_intopt(program_.get(), &options) == 0;
   }
 
-  /// Items by their columns.
+  /// The item of each column.
   const Packing columns_;
-  /// What counts as a price of 1.
+  /// The price that counts as 1 in the program.
   const double unit_;
   const double budget_;
   const int most_nodes_;

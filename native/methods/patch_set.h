@@ -13,7 +13,7 @@ class PatchSet {
   explicit PatchSet(std::size_t face_slots) : words_((face_slots + 63) / 64) {}
 
   void add(Face f) { words_[std::size_t(f.value) / 64] |= std::uint64_t(1) << (f.value % 64); }
-  /// Sets of the same mesh only.
+  /// Adds the patches of another set, which must be of the same mesh.
   void add(const PatchSet& other) {
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
   }

@@ -7,7 +7,7 @@
 
 namespace gradmesh {
 
-/// All inner edges in an order drawn from `seed` (paper 6.1, "random").
+/// Returns all inner edges in an order drawn from `seed` (paper 6.1, "random").
 std::vector<Halfedge> random_order(const Mesh& mesh, std::uint64_t seed);
 
 }  // namespace gradmesh

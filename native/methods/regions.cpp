@@ -15,8 +15,8 @@
 namespace gradmesh {
 namespace {
 
-/// Regions of as many columns that start at the same patch and grow by rows, as they are merged
-/// (merging_view): one more row costs the merges of that row only.
+/// Regions with the same number of columns that start at the same patch and grow by rows, as they
+/// are merged (merging_view): one more row costs the merges of that row only.
 struct Chain {
   /// Views of the wanted regions, by rising number of rows.
   std::vector<Region> wanted;
@@ -24,9 +24,9 @@ struct Chain {
   std::vector<std::pair<Region, Price>> found;
 };
 
-/// As long as fewer regions than that for each patch of the mesh have been tried, all grow. Beyond,
-/// only those that are the best for one of their patches in their wave: a large smooth mesh has
-/// hundreds of rectangles at every patch, nearly all of them parts of others that are as good.
+/// Number of regions tried for each patch of the mesh up to which all grow. Beyond it only those
+/// grow that are the best for one of their patches in their wave: a large smooth mesh has hundreds
+/// of rectangles at every patch, nearly all of them parts of others that are as good.
 constexpr std::size_t tried_freely = 12;
 
 class Growth {
@@ -90,8 +90,8 @@ class Growth {
 
   std::size_t most_freely() const { return tried_freely * std::size_t(mesh_.face_count()); }
 
-  /// Leaves those that save the most patches for their error among all that hold one of the
-  /// patches.
+  /// Keeps the regions that, for one of their patches, save the most patches for their error among
+  /// all that hold it.
   void keep_best_for_a_patch(std::vector<RegionPrice>& regions) const {
     std::ranges::sort(regions, {}, [](const RegionPrice& r) {
       return std::tuple(r.error / (r.size() - 1), -r.size(), r.region);
@@ -107,9 +107,9 @@ class Growth {
     });
   }
 
-  /// Reaches the regions that are one step larger; where all grow `freely`, and so all parts of
-  /// those without T-junctions have been tried, only those that can be expected to keep to the
-  /// limit.
+  /// Reaches the regions that are one step larger. If all grow `freely`, all parts of regions
+  /// without T-junctions inside have been tried, and of these regions only those are reached that
+  /// can be expected to keep to the limit.
   void reach_larger(const Region& name, bool freely) {
     const std::vector<Halfedge> tops = region_tops(mesh_, name);
     if (has_junctions_)
@@ -124,8 +124,8 @@ class Growth {
     }
   }
 
-  /// Whether every part of a region that lacks one row or column keeps to the limit: where one does
-  /// not, the whole has not been seen to do so either.
+  /// Returns true if every part of a region that lacks one row or column keeps to the limit: where
+  /// a part did not, the whole was never seen to do so either.
   bool keeps_all_parts(const Region& region, const std::vector<Halfedge>& tops) const {
     for (Region part : region_views(mesh_, region, tops)) {
       --part.columns;
@@ -150,7 +150,7 @@ class Growth {
     return list;
   }
 
-  /// Finds the prices; whether there was time for all of them.
+  /// Finds the prices of the chains. Returns true if there was time for all of them.
   bool try_chains(std::vector<Chain> chains) {
     if (trial_.has_device()) return try_on_device(std::move(chains));
     const auto stop = [&](std::size_t done) {
@@ -164,7 +164,8 @@ class Growth {
     return all;
   }
 
-  /// The same, many at once. Where the device fails the rest is priced without it.
+  /// Does the same with many regions at once on the device. Where the device fails the rest is
+  /// priced without it.
   bool try_on_device(std::vector<Chain> chains) {
     std::vector<PricedChain> priced;
     for (Chain& chain : chains) priced.emplace_back(chain.wanted);
@@ -204,8 +205,9 @@ class Growth {
     }
   }
 
-  /// Whether the region that comes next in a chain, after one that keeps to the limit, is merged in
-  /// that view. Its turn will come in a later wave; now it costs less.
+  /// Returns true if the region that comes next in a chain, after one that keeps to the limit, has
+  /// no price yet and is merged in that view. Its turn would come in a later wave; pricing it now
+  /// takes less time.
   bool goes_on_to(const Region& view) const {
     if (view.rows > view.columns || 2 * seen_.size() > most_freely()) return false;
     const std::vector<Halfedge> tops = region_tops(mesh_, view);
@@ -214,14 +216,14 @@ class Growth {
     return !analysis_.known(name, limit_) && merging_view(mesh_, name) == view;
   }
 
-  /// The name of a region that is seen in its merging_view.
+  /// Returns the name of a region that is given in its merging_view.
   Region name_of(const Region& view) const {
     const std::vector<Halfedge> tops = region_tops(mesh_, view);
     return tops.empty() ? view : region_name(mesh_, view, tops);
   }
 
   MergeTrial& trial_;
-  /// As it is before anything is tried.
+  /// The mesh as it is before anything is tried.
   const Mesh mesh_;
   PriceTable& analysis_;
   const double limit_;
@@ -229,12 +231,12 @@ class Growth {
   const double error_;
   const bool has_junctions_;
   RegionFinder finder_{mesh_};
-  /// The patches of regions that the finder has found.
+  /// The patches of the regions that the finder has found.
   std::map<Region, std::vector<Face>> found_;
   ParallelTrials<MergeTrial> trials_;
   std::unique_ptr<BatchPrices> batches_;
   std::set<Region> seen_, kept_;
-  /// Seen, but not tried yet.
+  /// Regions that were seen, but not tried yet.
   std::vector<Region> reached_;
   std::size_t done_ = 0;
   std::vector<RegionPrice> regions_;

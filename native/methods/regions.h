@@ -8,25 +8,25 @@
 
 namespace gradmesh {
 
-/// What merging a region would cost.
+/// A region with its patches and its price.
 struct RegionPrice {
   Region region;
   std::vector<Face> patches;
-  /// By how much that alone raises the error.
+  /// By how much merging the region alone raises the error.
   double error;
 
   int size() const { return int(patches.size()); }
 };
 
-/// The tensor product regions (paper 6.3) with a price of at most `limit`, by rising size and name.
-/// They grow from single curves, by one step at a time, wherever the smaller one keeps to the
-/// limit; each is priced once, from whichever side it is reached. On large smooth meshes, where
-/// that would be hundreds for each patch, only the best go on growing after some time. Fewer where
-/// `watch` says to stop.
+/// Returns the tensor product regions (paper 6.3) with a price of at most `limit`, by rising size
+/// and name. Regions grow from single curves, by one step at a time, wherever the smaller region
+/// keeps to the limit; each is priced once, from whichever side it is reached. On large smooth
+/// meshes, which have hundreds of regions for each patch, only the best go on growing after some
+/// number of regions. Returns fewer regions if `watch` says to stop.
 std::vector<RegionPrice> price_regions(MergeTrial& trial, PriceTable& analysis, double limit,
                                        StopWatch& watch);
 
-/// Those of the regions that hold the patch, in their order.
+/// Returns those of the regions that hold the patch, in their order.
 std::vector<RegionPrice> regions_with(const std::vector<RegionPrice>& regions, Face patch);
 
 }  // namespace gradmesh

@@ -25,7 +25,7 @@ constexpr D d;
 using Rows = PaddedRows<float>;
 
 enum Opponent { luminance, red_green, blue_yellow, opponents };
-/// What the filters down the columns leave to those along a row.
+/// The results of the filters down the columns, which are the input of those along a row.
 enum Column {
   y_column,
   cx_column,
@@ -43,7 +43,7 @@ HWY_INLINE V product(const Linear& matrix, int row, V p, V q, V r) {
                  hn::Mul(hn::Set(d, m[2]), r));
 }
 
-/// The colours of columns [x0, x1) of row y of the image.
+/// Reads columns [x0, x1) of row y of the image as opponent colours.
 void read_row(const Image& image, const std::array<float, 256>& linear_light, int y, int x0, int x1,
               Rows& light, Rows& opponent) {
   for (int c = 0; c < 3; ++c) {
@@ -61,7 +61,7 @@ void read_row(const Image& image, const std::array<float, 256>& linear_light, in
   }
 }
 
-/// CIELab's f.
+/// Returns CIELab's function f of t.
 HWY_INLINE V lab_curve(V t) {
   constexpr float delta = 6 / 29.0F;
   const V knee = hn::Set(d, delta * delta * delta);
@@ -72,8 +72,8 @@ HWY_INLINE V lab_curve(V t) {
 
 HWY_INLINE V in_gamut(V sample) { return hn::Min(hn::Max(sample, hn::Zero(d)), hn::Set(d, 1.0F)); }
 
-/// Filtered opponent colours to CIELab with Hunt's adjustment. What the filters carry out of the
-/// gamut is clamped in linear RGB first.
+/// Converts filtered opponent colours to CIELab with Hunt's adjustment. Colours that the filters
+/// carry out of the gamut are clamped in linear RGB first.
 HWY_INLINE void perceive(V y, V cx, V cz, float* lightness, float* a, float* b) {
   const V red = in_gamut(product(opponent_to_rgb, 0, y, cx, cz));
   const V green = in_gamut(product(opponent_to_rgb, 1, y, cx, cz));

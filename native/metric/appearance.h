@@ -7,10 +7,10 @@
 
 namespace gradmesh {
 
-/// What FLIP compares of two images, per pixel (Andersson et al. 2020, "FLIP: A Difference
-/// Evaluator for Alternating Images"). Its colour pipeline gives the colour that an eye resolves
-/// from the viewing distance, in CIELab with Hunt's adjustment; its feature pipeline gives the
-/// magnitudes of the luminance's first (edge) and second (point) derivative.
+/// The quantities in which FLIP compares two images, per pixel (Andersson et al. 2020, "FLIP: A
+/// Difference Evaluator for Alternating Images"). Its colour pipeline gives the colour that an eye
+/// resolves from the viewing distance, in CIELab with Hunt's adjustment; its feature pipeline gives
+/// the magnitudes of the luminance's first (edge) and second (point) derivative.
 template <class Sample>
 struct AppearanceRow {
   Sample *lightness, *a, *b, *edge, *point;
@@ -21,9 +21,9 @@ class AppearanceRows {
  public:
   void reset(Window window) { planes_.reset(window, 5); }
 
-  /// Samples from one row to the next.
+  /// Returns the number of samples from one row to the next.
   std::ptrdiff_t stride() const { return planes_.stride(); }
-  /// From column x on.
+  /// Returns row y from column x on.
   AppearanceRow<float> row(int x, int y) { return row_of<float>(planes_, x, y); }
   AppearanceRow<const float> row(int x, int y) const { return row_of<const float>(planes_, x, y); }
 
@@ -37,14 +37,15 @@ class AppearanceRows {
   PaddedRows<float> planes_;
 };
 
-/// Linear light of the 256 values of an sRGB sample (IEC 61966-2-1).
+/// Returns the linear light of the 256 values of an sRGB sample (IEC 61966-2-1).
 const std::array<float, 256>& linear_light();
 
-/// Computes the appearance of an image's pixels, row by row. To be used again, for its memory.
+/// Computes the appearance of an image's pixels, row by row. A filter that is used again uses its
+/// memory again.
 class AppearanceFilter {
  public:
-  /// Reads the image within `appearance_reach` of `box`. What of that lies beyond `frame` is taken
-  /// for its nearest pixel; the image covers the rest.
+  /// Reads the image within `appearance_reach` of `box`. Places beyond `frame` take the value of
+  /// the nearest pixel inside; the image covers the others.
   void read(const Image& image, Window frame, Window box);
 
   /// Writes row y of the box, and some samples of padding behind it.
@@ -53,7 +54,7 @@ class AppearanceFilter {
  private:
   /// CIE XYZ over white: y, x - y and y - z, which are FLIP's YCxCz but for constant factors.
   PaddedRows<float> opponent_;
-  PaddedRows<float> light_, columns_;  ///< One row each.
+  PaddedRows<float> light_, columns_;  ///< Of one row each.
 };
 
 }  // namespace gradmesh

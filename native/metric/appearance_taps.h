@@ -7,7 +7,7 @@
 
 namespace gradmesh {
 
-/// How far a pixel changes the appearance around it.
+/// The distance in pixels, along each axis, up to which a pixel changes the appearance.
 inline constexpr int appearance_reach = 10;
 
 /// Spatial filters of the colour pipeline: contrast sensitivity as Gaussians exp(-pi^2 x^2 / b), x

@@ -17,7 +17,7 @@ constexpr Matrix operator*(const Matrix& a, const Matrix& b) {
   return product;
 }
 
-/// The same, to multiply samples with.
+/// The same matrix in float, to multiply samples with.
 struct Linear {
   std::array<std::array<float, 3>, 3> m{};
 
@@ -37,7 +37,7 @@ inline constexpr Matrix xyz_to_rgb = {{{3.241003275, -1.537398934, -0.498615861}
                                        {0.055639423, -0.204011202, 1.057148933}}};
 inline constexpr Matrix over_white = {{{1 / white_x, 0, 0}, {0, 1, 0}, {0, 0, 1 / white_z}}};
 inline constexpr Matrix times_white = {{{white_x, 0, 0}, {0, 1, 0}, {0, 0, white_z}}};
-/// (x, y, z) over white to (y, x - y, y - z) and back.
+/// Map (x, y, z) over white to (y, x - y, y - z) and back.
 inline constexpr Matrix to_opponent = {{{0, 1, 0}, {1, -1, 0}, {0, 1, -1}}};
 inline constexpr Matrix from_opponent = {{{1, 1, 0}, {1, 0, 0}, {1, 0, -1}}};
 

@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gradmesh::HWY_NAMESPACE {
 namespace {
 
-/// Sets the bytes of the columns of a window in which any pixel differs to anything but 0.
+/// Sets the bytes of the columns of a window in which any pixel differs to a value other than 0,
+/// and those of the others to 0.
 void mark_columns(const Image& a, const Image& b, Window window, std::uint8_t* differing) {
   const std::ptrdiff_t stride_a = a.width, stride_b = b.width;
   const hn::ScalableTag<std::uint8_t> bytes;
@@ -42,7 +43,8 @@ namespace {
 HWY_EXPORT(mark_columns);
 
 constexpr int largest_width = 768;
-/// Up to so many columns between two tiles cost less than what a tile computes around itself.
+/// The largest gap between two tiles, in columns, that costs less to score than the margins of two
+/// separate tiles.
 constexpr int smallest_gap = 16;
 
 int pieces(int length, int largest) { return (length + largest - 1) / largest; }
@@ -71,7 +73,8 @@ class StripSearch {
   }
 
  private:
-  /// Cuts columns [begin, end) where they are too many.
+  /// Appends tiles for columns [begin, end), which are cut where they are more than
+  /// `largest_width`.
   void append_run(int begin, int end, std::vector<Window>& tiles) const {
     begin = std::max(begin, strip_.x0);
     end = std::min(end, strip_.x1);
@@ -80,7 +83,8 @@ class StripSearch {
       append_trimmed(begin + width * i / count, begin + width * (i + 1) / count, tiles);
   }
 
-  /// Leaves out rows at the top and the bottom that no difference reaches.
+  /// Appends a tile for columns [begin, end) without the rows at the top and the bottom that no
+  /// difference reaches.
   void append_trimmed(int begin, int end, std::vector<Window>& tiles) const {
     const int x0 = std::max(begin - reach_, seen_.x0), x1 = std::min(end + reach_, seen_.x1);
     int first = seen_.y0, last = seen_.y1 - 1;

@@ -15,17 +15,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Elementary functions of float vectors, from operations that IEEE 754 rounds in one way only, so
 // that every processor gives the same bits.
 
-/// a x + b, rounded twice.
+/// Returns a x + b, rounded twice.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V scaled_sum(D d, float a, V x, float b) {
   return hn::Add(hn::Mul(hn::Set(d, a), x), hn::Set(d, b));
 }
 
-/// Cube root of a positive normal number, to a relative error of 3e-7.
+/// Returns the cube root of a positive normal number, to a relative error of 3e-7.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V cube_root(D d, V t) {
-  // A float's bits are 2^23 (127 + log2) with the logarithm linear between powers of two. Minus a
-  // third of them stands for r = t^(-1/3), right to 4 %.
+  // A float's bits are 2^23 (127 + log2) with the logarithm linear between powers of two. An offset
+  // less a third of them gives the bits of r = t^(-1/3), right to 4 %.
   const hn::RebindToSigned<D> di;
   const auto offset = hn::Set(di, 0x54a23000);  // about 4/3 * 127 * 2^23
   const V bits = hn::ConvertTo(d, hn::BitCast(di, t));
@@ -41,7 +41,7 @@ HWY_INLINE V cube_root(D d, V t) {
   return hn::Add(root, hn::Mul(root, hn::Mul(rest, scaled_sum(d, 5 / 9.0F, rest, 2 / 3.0F))));
 }
 
-/// Base-2 logarithm of a positive normal number; -127 for 0.
+/// Returns the base-2 logarithm of a positive normal number; -127 for 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log2_positive(D d, V x) {
   // x = 2^exponent m with m from sqrt(1/2) to sqrt(2); log m = 2 atanh((m - 1) / (m + 1)).
@@ -58,7 +58,7 @@ HWY_INLINE V log2_positive(D d, V x) {
   return hn::Add(hn::ConvertTo(d, exponent), hn::Mul(hn::Mul(hn::Set(d, scale), s), series));
 }
 
-/// 2^y for -127 <= y < 127.
+/// Returns 2^y for -127 <= y < 127.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V exp2_bounded(D d, V y) {
   // Taylor's series on the part from -1/2 to 1/2, the rest in the exponent's bits.

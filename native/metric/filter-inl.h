@@ -38,28 +38,29 @@ HWY_INLINE void for_each_vector(D d, int count, const Body& body) {
 // the farthest pair to the nearest. Every output adds its terms in this order, so that its value
 // depends neither on the window nor on the target.
 
-/// Symmetric taps.
+/// Adds a pair of samples under symmetric taps.
 template <class D, class T, class V = hn::Vec<D>>
 HWY_INLINE V add_even(D d, V total, T tap, V before, V after) {
   return hn::Add(total, hn::Mul(hn::Set(d, tap), hn::Add(before, after)));
 }
 
-/// Antisymmetric taps, positive ahead; exactly 0 where the input is flat.
+/// Adds a pair of samples under antisymmetric taps, positive ahead. The sum is exactly 0 where the
+/// input is flat.
 template <class D, class T, class V = hn::Vec<D>>
 HWY_INLINE V add_odd(D d, V total, T tap, V before, V after) {
   return hn::Add(total, hn::Mul(hn::Set(d, tap), hn::Sub(after, before)));
 }
 
-/// Symmetric taps that sum to 0. The centre tap is not read: it stands for minus the others, so
-/// that the result is exactly 0 where the input is flat.
+/// Adds a pair of samples under symmetric taps that sum to 0. The centre tap is not read but taken
+/// to be minus the sum of the others, so that the result is exactly 0 where the input is flat.
 template <class D, class T, class V = hn::Vec<D>>
 HWY_INLINE V add_zero_sum(D d, V total, T tap, V before, V after, V twice_centre) {
   const V difference = hn::Sub(hn::Add(before, after), twice_centre);
   return hn::Add(total, hn::Mul(hn::Set(d, tap), difference));
 }
 
-/// A vector of outputs of a symmetric filter, the first of them at `in`. `step` is the distance
-/// between neighbours: 1 along a row, the stride down a column.
+/// Returns a vector of outputs of a symmetric filter, the first of them at `in`. `step` is the
+/// distance between neighbours: 1 along a row, the stride down a column.
 template <class D, class T, int Radius>
 HWY_INLINE hn::Vec<D> filter_even(D d, const Taps<T, Radius>& taps, const T* in,
                                   std::ptrdiff_t step) {

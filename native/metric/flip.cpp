@@ -20,9 +20,9 @@ using D = Lanes<float>;
 using V = hn::Vec<D>;
 constexpr D d;
 
-/// Base-2 logarithm of the colour's part of FLIP: of the HyAB distance to the power 0.7, mapped to
-/// 0..1 so that the greatest one, green against blue, becomes 1, and what is beyond 0.4 of that
-/// shares the last twentieth (the paper's error redistribution).
+/// Returns the base-2 logarithm of the colour's part of FLIP: of the HyAB distance to the power
+/// 0.7, mapped to 0..1 so that the greatest distance, green against blue, becomes 1, and distances
+/// beyond 0.4 of it share the last twentieth (the paper's error redistribution).
 HWY_INLINE V log2_colour(V hyab) {
   constexpr float greatest = 41.276096F, knee = 0.4F * greatest, at_knee = 0.95F;
   constexpr float log2_below = -4.11930714F;  // log2(at_knee / knee)
@@ -40,8 +40,8 @@ HWY_INLINE V difference(const float* s, const float* t) {
   return hn::Sub(hn::LoadU(d, s), hn::LoadU(d, t));
 }
 
-/// HyAB distance of the colours, strengthened where edges or points differ as well. The reference's
-/// appearance comes from far away, so that of the next row is asked for ahead.
+/// Writes the HyAB distances of the colours, strengthened where edges or points differ as well. The
+/// reference's appearance is not in the cache, so the next row's is prefetched.
 void compare(AppearanceRow<const float> s, std::ptrdiff_t next_row, AppearanceRow<float> t,
              int count, float* out) {
   for (int i = 0; i < count; i += int(hn::Lanes(d))) {
@@ -71,7 +71,7 @@ namespace {
 
 HWY_EXPORT(compare);
 
-/// For one tile; kept by a thread, as there may be hundreds of thousands.
+/// Buffers for one tile. Each thread keeps its own, as there may be hundreds of thousands of tiles.
 struct Scratch {
   AppearanceFilter filter;
   AppearanceRows row;

@@ -14,7 +14,7 @@ class Flip final : public LocalMetric {
  private:
   void score(const Image& test, Window tile, Plane& map) const override;
 
-  AppearanceRows appearance_;  ///< Of the reference.
+  AppearanceRows appearance_;  ///< The reference's appearance.
 };
 
 }  // namespace gradmesh

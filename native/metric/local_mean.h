@@ -8,13 +8,14 @@
 
 namespace gradmesh {
 
-/// Side of the windows whose means are looked at one by one, in pixels: about the size of an eye or
-/// a highlight, which the mean of a whole frame hardly feels.
+/// Side, in pixels, of the windows whose means are looked at one by one: about the size of an eye
+/// or a highlight, which the mean of a whole frame hardly shows.
 inline constexpr int local_side = 32;
 
-/// Calls `body(x, y, mean)` for every window of 32 x 32 pixels inside the map, row by row, by its
-/// top left pixel; windows are as wide or high as the map where that is smaller. The map may be a
-/// part of the frame: the same windows have the same means. `map` holds values of at most 2.
+/// Calls `body(x, y, mean)` for every window of 32 x 32 pixels inside the map, row by row; (x, y)
+/// is the window's top left pixel. Windows are as wide or high as the map where that is smaller.
+/// The map may be a part of the frame: the same windows have the same means. `map` holds values of
+/// at most 2.
 template <class Body>
 void for_each_local_mean(const Plane& map, const Body& body) {
   if (map.samples.empty()) return;
@@ -38,7 +39,7 @@ void for_each_local_mean(const Plane& map, const Body& body) {
   }
 }
 
-/// The largest of these means, to 1e-12; 0 for a map without pixels.
+/// Returns the largest mean of these windows, to 1e-12; 0 for a map without pixels.
 inline double largest_local_mean(const Plane& map) {
   double largest = 0;
   for_each_local_mean(map, [&](int, int, double mean) { largest = std::max(largest, mean); });

@@ -11,9 +11,10 @@
 namespace gradmesh {
 namespace {
 
-/// So many rows of all that is filtered stay in the cache.
+/// The most rows in a strip of which all filtered planes stay in the cache.
 constexpr int strip_height = 64;
-/// An update, which may give up between two tiles, takes fewer. They also enclose changes closer.
+/// The most rows in a tile of an update. They are fewer because an update may give up between two
+/// tiles, and because smaller tiles enclose changes more closely.
 constexpr int step_height = 32;
 
 template <class Raster>
@@ -34,7 +35,7 @@ void for_each_strip(Window window, const std::function<void(Window)>& body) {
 }
 
 void LocalMetric::score_near_differences(const Image& test, Window window, Plane& map) const {
-  // Kept from call to call, as there may be hundreds of thousands.
+  // Kept from call to call, as there may be hundreds of thousands of calls.
   static thread_local std::vector<Window> tiles;
   tiles.clear();
   append_tiles_near_differences(reference_, test, around(window, reach_), window, reach_,
@@ -66,8 +67,9 @@ double LocalMetric::update_map(const Image& before, const Image& test, Window ch
   append_tiles_near_differences(before, test, changed, measured, reach_, step_height, tiles);
   double old_sum = 0;
   for (const Window& tile : tiles) old_sum += sum(map, tile);
-  // The largest tiles first, as they soonest tell that the sum rises too much; added from top to
-  // bottom all the same. No distance is negative, so what is still 0 takes nothing back.
+  // The largest tiles are scored first, as they soonest show that the sum rises too much; the sums
+  // are added from top to bottom all the same. No distance is negative, so a sum that is still 0
+  // takes nothing back.
   static thread_local std::vector<double> sums;
   sums.assign(tiles.size(), 0);
   static thread_local std::vector<std::size_t> order;

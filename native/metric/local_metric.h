@@ -7,8 +7,8 @@
 
 namespace gradmesh {
 
-/// A metric whose value at a pixel depends on the pixels within `reach` of it only, and is 0
-/// where none of these differs. It scores only the pixels near a difference, in tiles.
+/// A metric whose value at a pixel depends only on the pixels within `reach` of it, and is 0 where
+/// none of these differs from the reference. It scores only the pixels near a difference, in tiles.
 class LocalMetric : public Metric {
  public:
   void fill_map(const Image& test, Window window, Plane& map) const final;
@@ -21,7 +21,7 @@ class LocalMetric : public Metric {
   LocalMetric(Image reference, int reach) : reference_(std::move(reference)), reach_(reach) {}
 
   /// Writes the distances of the pixels of `tile`, which is not empty and lies inside the frame.
-  /// `test` covers the tile and what the frame holds within the reach around it.
+  /// `test` covers all pixels of the frame within the reach of the tile.
   virtual void score(const Image& test, Window tile, Plane& map) const = 0;
 
  private:
@@ -35,7 +35,7 @@ class LocalMetric : public Metric {
 };
 
 /// Calls `body(strip)` in parallel for windows that share the rows of `window` between them, few
-/// enough in each for what is computed of them to stay in the cache.
+/// enough in each for the filtered rows to stay in the cache.
 void for_each_strip(Window window, const std::function<void(Window)>& body);
 
 }  // namespace gradmesh

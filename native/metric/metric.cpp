@@ -12,7 +12,8 @@
 namespace gradmesh {
 namespace {
 
-/// In eight running sums that do not wait for each other, whatever the processor.
+/// Sums `count` samples in eight running sums that do not wait for each other, whatever the
+/// processor.
 double sum(const float* row, int count) {
   constexpr int lanes = 8;
   std::array<double, lanes> totals{};

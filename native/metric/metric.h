@@ -11,7 +11,8 @@ namespace gradmesh {
 
 enum class MetricKind { flip, ssim };
 
-/// Distance of test images to one fixed reference image, per pixel; 0 where they are equal.
+/// Measures the distance of test images to one fixed reference image, per pixel; 0 where they are
+/// equal.
 ///
 /// SSIM is Wang et al. 2004 as `1 - SSIM` (mean of the three channels), up to 2 where the images
 /// are anti-correlated; FLIP is the LDR metric of Andersson et al. 2020, up to 1. Both treat a
@@ -31,16 +32,16 @@ class Metric {
   /// that depends on the images only. Gives up as soon as it is certain that the sum rises by more
   /// than `limit`; then returns some number above `limit`, and `map` is of no further use.
   ///
-  /// The images may be parts of the frame, which must hold: `before` the pixels of `changed`, `map`
-  /// those within the reach of them, `test` those within twice the reach; as far as they lie
-  /// inside the frame. Throws std::invalid_argument where they do not. Runs on one thread and
-  /// takes no memory once it has been called on windows as large.
+  /// The images may be parts of the frame. As far as they lie inside the frame, `before` must hold
+  /// the pixels of `changed`, `map` those within the reach of `changed`, and `test` those within
+  /// twice the reach. Throws std::invalid_argument where they do not. Runs on one thread and takes
+  /// no memory once it has been called on windows as large.
   virtual double update_map(const Image& before, const Image& test, Window changed, Plane& map,
                             double limit = std::numeric_limits<double>::infinity()) const = 0;
 
   virtual const Image& reference() const = 0;
 
-  /// How many pixels away, along each axis, a changed pixel still changes the map.
+  /// Returns how many pixels away, along each axis, a changed pixel still changes the map.
   virtual int reach() const = 0;
 
   Plane map(const Image& test) const {
@@ -50,38 +51,39 @@ class Metric {
   }
 };
 
-/// What the rest of the program knows of a metric.
+/// A metric as the rest of the program knows it.
 struct MetricEntry {
   MetricKind kind;
-  /// As in options and reports: "flip".
+  /// Name in options and reports: "flip".
   const char* name;
-  /// As labels show its values: "FLIP".
+  /// Name in labels of its values: "FLIP".
   const char* label;
-  /// Metric::reach().
+  /// The metric's Metric::reach().
   int reach;
   std::unique_ptr<Metric> (*make)(Image reference);
 };
 
-/// All metrics, in the order in which lists show them.
+/// Returns all metrics, in the order in which lists show them.
 const std::vector<MetricEntry>& all_metrics();
 
-/// The entry of a metric.
+/// Returns the entry of a metric.
 const MetricEntry& metric_entry(MetricKind kind);
 
 inline const char* name(MetricKind kind) { return metric_entry(kind).name; }
 inline const char* label(MetricKind kind) { return metric_entry(kind).label; }
 inline int metric_reach(MetricKind kind) { return metric_entry(kind).reach; }
 
-/// The metric of that name. Throws std::invalid_argument with the names there are.
+/// Returns the metric of that name. Throws std::invalid_argument with the names of all metrics.
 MetricKind metric_named(const std::string& name);
 
-/// Any size of reference will do, also one smaller than the filters.
+/// Makes the metric that measures against `reference`, which may have any size, also one smaller
+/// than the filters.
 std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference);
 
-/// Sum over a window of the map, in double and in a fixed order.
+/// Returns the sum of the map over a window, in double and in a fixed order.
 double sum(const Plane& map, Window window);
 
-/// Mean over all pixels, from that sum; 0 for a map without pixels.
+/// Returns the mean over all pixels, from sum(); 0 for a map without pixels.
 double mean(const Plane& map);
 
 }  // namespace gradmesh

@@ -10,16 +10,16 @@
 
 namespace gradmesh {
 
-/// Planes of samples over a window, which may stick out of the frame, for loops over whole vectors:
-/// a row starts at a multiple of the vector's size, and behind it lie at least `padding` samples
-/// that may be read and written.
+/// Planes of samples over a window, which may extend beyond the frame, for loops over whole
+/// vectors: a row starts at a multiple of the vector's size, and behind it lie at least `padding`
+/// samples that may be read and written.
 template <class Sample>
 class PaddedRows {
  public:
-  static constexpr int padding = 16;  ///< No vector is longer.
+  static constexpr int padding = 16;  ///< In samples; no vector is longer.
 
-  /// Moves it to another window; the samples may be anything then. Takes new memory only where it
-  /// is larger than all before.
+  /// Moves the planes to another window, after which the samples may have any values. Takes new
+  /// memory only where more is needed than ever before.
   void reset(Window window, int planes) {
     window_ = window;
     planes_ = planes;
@@ -29,8 +29,7 @@ class PaddedRows {
     samples_ = hwy::AllocateAligned<Sample>(size);
     capacity_ = samples_ ? size : 0;
     if (!samples_) throw std::bad_alloc();
-    // The lanes behind a row count for nothing, but a comparison of whole vectors may branch on
-    // them.
+    // The samples behind a row do not count, but a comparison of whole vectors may branch on them.
     std::fill_n(samples_.get(), size, Sample(0));
   }
 
@@ -38,13 +37,13 @@ class PaddedRows {
 
   Window window() const { return window_; }
   int planes() const { return planes_; }
-  /// Samples from one row to the next.
+  /// Returns the number of samples from one row to the next.
   std::ptrdiff_t stride() const { return stride_; }
 
-  /// The first sample of row y.
+  /// Returns a pointer to the first sample of row y.
   Sample* row(int plane, int y) { return samples_.get() + offset(plane, y); }
   const Sample* row(int plane, int y) const { return samples_.get() + offset(plane, y); }
-  /// The sample at (x, y); those to its right follow.
+  /// Returns a pointer to the sample at (x, y); those to its right follow.
   Sample* at(int plane, int x, int y) { return row(plane, y) + (x - window_.x0); }
   const Sample* at(int plane, int x, int y) const { return row(plane, y) + (x - window_.x0); }
 
@@ -60,8 +59,8 @@ class PaddedRows {
   hwy::AlignedFreeUniquePtr<Sample[]> samples_;
 };
 
-/// Gives every pixel beyond `inside`, a part of the window, the samples of the nearest one in it,
-/// which is how every filter of the metrics continues an image.
+/// Gives every pixel beyond `inside`, a part of the window, the samples of the nearest pixel in
+/// `inside`, which is how every filter of the metrics continues an image.
 template <class Sample>
 void extend(PaddedRows<Sample>& rows, Window inside) {
   const Window window = rows.window();

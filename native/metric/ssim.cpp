@@ -15,17 +15,18 @@ namespace {
 
 constexpr int channels = 3;
 constexpr int radius = ssim_radius;
-/// Bytes are taken less this, as small numbers and their squares round less.
+/// The value that is subtracted from bytes, since small numbers and their squares round less.
 constexpr int byte_centre = 128;
-/// Columns are filtered for so many rows at a time, which share most of what they read.
+/// The number of rows for which columns are filtered at a time; these share most of their input.
 constexpr int rows_at_once = 4;
 
-/// What is filtered for one tile.
+/// Buffers for one tile.
 struct Scratch {
   PaddedRows<float> planes, columns;
 
-  /// The planes reach beyond the tile as far as the filter, and further down for the rows that are
-  /// filtered with the last one; what is found of those is not used.
+  /// Resets the buffers. The planes extend beyond the tile by the radius of the filter, and further
+  /// down for the rows that are filtered together with the last one; the results for those are not
+  /// used.
   void reset(Window tile, int plane_count, int column_count) {
     Window around = tile.grown(radius);
     columns.reset({around.x0, 0, around.x1, rows_at_once}, column_count);
@@ -80,7 +81,7 @@ void read_reference(const std::uint8_t* y, int count, float* values) {
   });
 }
 
-/// The moments of a vector of columns, about `near`.
+/// Finds the moments of a vector of columns, computed about `near`.
 HWY_INLINE void find_column_moments(const float* in, std::ptrdiff_t stride, V near, V& mean,
                                     V& variance) {
   const Taps<float, radius>& taps = ssim_taps();
@@ -98,7 +99,7 @@ HWY_INLINE void find_column_moments(const float* in, std::ptrdiff_t stride, V ne
   variance = hn::Sub(squares, hn::Mul(shift, shift));
 }
 
-/// Finds the moments of all columns with their centres in the rows from y on.
+/// Finds the moments of all columns with their centres in the `rows_at_once` rows from y on.
 void moments_of_columns(const Rows& in, int y, Rows& columns) {
   static_assert(rows_at_once == 4);
   const std::ptrdiff_t stride = in.stride(), out_stride = columns.stride();
@@ -163,7 +164,7 @@ void find_moments(const Image& reference, Window strip, Scratch& scratch, Rows& 
   }
 }
 
-/// The planes that are filtered of a channel of the difference.
+/// The planes, for one channel, that are filtered to compare the images.
 enum DifferencePlane { difference, squared, times_reference, difference_planes };
 
 void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count, float* differences,
@@ -180,7 +181,7 @@ void read_difference(const std::uint8_t* x, const std::uint8_t* y, int count, fl
   });
 }
 
-/// Filters every plane down the columns, with the centres in the rows from y on.
+/// Filters every plane down the columns, with the centres in the `rows_at_once` rows from y on.
 void filter_columns(const Rows& in, int y, Rows& columns) {
   static_assert(rows_at_once == 4);
   const Taps<float, radius>& taps = ssim_taps();
@@ -202,8 +203,8 @@ void filter_columns(const Rows& in, int y, Rows& columns) {
   }
 }
 
-/// Adds the distances in one channel to `distance`. The reference's moments come from far away, so
-/// those of the next row are asked for ahead.
+/// Adds the distances in one channel to `distance`. The reference's moments are not in the cache,
+/// so those of the next row are prefetched.
 void add_distances(const Rows& columns, int row, int count, const float* mean_y,
                    const float* variance_y, std::ptrdiff_t next_row, float* distance) {
   constexpr float c1 = 6.5025F;   // (0.01 * 255)^2
@@ -268,7 +269,8 @@ namespace {
 HWY_EXPORT(find_moments);
 HWY_EXPORT(add_channels);
 
-/// Kept by a thread, as there may be hundreds of thousands of tiles.
+/// Returns the buffers of this thread, which keeps them, as there may be hundreds of thousands of
+/// tiles.
 Scratch& scratch_of_this_thread() {
   static thread_local Scratch scratch;
   return scratch;

@@ -6,10 +6,10 @@
 
 namespace gradmesh {
 
-/// How far a pixel changes SSIM's map.
+/// The distance in pixels, along each axis, up to which a pixel changes SSIM's map.
 inline constexpr int ssim_radius = 5;
 
-/// The Gaussian window of Wang et al. 2004: 11 x 11, sigma 1.5.
+/// Returns the Gaussian window of Wang et al. 2004: 11 x 11, sigma 1.5.
 inline const Taps<float, ssim_radius>& ssim_taps() {
   static const auto taps = [] {
     constexpr double sigma = 1.5;

@@ -11,7 +11,7 @@ struct Taps {
   std::array<T, Radius + 1> at{};
 };
 
-/// Samples `weight(0)`, `weight(1)`, ... in double.
+/// Returns the taps `weight(0)`, `weight(1)`, ... in double.
 template <int Radius, class Weight>
 Taps<double, Radius> sample_taps(const Weight& weight) {
   Taps<double, Radius> taps;

@@ -10,9 +10,9 @@
 
 namespace gradmesh {
 
-/// The only way to change a mesh. An operation edits records through the journal, which keeps
-/// each as it was, so that operations can be undone, the last first, at the cost of what they
-/// touched. What is kept lies on stacks whose memory is used again after an undo.
+/// The only way to change a mesh. An operation edits records through the journal, which keeps each
+/// record as it was, so that operations can be undone, the last first, at the cost of what they
+/// touched. The kept records lie on stacks whose memory is used again after an undo.
 class Journal {
  public:
   explicit Journal(Mesh& mesh) : mesh_(mesh) {}
@@ -21,15 +21,15 @@ class Journal {
 
   /// Starts an operation: all edits up to the next begin() belong to it.
   void begin();
-  /// Takes the last operation back. At least one must be kept.
+  /// Undoes the last operation. There must be at least one.
   void undo();
-  /// How many operations can be undone.
+  /// Returns the number of operations that can be undone.
   std::size_t depth() const { return operations_.size(); }
-  /// Keeps all that was done for good.
+  /// Makes all operations final: none of them can be undone any more.
   void forget();
 
-  /// Faces whose patch, or whose neighbours along a side, changed in the operations after the
-  /// first `depth`, those they removed among them; each once, in rising order.
+  /// Returns the faces whose patch, or whose neighbours along a side, changed in the operations
+  /// after the first `depth`, including faces that they removed; each once, in rising order.
   std::vector<Face> touched_since(std::size_t depth) const;
 
   // --- for operations ---
@@ -61,18 +61,18 @@ class Journal {
     touch(face);
   }
   void touch(Face face);
-  /// The faces along both sides of a curve.
+  /// Marks the faces along both sides of a curve as touched.
   void touch_curve(Halfedge curve);
 
  private:
-  /// Records of a kind as the operations that edited them found them.
+  /// Records of one kind, each as it was before an operation edited it.
   template <class Record>
   struct Saved {
     std::vector<std::pair<Index<Record>, Record>> records;
     /// For each slot, the last operation that saved it.
     std::vector<std::uint64_t> stamps;
   };
-  /// How many records of a kind an operation found, in the mesh and saved by those before it.
+  /// For one kind, the number of records in the mesh and of records saved when an operation began.
   template <class Record>
   struct Before {
     std::size_t size = 0, saved = 0;
@@ -95,7 +95,7 @@ class Journal {
     if constexpr (std::is_same_v<Record, HalfedgeRecord>) return mesh_.halfedges_;
   }
 
-  /// True the first time that slot i is marked in this operation.
+  /// Marks slot i. Returns true the first time that it is marked in this operation.
   bool mark(std::vector<std::uint64_t>& stamps, std::size_t i) {
     if (i >= stamps.size()) stamps.resize(i + 1, 0);
     if (stamps[i] == stamp_) return false;
@@ -107,8 +107,8 @@ class Journal {
   std::vector<Operation> operations_;
   std::uint64_t stamp_ = 0;
   ForEachKind<Saved> saved_;
-  /// Faces that the operations touched, each once for an operation, and the last operation that
-  /// did.
+  /// Faces that the operations touched, each once for an operation, and, for each face, the last
+  /// operation that touched it.
   std::vector<Face> touched_;
   std::vector<std::uint64_t> touched_in_;
 };

@@ -6,9 +6,9 @@
 
 namespace gradmesh {
 
-/// Puts the T-junctions of the changed curves, and of all that hangs on them, back on their
-/// parents, colours too, and marks the faces along all these curves as touched. The curves as
-/// Mesh::curve names them.
+/// Puts the T-junctions of the changed curves, and of all curves that depend on them, back on their
+/// parents, colours too, and marks the faces along all these curves as touched. The curves are
+/// given as Mesh::curve names them.
 void refresh(Journal& journal, std::span<const Halfedge> changed_curves);
 
 }  // namespace gradmesh

@@ -7,11 +7,12 @@
 namespace gradmesh {
 namespace {
 
-/// Chains that are described while the device measures those before.
+/// Number of chains that are described while the device measures those before.
 constexpr std::size_t chains_at_once = 256;
-/// Pixels of the tiles that are measured at once, unless a single one has more.
+/// Most pixels of the tiles that are measured at once, unless a single tile has more.
 constexpr std::size_t most_pixels = std::size_t(1) << 22;
-/// How far errors may be from the software path's before they could decide otherwise.
+/// Distance of an error from the limit up to which the device and the software path could decide
+/// differently.
 constexpr double rounding = 1e-4;
 
 std::size_t pixels_of(const EditTile& tile) {

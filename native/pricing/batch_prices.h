@@ -13,7 +13,7 @@
 namespace gradmesh {
 
 /// Regions that share merges as they grow (RegionTrial), and by how much merging each alone raises
-/// the error; infinity: it cannot be merged; nothing: not found yet.
+/// the error: infinity if it cannot be merged, nothing if the price is not found yet.
 struct PricedChain {
   std::vector<Region> regions;
   std::vector<std::optional<double>> errors;
@@ -25,29 +25,31 @@ struct PricedChain {
   }
 };
 
-/// Prices regions many at once: all cores merge them and say what is painted anew, and a device
-/// paints and measures that meanwhile.
+/// Prices many regions at once: all cores merge them and describe what is painted anew, while a
+/// device paints and measures what was described before.
 class BatchPrices {
  public:
-  /// `trials` start from `mesh`, which stays as it is. Throws DeviceError.
+  /// `trials` start from `mesh`, which must not change. Throws DeviceError.
   BatchPrices(MergeTrial& trial, ParallelTrials<MergeTrial>& trials, const Mesh& mesh);
 
-  /// Prices the chains in their order, until `stop(done)` of that many says so; whether all. Errors
-  /// so close to the limit that the device's roundings could decide are found by the software path,
-  /// so that both keep the same regions. Throws DeviceError; what was found until then is there.
+  /// Prices the chains in order until `stop(done)` returns true, `done` being the number priced so
+  /// far. Returns true if all were priced. Errors so close to the limit that the device's roundings
+  /// could decide are found by the software path, so that both keep the same regions. Throws
+  /// DeviceError; the prices found until then stay in the chains.
   bool price(std::vector<PricedChain>& chains, double limit,
              const std::function<bool(std::size_t done)>& stop);
 
  private:
-  /// An edit and whose price it gives.
+  /// An edit and the region whose price it gives.
   struct Edit {
     EditTile tile;
     std::size_t chain, region;
   };
-  /// Describes the edits of chains [begin, end), and prices what cannot be merged.
+  /// Describes the edits of chains [begin, end). Regions that cannot be merged get the price
+  /// infinity.
   std::vector<Edit> describe(std::vector<PricedChain>& chains, std::size_t begin, std::size_t end);
   void submit(std::vector<Edit> edits, std::vector<PricedChain>& chains);
-  /// Waits for what was submitted last.
+  /// Waits for the edits submitted last and stores their prices.
   void collect(std::vector<PricedChain>& chains);
   void price_again(std::vector<PricedChain>& chains, double limit);
 

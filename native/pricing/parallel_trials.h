@@ -10,13 +10,13 @@
 
 namespace gradmesh {
 
-/// Tries many things that do not depend on each other, on all cores: each thread has a trial of its
-/// own, with its own mesh, journal and window, which all start from the same state. Trial: a
-/// MergeTrial or another that can be forked.
+/// Runs many independent trials on all cores: each thread has a trial of its own, with its own
+/// mesh, journal and window, and all start from the same state. Trial is a MergeTrial or another
+/// type that can be forked.
 template <class Trial>
 class ParallelTrials {
  public:
-  /// As long as it lives `trial` must be, between calls of for_each, as it was at first.
+  /// `trial` must be as it was at first at every call of for_each.
   explicit ParallelTrials(Trial& trial) : trials_{&trial} {
     while (trials_.size() < thread_count()) {
       forks_.push_back(trial.fork());
@@ -25,8 +25,10 @@ class ParallelTrials {
   }
 
   /// Calls `body(trial, i)` for each i in [0, count), lower ones first; the body must leave its
-  /// trial as it found it. `stop(done)` is asked on the calling thread, before anything is begun
-  /// and before each of its calls; once it is true no more are begun. Whether all were done.
+  /// trial as it found it. `stop(done)`, `done` being the number of calls that have ended, is
+  /// called on the calling thread, before anything is begun and before each of that thread's calls
+  /// of the body; once it returns true no more calls are begun. Returns true if `stop` never
+  /// returned true.
   template <class Body>
   bool for_each(std::size_t count, const std::function<bool(std::size_t done)>& stop,
                 const Body& body) {

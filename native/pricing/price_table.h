@@ -29,33 +29,35 @@ struct PriceTableKey {
 PriceTableKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
                            MetricKind metric);
 
-/// By how much merging a region alone raises the error; infinity: it cannot be merged.
+/// By how much merging a region alone raises the error; infinity if it cannot be merged.
 struct Price {
   double error = 0;
-  /// False where no more is known than that it is above `error`: it was not worked out further.
+  /// False if it is only known that the price is above `error`, as it was not worked out further.
   bool exact = true;
 
-  /// Whether that tells if it is within the limit, and what it is if so.
-  bool tells(double limit) const { return exact || error > limit; }
+  /// Returns true if the price decides whether merging the region keeps to the limit: it is exact,
+  /// or known to be above the limit.
+  bool decides(double limit) const { return exact || error > limit; }
   bool operator==(const Price&) const = default;
 };
 
-/// The price that a trial of the region finds; exact up to `limit`.
+/// Returns the price of the region; exact up to `limit`.
 Price find_price(RegionTrial& trial, const Region& region,
                  double limit = std::numeric_limits<double>::infinity());
 
-/// What merging single regions of a mesh costs: the preprocessing of the paper's 6.2 and 6.3 (B.3).
-/// An edge is the region of its two patches. It depends on neither epsilon nor omega nor kappa,
-/// and whoever needs a price that is not there yet adds it.
+/// The prices of single regions of a mesh: the preprocessing of the paper's 6.2 and 6.3 (B.3). An
+/// edge is the region of its two patches. The prices depend on neither epsilon nor omega nor kappa,
+/// and a caller that needs a price that is not there yet adds it.
 struct PriceTable {
   PriceTableKey key;
-  /// By the regions' names, as of region_name.
+  /// Prices by the names of the regions, as of region_name.
   std::map<Region, Price> prices;
 
-  /// The price of a region where it is known well enough to be held against the limit.
+  /// Returns the price of a region if it is known and decides whether the region keeps to the
+  /// limit, else null.
   const Price* known(const Region& name, double limit) const {
     const auto found = prices.find(name);
-    return found != prices.end() && found->second.tells(limit) ? &found->second : nullptr;
+    return found != prices.end() && found->second.decides(limit) ? &found->second : nullptr;
   }
 };
 

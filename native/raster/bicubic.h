@@ -9,14 +9,14 @@ namespace gradmesh {
 template <class V>
 using Bicubic = std::array<std::array<V, 4>, 4>;
 
-/// From the Hermite form of a cubic (p0, m0, m1, p1) to its powers (the paper's B, Eq. 2) and to
-/// its Bezier points.
+/// Matrices that take the Hermite form of a cubic (p0, m0, m1, p1) to its powers (the paper's B,
+/// Eq. 2) and to its Bezier points.
 constexpr double powers_of_hermite[4][4] = {
     {1, 0, 0, 0}, {0, 1, 0, 0}, {-3, -2, -1, 3}, {2, 1, 1, -2}};
 constexpr double bezier_of_hermite[4][4] = {
     {1, 0, 0, 0}, {1, 1.0 / 3, 0, 0}, {0, 0, -1.0 / 3, 1}, {0, 0, 0, 1}};
 
-/// The same bicubic in another form, by one of the tables above.
+/// Returns the same bicubic in another form, by one of the tables above.
 template <class V>
 Bicubic<V> change_form(const Bicubic<V>& from, const double (&table)[4][4]) {
   const auto sum = [&](const double(&row)[4], const V& a, const V& b, const V& c, const V& d) {

@@ -18,7 +18,7 @@ namespace {
 using Points = std::array<glm::dvec2, 4>;
 /// Colours at a curve's two ends.
 using Colors = std::array<glm::dvec4, 2>;
-/// 16 bits per channel.
+/// A colour with 16 bits per channel.
 using Color16 = std::array<int, 4>;
 
 /// Rows that Inkscape paints at a time when it writes a picture.
@@ -28,9 +28,9 @@ constexpr int strip_height = 64;
 /// rectangle that it paints than where it reaches across the border.
 constexpr int most_halvings_inside = 8, most_halvings_across = 6;
 
-/// How often a curve must be halved so that none of the parts is longer than 1 / sqrt(2), and at
-/// least once: the derivative is a quadratic Bezier curve, bounded by its ends and the middles of
-/// its legs.
+/// Returns how often a curve must be halved, at least once, so that none of the parts is longer
+/// than 1 / sqrt(2): the derivative is a quadratic Bezier curve, bounded by its ends and the
+/// middles of its legs.
 int halvings(const Points& p) {
   const auto squared = [](glm::dvec2 d) { return glm::dot(d, d); };
   const double longest = std::max({squared(p[1] - p[0]), squared(p[3] - p[2]),
@@ -40,7 +40,7 @@ int halvings(const Points& p) {
   return n;
 }
 
-/// De Casteljau.
+/// Returns both halves of a curve, by de Casteljau's algorithm.
 std::array<Points, 2> halves(const Points& p) {
   const glm::dvec2 a = 0.5 * (p[0] + p[1]), b = 0.5 * (p[1] + p[2]), c = 0.5 * (p[2] + p[3]);
   const glm::dvec2 d = 0.5 * (a + b), e = 0.5 * (b + c), middle = 0.5 * (d + e);
@@ -75,7 +75,7 @@ std::int64_t without_bits(std::int64_t x, int bits) {
   return (x + (std::int64_t(1) << (bits - 1))) >> bits;
 }
 
-/// The pixel that holds a position, which is rounded to 1/256.
+/// Returns the pixel that holds a position, which is rounded to 1/256.
 int pixel(double x) { return int(fixed(x, 8) >> 8); }
 
 /// One coordinate of a curve in cairo's fixed point: the start in 1/256 of a pixel, what has been
@@ -103,7 +103,8 @@ Color16 color16(const glm::dvec4& color) {
   return result;
 }
 
-/// Cairo's image is premultiplied, 8 bits per channel; it is then painted over white.
+/// Returns the 8-bit colour over white: cairo's image is premultiplied, 8 bits per channel, and
+/// then painted over white.
 std::array<std::uint8_t, 3> over_white(const Color16& color) {
   const auto alpha = std::uint32_t(color[3]);
   const std::uint32_t white = 255 - (alpha >> 8);
@@ -119,7 +120,7 @@ std::array<std::uint8_t, 3> over_white(const Color16& color) {
 
 class ForwardPainter {
  public:
-  /// Paints what of `strip`, the rectangle that cairo paints at a time, lies in `window`.
+  /// Paints the part of `strip`, the rectangle that cairo paints at a time, that lies in `window`.
   ForwardPainter(Window strip, Window window, Image& image)
       : strip_(strip), window_(window.clipped(strip)), image_(image) {}
 

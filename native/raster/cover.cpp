@@ -16,8 +16,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr int unit = 1 << subpixel_bits;
 constexpr int half = unit / 2;
-/// Whether the edge functions of a triangle of that size, in grid units, fit into 32 bits at all
-/// pixels of its box and a vector beyond.
+/// Returns true if the edge functions of a triangle of that size, in grid units, fit into 32 bits
+/// at all pixels of its box and a vector beyond.
 bool is_small(std::int64_t width, std::int64_t height) {
   constexpr int beyond = (int(row_padding) + 1) * unit;
   return 2 * (width + beyond) * (height + beyond) < INT32_MAX;
@@ -25,7 +25,7 @@ bool is_small(std::int64_t width, std::int64_t height) {
 
 /// Twice the area, in grid units, of the triangle between an edge and a pixel's centre: positive
 /// inside. A centre on an edge belongs to the triangle on its right, or below it; so the function
-/// is less by one on other edges, and covered is where none of the three is negative.
+/// is less by one on other edges, and a pixel is covered if none of the three is negative.
 struct Edge {
   std::int32_t at_first, step_x, step_y, less;
 
@@ -51,7 +51,7 @@ HWY_INLINE void store(D d, V u, V v, M covered, float* u_at, float* v_at) {
   hn::BlendedStore(v, covered, d, v_at);
 }
 
-/// Triangle a, b, c, clockwise and small, over the pixels of `box`.
+/// Covers the triangle a, b, c, clockwise and small, over the pixels of `box`.
 template <bool folds, class D>
 void cover_small(D d, const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area,
                  Window box, Parameters& parameters) {
@@ -103,7 +103,8 @@ void cover_small(D d, const Vertex& a, const Vertex& b, const Vertex& c, std::in
   }
 }
 
-/// First pixel whose centre lies on the right of an edge, or on it, in a row that it crosses.
+/// Returns the first pixel whose centre lies on the right of an edge, or on the edge, in a row that
+/// the edge crosses.
 int first_pixel_on(const Vertex& a, const Vertex& b, int row) {
   const std::int64_t dx = b.x - a.x, dy = b.y - a.y, at = std::int64_t(row) * unit + half - a.y;
   const std::int64_t sign = dy < 0 ? -1 : 1;
@@ -112,7 +113,7 @@ int first_pixel_on(const Vertex& a, const Vertex& b, int row) {
   return int(quotient + (over % under > 0));
 }
 
-/// As cover_small for triangles of any size.
+/// Does as cover_small for triangles of any size.
 template <bool folds>
 void cover_large(const Vertex& a, const Vertex& b, const Vertex& c, std::int64_t area, Window box,
                  Parameters& parameters) {

@@ -4,11 +4,12 @@
 
 namespace gradmesh {
 
-/// Marks the pixels that the triangles of `shape` cover, with their parameters interpolated
-/// linearly. The window of `parameters` is set, and they are not covered.
+/// Marks the pixels that the triangles of `shape` cover, with parameters interpolated linearly over
+/// each triangle. The caller has set the window of `parameters` and marked all of its pixels as not
+/// covered.
 void cover(const FaceShape& shape, Parameters& parameters);
 
-/// What rows of Parameters may be read and written beyond their ends.
+/// How many samples beyond its end a row of Parameters may be read and written.
 constexpr std::size_t row_padding = 16;
 
 }  // namespace gradmesh

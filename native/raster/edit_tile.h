@@ -7,12 +7,12 @@
 
 namespace gradmesh {
 
-// What an edit paints anew, as the shaders in egl/shaders read it: these structures consist of
-// 32-bit numbers only and lie in memory as they do there (std430). Nothing here knows of a device.
+// What an edit paints anew, as the shaders in device/shaders read it: these structures consist of
+// 32-bit numbers only and lie in memory as in the shaders (std430). Nothing here knows of a device.
 
-/// A patch whose colours, and mostly its parameters too, are found by a shader.
+/// A patch whose colours, and mostly the parameters of its pixels too, are found by a shader.
 struct TilePatch {
-  /// As of Refinement and PatchColor, x before y, r before g: coefficient of u^i v^j at 4 i + j.
+  /// Coefficients of u^i v^j at 4 i + j, as in Refinement (x, y) and PatchColor (r, g, b, a).
   float position[2][16];
   float color[4][16];
   /// Refinement::most, [a][b] at 4 a + b.
@@ -21,9 +21,9 @@ struct TilePatch {
   float uu, uv, vv;
   /// The pixel from which `position` counts.
   std::int32_t x, y;
-  /// What it is known by in a picture of the faces on top: its face's index + 1.
+  /// The patch's number in a picture of the faces on top: its face's index + 1.
   std::uint32_t number;
-  /// Which tile of a batch it is painted into.
+  /// Index in the batch of the tile into which the patch is painted.
   std::int32_t tile;
   std::uint32_t flags;
 
@@ -35,34 +35,38 @@ struct TileSpan {
   std::int32_t patch, y, x0, x1;
   /// The first segment that meets the tile, and how many segments the spans before have.
   std::int32_t first, segments_before;
-  /// Where the parameters of its pixels begin, in pairs of u and v, or -1: they are to be found.
+  /// Where the parameters of the span's pixels begin, in pairs of u and v, or -1 if the shader is
+  /// to find them.
   std::int32_t parameters;
 };
 
 /// The pixels that an edit may change, and the patches there.
 struct EditTile {
   Window window;
-  /// Numbers of the faces that the edit touched, in rising order: what they painted is gone.
+  /// Numbers of the faces that the edit touched, in rising order. The pixels that they painted are
+  /// taken away.
   std::vector<std::uint32_t> touched;
   std::vector<TilePatch> patches;
   std::vector<TileSpan> spans;
-  /// Of patches that may fold, whose parameters are found here: u below 0 where not covered.
+  /// Parameters of the pixels of patches that may fold, which the processor finds; u is below 0
+  /// where the pixel is not covered.
   std::vector<float> parameters;
   std::int32_t segments = 0;
 
-  /// Empties it, without giving back memory.
+  /// Empties the tile and sets its window, without giving back memory.
   void reset(Window to);
 };
 
-/// Makes tiles. For one thread at a time; keeps its memory.
+/// Makes tiles. Not thread-safe, as it keeps its memory from call to call.
 class EditTiler {
  public:
-  /// What Painter::repaint would paint of `touched` and of what lies below them, in `within`;
-  /// `painting` is what was painted before; null where no face lay over another.
+  /// Makes the tile of what Painter::repaint would paint in `within`: the faces `touched` and the
+  /// faces below them. `painting` is what was painted before, or null where no face lay over
+  /// another.
   void make(const Mesh& mesh, const Frame& frame, const std::vector<Face>& touched, Window within,
             const Painting* painting, EditTile& tile);
 
-  /// All faces, in `window`.
+  /// Makes the tile of all faces in `window`.
   void make_whole(const Mesh& mesh, const Frame& frame, Window window, EditTile& tile);
 
  private:

@@ -20,7 +20,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Whether Newton's method is to be used at each of these parameters.
+/// Returns for each of these parameters whether Newton's method is to be used there.
 template <class D, class V>
 HWY_INLINE hn::Mask<D> is_refined(D d, const Refinement& refinement, V u, V v) {
   const hn::RebindToSigned<D> di;
@@ -69,7 +69,7 @@ HWY_INLINE V polynomial(D d, const Bicubic<float>& c, V u, V v) {
   return hn::Add(row(0), hn::Mul(u, hn::Add(row(1), hn::Mul(u, upper))));
 }
 
-/// To whole levels, 0..255.
+/// Rounds a channel to whole levels, 0..255.
 template <class D, class V>
 HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_level(D d, V channel) {
   const V inside = hn::Min(hn::Max(channel, hn::Zero(d)), hn::Set(d, 255.0F));
@@ -147,7 +147,8 @@ HWY_INLINE void shade_pixels(D d, const PatchColor& color, Face face, int count,
   }
 }
 
-/// Paints pixels of a row from `x` on, as many vectors as fit before `end`; returns where it ends.
+/// Paints pixels of a row from `x` on, as many vectors as fit before `end`. Returns the pixel after
+/// the last vector.
 template <bool bilinear, bool opaque, class D>
 HWY_INLINE int shade_row(D d, const PatchColor& color, Face face, int x, int end, int last,
                          Row& row) {
@@ -162,7 +163,7 @@ HWY_INLINE int shade_row(D d, const PatchColor& color, Face face, int x, int end
   return x;
 }
 
-/// Asks for the pixels of a row, which are to be painted soon.
+/// Prefetches the pixels of a row, which are to be painted soon.
 HWY_INLINE void prefetch(const Painting& painting, int y, Parameters::Extent extent) {
   constexpr int line = 64;
   if (extent.x0 >= extent.x1) return;

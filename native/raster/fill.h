@@ -11,14 +11,14 @@ namespace gradmesh {
 
 /// Memory for Newton's method at some pixels of each row.
 struct Knots {
-  /// In pixels as Refinement counts them.
+  /// Place of the knot in pixels, counted from Refinement::x and y.
   std::vector<float> x, y;
   std::vector<float> u, v;
   /// Change of u and v from a pixel to the next.
   std::vector<float> du, dv;
   /// Pixels to the next knot of the row.
   std::vector<float> length;
-  /// Whether interpolation up to the next knot is as near as it has to be: 1 or 0.
+  /// 1 where interpolation up to the next knot is near enough, else 0.
   std::vector<float> near;
 
   void resize(std::size_t size) {
@@ -27,8 +27,8 @@ struct Knots {
   }
 };
 
-/// Where on a patch the centres of pixels lie. Rows have room for a few more samples at their
-/// ends, which may be anything.
+/// The parameters on a patch of the centres of pixels. Rows have room for a few more samples at
+/// their ends, whose values may be anything.
 struct Parameters {
   Window window;
   std::size_t stride = 0;
@@ -37,7 +37,7 @@ struct Parameters {
   struct Extent {
     int x0, x1;
   };
-  /// For each row: outside, no pixel is covered.
+  /// For each row the range outside of which no pixel is covered.
   std::vector<Extent> extents;
   Knots knots;
 
@@ -48,14 +48,15 @@ struct Parameters {
   }
 };
 
-/// Works out where on its patch each pixel of `window` lies that the shape covers: those whose
-/// centres its triangles cover. A centre on an edge belongs to exactly one of the two triangles
-/// beside it. Where a patch folds over itself the larger v, then the larger u, lies on top, as the
-/// documentation of cairo's mesh patterns and PDF 32000-1, 8.7.4.5.7, have it. What a pixel gets
-/// does not depend on the window.
+/// Finds the parameters of each pixel of `window` that the shape covers: those whose centres its
+/// triangles cover. A centre on an edge belongs to exactly one of the two triangles beside it.
+/// Where a patch folds over itself the larger v, then the larger u, lies on top, as the
+/// documentation of cairo's mesh patterns and PDF 32000-1, 8.7.4.5.7, have it. The parameters of a
+/// pixel do not depend on the window.
 void find_parameters(const FaceShape& shape, Window window, Parameters& parameters);
 
-/// Paints a face over `window`, which lies inside the painting's. `parameters` is memory for it.
+/// Paints a face over `window`, which lies inside the painting's window. `parameters` is working
+/// memory.
 void fill_face(const FaceShape& shape, Face face, const PatchColor& color, Window window,
                Parameters& parameters, Painting& painting);
 

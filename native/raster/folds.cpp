@@ -29,7 +29,7 @@ Biquintic jacobian_of(const Bicubic<glm::dvec2>& p) {
   return jacobian;
 }
 
-/// Both halves of a polynomial, by de Casteljau's algorithm.
+/// Returns both halves of a polynomial, by de Casteljau's algorithm.
 std::array<Biquintic, 2> halves_along_u(Biquintic p) {
   Biquintic first;
   for (int n = 0; n < 6; ++n) {

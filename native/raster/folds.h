@@ -9,12 +9,12 @@
 
 namespace gradmesh {
 
-/// Where a patch surely does not fold: its parameters in 8 x 8 cells, for each the sign of the
-/// Jacobian H_u x H_v, or 0 where that may change or come close to zero.
+/// Where a patch surely does not fold: for each of 8 x 8 cells of its parameters the sign of the
+/// Jacobian H_u x H_v, or 0 where the Jacobian may change its sign or come close to zero.
 struct Folds {
   static constexpr int cells = 8;
 
-  /// The first index along u.
+  /// The signs of the cells, the first index along u.
   std::array<std::array<std::int8_t, cells>, cells> sign;
 
   bool possible() const {
@@ -24,15 +24,15 @@ struct Folds {
     return false;
   }
   int sign_at(double u, double v) const { return sign[cell(u)][cell(v)]; }
-  /// The cell of a parameter in [0, 1].
+  /// Returns the cell of a parameter in [0, 1].
   static int cell(double t) { return t < 1 ? int(t * cells) : cells - 1; }
 };
 
-/// `bezier` holds the Bezier points of the position.
+/// Returns the folds of a patch; `bezier` holds the Bezier points of its position.
 Folds folds_of(const Bicubic<glm::dvec2>& bezier);
 
-/// Whether the patch may lie over itself. Where it does, what shows depends on the order in which
-/// patches are painted, which changes when a person goes on editing.
+/// Returns true if the patch may lie over itself. Where a patch does, what shows depends on the
+/// order in which patches are painted, which changes when a person goes on editing.
 bool may_fold(const Patch& patch);
 
 }  // namespace gradmesh

@@ -14,10 +14,10 @@ class HiddenPixels;
 /// How a mesh is laid out on an image; pixel (x, y) has its centre at (x + 0.5, y + 0.5).
 struct Frame {
   int width = 0, height = 0;
-  /// From mesh units to pixels.
+  /// The map from mesh units to pixels.
   Affine to_pixels;
-  /// Whether opacities are painted as the writer holds them, in a mask of 8 bits a pixel. The
-  /// original is painted without.
+  /// True if opacities are painted as the writer holds them, in a mask of 8 bits a pixel. The
+  /// original is painted without a mask.
   bool masked_opacity = false;
   /// Pixels that stay white whatever covers them (hidden.h); null: none.
   std::shared_ptr<const HiddenPixels> hidden = nullptr;
@@ -32,23 +32,23 @@ struct FramePadding {
   double length = 0;
 };
 
-/// The frame of the paper's section 5: the longer side of the mesh's bounding box, padded, gets
-/// `resolution` pixels; the other side is cut to a whole number. `view` turns mesh units into what
-/// the person sees, up to scale, which is where the box is taken.
-/// Throws InputError where the mesh has no size, or one beyond reason, and where the frame is
-/// beyond the limits on resolution or memory.
+/// Returns the frame of the paper's section 5: the longer side of the mesh's bounding box, padded,
+/// gets `resolution` pixels; the other side is cut to a whole number. `view` maps mesh units to
+/// what the person sees, up to scale; the box is that of the mesh so mapped. Throws InputError if
+/// the mesh has no size, or one beyond reason, or if the frame is beyond the limits on resolution
+/// or memory.
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding = {});
 
-/// How far an interior control point may be from the Coons patch's, in mesh units, for a writer to
-/// leave `tensor` out: a hundredth of a pixel of the frame. Painting the colour model `bilinear`
-/// does the same.
+/// Returns how far an interior control point may be from the Coons patch's, in mesh units, for a
+/// writer to leave `tensor` out: a hundredth of a pixel of the frame. Painting a mesh of the colour
+/// model `bilinear` leaves it out likewise.
 double coons_tolerance(const Frame& frame);
 
-/// About how many bytes it takes to measure errors in the frame on so many threads, as found by
-/// running gqe and best at 350 to 2800 pixels.
+/// Returns about how many bytes it takes to measure errors in the frame on `threads` threads, as
+/// found by running gqe and best at 350 to 2800 pixels.
 std::uint64_t measuring_bytes(const Frame& frame, std::size_t threads);
 
-/// The pixels that a patch can cover in the frame; not clipped to it.
+/// Returns the pixels that a patch can cover, not clipped to the frame.
 Window pixel_bounds(const Patch& patch, const Frame& frame);
 
 }  // namespace gradmesh

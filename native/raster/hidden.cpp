@@ -17,8 +17,8 @@ struct Crossing {
   int winding;
 };
 
-/// The crossings of all lines y = k / lines_a_row, 0 <= k < `lines`, unsorted. A side owns its
-/// upper end and not its lower one, so that corners count once.
+/// Returns the crossings of all lines y = k / lines_a_row, 0 <= k < `lines`, unsorted. A side owns
+/// its upper end and not its lower one, so that corners count once.
 std::vector<std::vector<Crossing>> crossings(const Outline& outline, const Affine& to_pixels,
                                              int lines) {
   std::vector<std::vector<Crossing>> result(static_cast<std::size_t>(lines));
@@ -38,7 +38,7 @@ std::vector<std::vector<Crossing>> crossings(const Outline& outline, const Affin
   return result;
 }
 
-/// Marks the pixels of a row that a line meets inside the polygons.
+/// Marks the pixels of a row that the line meets inside the polygons.
 void mark(std::vector<Crossing> line, FillRule rule, std::span<char> seen) {
   std::ranges::sort(line, {}, &Crossing::x);
   const auto width = double(seen.size());
@@ -53,7 +53,7 @@ void mark(std::vector<Crossing> line, FillRule rule, std::span<char> seen) {
   }
 }
 
-/// Unmarks the pixels of which none of the outlines holds anything.
+/// Unmarks the pixels of which no part lies inside any of the outlines.
 void hide_beyond(const std::vector<FilledOutline>& outlines, const Affine& to_pixels,
                  Raster<char, 1>& seen) {
   Raster<char, 1> inside(seen.window(), false);

@@ -9,7 +9,7 @@
 
 namespace gradmesh {
 
-/// Pixels of a frame that are never painted: those of which nothing is seen.
+/// Pixels of a frame that are never painted, as nothing of them is seen.
 class HiddenPixels {
  public:
   /// Pixels [begin, end) of a row.
@@ -19,14 +19,15 @@ class HiddenPixels {
     bool operator==(const Run&) const = default;
   };
 
-  /// A pixel is hidden where the area meets none of five lines through it, at its upper and lower
-  /// edge and at quarters between: so never one of which more than a sliver is seen.
+  /// Finds the pixels outside of `area`. A pixel is hidden if the area meets none of five lines
+  /// through it, at its upper and lower edge and at the quarters between: so a pixel of which more
+  /// than a sliver is seen is never hidden.
   HiddenPixels(const VisibleArea& area, const Frame& frame);
 
-  /// Whether the pixel is hidden; those beyond the frame are not.
+  /// Returns true if the pixel is hidden. Pixels beyond the frame are not.
   bool contains(int x, int y) const;
   const std::vector<Run>& row(int y) const { return rows_[std::size_t(y)]; }
-  /// Makes them white again, in the window.
+  /// Makes the hidden pixels of the window white again.
   void hide(Window window, Painting& painting) const;
 
  private:

@@ -28,8 +28,8 @@ struct Knot {
   V u, v, du, dv;
 };
 
-/// Newton's method until what is left is less than `knot_error`, and the slopes are off by less
-/// than `slope_error`. Returns where it was not reached.
+/// Runs Newton's method until the remaining distance is less than `knot_error` and the slopes are
+/// off by less than `slope_error`. Returns the lanes in which that was not reached.
 template <class D, class V, class M>
 HWY_INLINE M solve(D d, const Refinement& refinement, V x, V y, M active, Knot<V>& knot) {
   const V slopes = hn::Set(d, slope_error), enough = hn::Set(d, 2 * knot_error);
@@ -53,7 +53,7 @@ HWY_INLINE M solve(D d, const Refinement& refinement, V x, V y, M active, Knot<V
   return active;
 }
 
-/// The nearest of some points of the surface.
+/// Finds the parameters of the nearest of some points of the surface.
 template <class D, class V>
 void find_start(D d, const Refinement& refinement, V x, V y, V& u, V& v) {
   V least = hn::Set(d, 1e30F);
@@ -71,7 +71,7 @@ void find_start(D d, const Refinement& refinement, V x, V y, V& u, V& v) {
     }
 }
 
-/// Most that the first three derivatives of a cubic can be over a segment.
+/// Bounds of the first three derivatives of a cubic over a segment.
 template <class V>
 struct Change {
   V first, second, third;
@@ -90,7 +90,7 @@ HWY_INLINE Change<V> change(D d, V length, const float* value, const float* slop
           hn::Div(hn::Mul(per_length, hn::Abs(hn::Sub(from_middle, to_middle))), length)};
 }
 
-/// Most that the fourth derivative of H(u(x), v(x)) can be: the chain rule, four times.
+/// Returns a bound of the fourth derivative of H(u(x), v(x)), by the chain rule, four times.
 template <class D, class V>
 HWY_INLINE V fourth_derivative(D d, const Refinement& refinement, const Change<V>& u,
                                const Change<V>& v) {
@@ -115,9 +115,9 @@ HWY_INLINE V fourth_derivative(D d, const Refinement& refinement, const Change<V
   return sum(of_fourth, of_third, of_second);
 }
 
-/// Whether cubic interpolation between the knots from `i` on and the next is near enough. Along a
-/// row the place on the surface is off by r, with r = r' = 0 at both ends but for the knots' own
-/// errors, so |r| <= length^4 / 384 max |r''''|.
+/// Returns for the knots from `i` on whether cubic interpolation up to the next knot is near
+/// enough. Along a row the place on the surface is off by r, with r = r' = 0 at both ends but for
+/// the knots' own errors, so |r| <= length^4 / 384 max |r''''|.
 template <class D>
 HWY_INLINE hn::Mask<D> are_near(D d, const Refinement& refinement, const Knots& knots,
                                 std::size_t i) {
@@ -138,7 +138,8 @@ HWY_INLINE hn::Mask<D> are_near(D d, const Refinement& refinement, const Knots& 
   return hn::Le(hn::Mul(times(d, 1.0F / 384, hn::Mul(squared, squared)), fourth), allowed);
 }
 
-/// Finds the parameters at all knots, and whether those between are to be interpolated.
+/// Finds the parameters at all knots, and whether those of the pixels between are to be
+/// interpolated.
 void solve_knots(const Refinement& refinement, std::size_t count, Knots& knots) {
   const hn::CappedTag<float, 16> d;
   using V = hn::Vec<decltype(d)>;
@@ -173,8 +174,8 @@ void solve_knots(const Refinement& refinement, std::size_t count, Knots& knots) 
   }
 }
 
-/// The pixels of one segment, from the knot on: `count` of them from pixel `first`, counted from
-/// the knot, to u_at and v_at.
+/// Writes the parameters of `count` pixels of the segment that begins at the knot to u_at and v_at,
+/// from pixel `first` on, counted from the knot.
 void fill_segment(const Refinement& refinement, const Knots& knots, std::size_t knot, int first,
                   int count, float* u_at, float* v_at) {
   const hn::CappedTag<float, most_length> d;
@@ -221,7 +222,7 @@ void for_each_span(const FaceShape& shape, Window window, const F& f) {
   }
 }
 
-/// Puts knots at the ends of all segments that meet the window. Returns how many.
+/// Puts knots at the ends of all segments that meet the window. Returns the number of knots.
 std::size_t place_knots(const FaceShape& shape, Window window, Knots& knots) {
   std::size_t count = 0;
   for_each_span(shape, window,

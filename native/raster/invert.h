@@ -4,8 +4,8 @@
 
 namespace gradmesh {
 
-/// Finds the parameters of the pixels of a traced shape. The window of `parameters` is set, and
-/// they are not covered.
+/// Finds the parameters of the pixels of a traced shape. The caller has set the window of
+/// `parameters` and marked all of its pixels as not covered.
 void invert(const FaceShape& shape, Parameters& parameters);
 
 }  // namespace gradmesh

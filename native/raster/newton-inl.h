@@ -49,8 +49,8 @@ HWY_INLINE V clamp01(D d, V x) {
   return hn::Min(hn::Max(x, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-/// How far to go along one parameter to come closest to (dx, dy) after going `other` along the
-/// other one.
+/// Returns the step along one parameter that comes closest to (dx, dy) after a step of `other`
+/// along the other parameter.
 template <class V>
 HWY_INLINE V closest(V dx, V dy, V along_x, V along_y, V other, V other_x, V other_y) {
   const V x = hn::Sub(dx, hn::Mul(other, other_x)), y = hn::Sub(dy, hn::Mul(other, other_y));
@@ -61,7 +61,7 @@ HWY_INLINE V closest(V dx, V dy, V along_x, V along_y, V other, V other_x, V oth
 template <class V>
 struct Position {
   Derivatives<V> x, y;
-  /// Of the Jacobian.
+  /// Determinant of the Jacobian.
   V determinant;
 };
 
@@ -74,7 +74,7 @@ HWY_INLINE Position<V> position(D d, const Refinement& refinement, V u, V v) {
 
 /// Takes the `active` parameters a step of Newton's method nearer to the position (x, y), but not
 /// out of the patch: pieces of its outline may lie beyond it, and then the nearest point counts.
-/// Returns the step as it would be without that. `at` is the surface at (u, v).
+/// Returns the step as it would be without that limit. `at` is the surface at (u, v).
 template <class D, class V, class M>
 HWY_INLINE Step<V> approach(D d, const Position<V>& at, V x, V y, M active, V& u, V& v) {
   const Derivatives<V>&px = at.x, &py = at.y;
@@ -99,8 +99,9 @@ HWY_INLINE Step<V> approach(D d, const Position<V>& at, V x, V y, M active, V& u
   return step;
 }
 
-/// Newton's method until what is left is less than `flatness`: after a step of (du, dv) that is at
-/// most (uu du^2 + 2 uv du dv + vv dv^2) / 2. One step nearly always does.
+/// Runs Newton's method until the remaining distance is less than `flatness`. After a step of (du,
+/// dv) that distance is at most (uu du^2 + 2 uv du dv + vv dv^2) / 2. One step nearly always
+/// suffices.
 template <class D, class V, class M>
 HWY_INLINE void polish(D d, const Refinement& refinement, V x, V y, M active, V& u, V& v) {
   const V uu = hn::Set(d, refinement.uu), uv = hn::Set(d, 2 * refinement.uv),

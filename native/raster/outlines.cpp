@@ -11,8 +11,9 @@ constexpr int most_steps = 2048;
 
 using PixelCurve = Cubic<glm::dvec2>;
 
-/// A cubic's second derivative is at most 6 times the second difference of its control points,
-/// and a chord over 1/n of it is off by at most an eighth of that over n^2.
+/// Returns the number of straight pieces of a curve. A cubic's second derivative is at most 6 times
+/// the second difference of its control points, and a chord over 1/n of the curve is off by at most
+/// an eighth of that over n^2.
 int steps_of(const PixelCurve& curve) {
   const glm::dvec2 b1 = curve.bezier1(), b2 = curve.bezier2();
   const glm::dvec2 first = curve.p0 - 2.0 * b1 + b2, second = b1 - 2.0 * b2 + curve.p1;

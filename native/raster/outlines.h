@@ -13,14 +13,14 @@ namespace gradmesh {
 /// decided exactly.
 constexpr int subpixel_bits = 8;
 
-/// A point of that grid.
+/// A point of the grid of 1/256 of a pixel.
 struct GridPoint {
   std::int32_t x, y;
   bool operator==(const GridPoint&) const = default;
 };
 
-/// The nearest one to a position in pixels. Far outside every frame it ends, so that products of
-/// two differences fit into 64 bits.
+/// Returns the grid point nearest to a position in pixels. The grid ends far outside every frame,
+/// so that products of two differences fit into 64 bits.
 inline GridPoint snap(glm::dvec2 pixels) {
   const auto to_grid = [](double x) {
     const double units = std::clamp(x, -1e6, 1e6) * (1 << subpixel_bits);
@@ -42,16 +42,16 @@ class Outlines {
     GridPoint point;
   };
 
-  /// For the mesh as it is now. Keeps the memory, but nothing that was worked out.
+  /// Starts anew for the mesh as it is now. Keeps the memory, but no cuts of the mesh before.
   void start(const Mesh& mesh, const Frame& frame);
-  /// The cuts along a leaf in its own direction and parameter, both ends among them. They stay
-  /// until the next call.
+  /// Returns the cuts along a leaf in its own direction and parameter, both ends among them. The
+  /// reference is valid until the next call.
   const std::vector<Cut>& along(Halfedge leaf);
 
  private:
   struct Range {
     std::uint32_t begin = 0, end = 0;
-    /// Of the start for which it counts.
+    /// Number of the call of start() for which the range counts.
     std::uint32_t start = 0;
   };
 
@@ -61,7 +61,7 @@ class Outlines {
   const Mesh* mesh_ = nullptr;
   const Frame* frame_ = nullptr;
   std::uint32_t starts_ = 0;
-  /// The cuts of all curves so far, and which are those of a curve.
+  /// The cuts of all curves so far, and the range of each curve in them.
   std::vector<Cut> cuts_;
   std::vector<Range> ranges_;
   std::vector<Cut> along_;

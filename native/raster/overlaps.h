@@ -8,7 +8,7 @@
 
 namespace gradmesh {
 
-/// Which faces lie over which, as far as it is seen in the frame: at some pixel both are painted,
+/// Returns the overlaps of faces that are seen in the frame: at some pixel both faces are painted,
 /// and no other face between them. In rising order.
 std::vector<Overlap> find_overlaps(const Mesh& mesh, const Frame& frame);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint8_t white = 255;
 
-/// Rows that one thread paints at a time, and faces that one cuts into triangles.
+/// Rows that one thread paints at a time, and faces that one thread cuts into triangles at a time.
 constexpr int band_height = 64;
 constexpr std::size_t share_of_faces = 32;
 

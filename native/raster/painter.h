@@ -7,11 +7,12 @@
 
 namespace gradmesh {
 
-/// The patch of a face as it is painted: where colours are bilinear, as it will be written.
+/// Returns the patch of a face as it is painted: in the colour model `bilinear` as it will be
+/// written.
 Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face);
 
-/// Paints meshes, and paints again what an edit changed; as Rasterizer, pixel for pixel. Not
-/// thread-safe: it keeps its memory from call to call.
+/// Paints meshes, and paints again what an edit changed, pixel for pixel as Rasterizer does. Not
+/// thread-safe, as it keeps its memory from call to call.
 class Painter {
  public:
   /// Paints the whole of the painting's window, which lies inside the frame.
@@ -31,8 +32,8 @@ class Painter {
  private:
   void paint_face(const Mesh& mesh, const Frame& frame, Face face, Window window,
                   Painting& painting);
-  /// Takes the touched faces' pixels away. Returns a window that holds those of them below which
-  /// there may be others.
+  /// Takes the pixels of the touched faces away. Returns a window that holds those of the pixels
+  /// where other faces may lie below.
   Window clear(const std::vector<Face>& touched, Window within, Painting& painting);
   bool is_touched(Face face) const {
     return std::size_t(face.value) < is_touched_.size() && is_touched_[face.value];

@@ -15,15 +15,16 @@ namespace gradmesh {
 class TopFace {
  public:
   TopFace() = default;
-  /// From the sample of a Painting.
+  /// Makes a TopFace of a sample of Painting::top.
   explicit TopFace(std::uint32_t sample) : sample_(sample) {}
 
-  /// Invalid where nothing is painted.
+  /// Returns the face on top; invalid where nothing is painted.
   Face face() const { return {int(sample_ >> 1) - 1}; }
   bool covers_others() const { return sample_ & 1; }
   std::uint32_t sample() const { return sample_; }
 
-  /// With one more face in the pixel, which may be the one that is there.
+  /// Returns the TopFace after one more face is painted in the pixel, which may be the face that is
+  /// there.
   TopFace with(Face f) const {
     const std::uint32_t alone = std::uint32_t(f.value + 1) << 1;
     if (sample_ == 0 || sample_ >> 1 == alone >> 1) return TopFace(sample_ | alone);
@@ -34,8 +35,8 @@ class TopFace {
   std::uint32_t sample_ = 0;
 };
 
-/// A painted picture and the face that lies on top at each of its pixels: of a smooth mesh, that of
-/// its painted_mesh.
+/// A painted picture and the face that lies on top at each of its pixels. Of a smooth mesh the
+/// faces are those of its painted_mesh.
 struct Painting {
   Image image;
   /// Samples of TopFace over the window of `image`; zero where nothing is painted.

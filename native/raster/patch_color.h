@@ -10,12 +10,12 @@ namespace gradmesh {
 struct PatchColor {
   PatchColor(const Patch& patch, ColorModel model, bool masked_opacity);
 
-  /// Then only the coefficients of 1, u, v and uv count.
+  /// True if only the coefficients of 1, u, v and uv count.
   bool bilinear;
   bool opaque = true;
-  /// The picture under the mask, and the mask, have 8 bits each.
+  /// True if the picture under the mask and the mask have 8 bits each.
   bool masked_opacity;
-  /// Of r, g, b and a: coefficients of u^i v^j; r, g and b in levels of 0..255.
+  /// Coefficients of u^i v^j of r, g, b and a; r, g and b in levels of 0..255.
   std::array<Bicubic<float>, 4> channels;
 };
 

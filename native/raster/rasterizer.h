@@ -15,8 +15,8 @@ class Rasterizer {
  public:
   virtual ~Rasterizer() = default;
 
-  /// Paints the pixels of `window`, white where the mesh is not; `image` has the frame's size.
-  /// Each pixel's value does not depend on the window. Thread-safe.
+  /// Paints the pixels of `window`, white where the mesh is not; `image` has the frame's size. The
+  /// value of a pixel does not depend on the window. Thread-safe.
   virtual void paint(const Mesh& mesh, const Frame& frame, Window window, Image& image) const = 0;
 
   Image paint(const Mesh& mesh, const Frame& frame) const {
@@ -26,13 +26,15 @@ class Rasterizer {
   }
 };
 
-/// The reference, which samples at the centres of pixels as the paper does: every patch is divided
-/// until it is within a tenth of a pixel of the surface, colour is worked out at each pixel.
+/// Returns the reference rasterizer, which samples at the centres of pixels as the paper does:
+/// every patch is divided until it is within a tenth of a pixel of the surface, and the colour is
+/// worked out at each pixel.
 std::unique_ptr<Rasterizer> make_software_rasterizer();
 
-/// Paints as cairo does, and so Inkscape, down to the roundings: it takes another point
-/// of each pixel, and paints pixels that a patch only touches. To hold our surface against
-/// Inkscape's own pictures; colours are taken as bilinear between the corners of the patches.
+/// Returns a rasterizer that paints as cairo and thus Inkscape do, down to the roundings: it
+/// samples at another point of each pixel, and paints pixels that a patch only touches. It serves
+/// to compare our surface with Inkscape's own pictures. Colours are taken as bilinear between the
+/// corners of the patches.
 std::unique_ptr<Rasterizer> make_cairo_like_rasterizer();
 
 }  // namespace gradmesh

@@ -7,25 +7,26 @@
 namespace gradmesh {
 
 // How the parameters of the pixels inside a traced outline are found: exactly at knots along each
-// row, by interpolation between them where that is near enough. Shared by invert.cpp and by the
-// shader that does the same (egl/shaders/shade.glsl).
+// row, and by interpolation between the knots where that is near enough. Shared by invert.cpp and
+// by the shader that does the same (device/shaders/shade.glsl).
 
-/// Pixels from a knot to the next at most.
+/// Largest number of pixels from a knot to the next.
 constexpr int most_length = 8;
-/// How far, in pixels, knots may be from the surface, and their slopes from its slopes, in pixels
-/// for each pixel; in the middle of a segment that is a quarter of its length times as much.
+/// How far knots may be from the surface, in pixels, and their slopes from the slopes of the
+/// surface, in pixels for each pixel. In the middle of a segment an error of the slopes moves the
+/// pixel by that error times a quarter of the segment's length.
 constexpr float knot_error = 0.01F, slope_error = 1.0F / 256;
-/// What of the tenth of a pixel these leave to cubics between knots.
+/// The part of the tenth of a pixel that knots and slopes leave to the cubics between knots.
 constexpr float interpolation_error = 0.08F;
 static_assert(knot_error + slope_error * most_length / 4 + interpolation_error < 0.1F);
-/// Steps of Newton's method at a knot before it begins anew from the nearest of some points of the
-/// surface, `start_cells` + 1 along each parameter, and at a pixel.
+/// Most steps of Newton's method at a knot, before it begins anew from the nearest of `start_cells`
+/// + 1 points of the surface along each parameter, and most steps at a pixel.
 constexpr int most_knot_steps = 6, most_polish_steps = 4, start_cells = 8;
 
-/// Weights of value, next value, slope and next slope at each pixel of a segment, and a vector's
-/// length of zeros.
+/// Weights of value, next value, slope and next slope at each pixel of a segment, followed by a
+/// vector's length of zeros.
 using InterpolationBasis = std::array<std::array<float, 2 * std::size_t(most_length)>, 4>;
-/// For each length.
+/// The bases for each length of a segment.
 using InterpolationBases = std::array<InterpolationBasis, most_length + 1>;
 
 constexpr InterpolationBases make_bases(bool cubic) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int64_t unit = 1 << subpixel_bits, half = unit / 2;
 
-/// A quotient that is rounded down, and what is left.
+/// A quotient that is rounded down, and the remainder.
 struct Quotient {
   std::int64_t whole, left;
 

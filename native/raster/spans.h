@@ -9,7 +9,7 @@
 
 namespace gradmesh {
 
-/// First pixel whose centre is not left of (or above) the grid coordinate.
+/// Returns the first pixel whose centre is not left of (or above) the grid coordinate.
 constexpr int first_pixel(std::int32_t x) {
   constexpr int unit = 1 << subpixel_bits;
   return (x + unit / 2 - 1) >> subpixel_bits;
@@ -20,13 +20,14 @@ struct Span {
   int y, x0, x1;
 };
 
-/// Finds the pixels inside closed polygons, exactly. A centre on an edge is inside where the
-/// polygon is on its right, or below it: so neighbours share no pixel and leave none out.
+/// Finds the pixels inside closed polygons, exactly. A centre on an edge is inside if the polygon
+/// is on its right, or below it: so neighbours share no pixel and leave none out.
 class SpanTracer {
  public:
-  /// The spans of `polygon` in the rows from y0 to y1 (exclusive), in rising order. False where it
-  /// does not run round each pixel inside once, clockwise (y pointing down) or the other way as
-  /// told, or is too winding.
+  /// Finds the spans of `polygon` in the rows from y0 to y1 (exclusive), in rising order. Returns
+  /// false if the polygon does not run exactly once round each pixel inside, in the sense that
+  /// `clockwise` says (y pointing down), or if it has more than `most_crossings` crossings in a
+  /// row.
   bool trace(const std::vector<GridPoint>& polygon, bool clockwise, int y0, int y1,
              std::vector<Span>& spans);
 
@@ -34,7 +35,8 @@ class SpanTracer {
   static constexpr int most_crossings = 8;
   struct Row {
     int count = 0;
-    /// In rising order: the first pixel right of an edge, twice, and whether the inside ends there.
+    /// For each edge twice the first pixel on its right, plus 1 if the inside ends there; in rising
+    /// order.
     std::array<std::int32_t, most_crossings> crossings;
   };
 

@@ -13,8 +13,8 @@ using Points = Bicubic<glm::dvec2>;
 
 /// How far triangles may be from the surface, in pixels, where the patch does not fold.
 constexpr double coarseness = 0.7;
-/// How far the cells of the grid may be elsewhere. Triangles along the outline can be
-/// longer than a cell; they take the rest of the tenth of a pixel that is promised.
+/// How far the cells of the grid may be from the surface elsewhere. Triangles along the outline can
+/// be longer than a cell; their error takes the rest of the tenth of a pixel that is promised.
 constexpr double fineness = 0.08;
 constexpr int most_steps = 2048;
 
@@ -29,7 +29,7 @@ Points hermite_in_pixels(const Patch& patch, const Affine& to_pixels) {
   return points;
 }
 
-/// Most that a derivative of the surface can be, of order a along u and b along v, by the
+/// Returns a bound of the derivative of the surface of order a along u and b along v, by the
 /// differences of the Bezier points.
 double most_derivative(Points p, int a, int b) {
   constexpr double factor[] = {1, 3, 6, 6};
@@ -45,7 +45,7 @@ double most_derivative(Points p, int a, int b) {
   return factor[a] * factor[b] * std::sqrt(most);
 }
 
-/// Most that the second derivatives can be.
+/// Bounds of the second derivatives.
 struct Bends {
   double uu, uv, vv;
 };
@@ -86,7 +86,7 @@ void set_refinement(const Points& powers, const Bends& bends, const Folds& folds
   refinement.vv = float(bends.vv);
 }
 
-/// What interpolation along rows needs to know.
+/// Sets what interpolation along rows needs to know.
 void set_sizes(const Points& bezier, Refinement& refinement) {
   const glm::dvec2 p00 = bezier[0][0], p03 = bezier[0][3], p30 = bezier[3][0], p33 = bezier[3][3];
   for (int a = 0; a <= 3; ++a)
@@ -109,7 +109,7 @@ void set_sizes(const Points& bezier, Refinement& refinement) {
 }
 
 /// Fills the strip between two rows of vertices that run the same way, `outer` to their left.
-/// `along` tells how far a vertex is along the strip.
+/// `along(vertex)` is how far a vertex is along the strip.
 template <class Along>
 void add_strip(const std::vector<std::uint32_t>& outer, const std::vector<std::uint32_t>& inner,
                const Along& along, std::vector<Triangle>& triangles) {
@@ -134,13 +134,14 @@ double widest_gap(const std::vector<double>& lines) {
   return widest;
 }
 
-/// How many cells of the grid are needed along u and v.
+/// Numbers of cells of the grid that are needed along u and v.
 struct Steps {
   double u, v;
 };
 
-/// Linear interpolation over a cell of hu x hv is off by at most (uu hu^2 + 2 uv hu hv + vv hv^2)
-/// / 8. Steps in the ratio of a to b share that well between the two directions.
+/// Returns the steps that keep linear interpolation within the tolerance. Over a cell of hu x hv it
+/// is off by at most (uu hu^2 + 2 uv hu hv + vv hv^2) / 8. Steps in the ratio of a to b share that
+/// well between the two directions.
 Steps steps_for(const Bends& bends, double tolerance) {
   const double a = std::sqrt(bends.uu + bends.uv + 1e-9), b = std::sqrt(bends.vv + bends.uv + 1e-9);
   const double bend = bends.uu / (a * a) + 2 * bends.uv / (a * b) + bends.vv / (b * b);
@@ -148,8 +149,8 @@ Steps steps_for(const Bends& bends, double tolerance) {
   return {a * scale, b * scale};
 }
 
-/// Lines at equal distances in each run of cells that are `fine` or not. A grid needs a vertex
-/// inside.
+/// Sets the lines of the grid, at equal distances in each run of cells that are `fine` or not.
+/// There is at least one line inside, as a grid needs a vertex inside.
 void set_lines(const std::array<bool, Folds::cells>& fine, double fine_steps, double coarse_steps,
                std::vector<double>& lines) {
   lines.assign(1, 0);
@@ -162,7 +163,7 @@ void set_lines(const std::array<bool, Folds::cells>& fine, double fine_steps, do
   }
 }
 
-/// Whether all triangles lie as the patch does, where that is known.
+/// Returns true if all triangles have the orientation of the patch, where that is known.
 bool agrees(const FaceShape& shape, const Folds& folds) {
   for (const auto& [a, b, c] : shape.triangles) {
     const Vertex &p = shape.vertices[a], &q = shape.vertices[b], &r = shape.vertices[c];
@@ -237,7 +238,7 @@ void Tessellator::tessellate(Face face, const Patch& patch, Window window, FaceS
   set_bounds(shape);
 }
 
-/// Where on a patch a cut of its k-th side lies.
+/// Returns the vertex of a cut of the k-th side of a patch.
 Vertex Tessellator::vertex_on(int k, const Outlines::Cut& cut) {
   const double u = k == 0 ? 0 : k == 1 ? cut.t : k == 2 ? 1 : 1 - cut.t;
   const double v = k == 0 ? cut.t : k == 1 ? 1 : k == 2 ? 1 - cut.t : 0;

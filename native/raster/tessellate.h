@@ -20,7 +20,8 @@ struct Vertex {
 /// Indices of three vertices.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Twice the area, in grid units; positive where the vertices run clockwise, y pointing down.
+/// Returns twice the area of a triangle, in grid units; positive if the vertices run clockwise, y
+/// pointing down.
 inline std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex& c) {
   return std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
 }
@@ -28,50 +29,50 @@ inline std::int64_t doubled_area(const Vertex& a, const Vertex& b, const Vertex&
 /// How to get from the parameters that triangles give to those of the surface, by Newton's method.
 struct Refinement {
   bool needed = false;
-  /// Where not `everywhere`, bit j of cells[i] tells whether in cell (i, j) of Folds.
+  /// Unless `everywhere`, refinement is needed in cell (i, j) of Folds if bit j of cells[i] is set.
   bool everywhere = true;
   std::array<std::int32_t, Folds::cells> cells;
   /// The pixel from which `position` counts.
   int x = 0, y = 0;
-  /// Position in pixels, coefficients of u^i v^j; first x, then y.
+  /// Coefficients of u^i v^j of the position in pixels; first x, then y.
   std::array<Bicubic<float>, 2> position;
-  /// Most that the second derivatives H_uu, H_uv, H_vv can be, in pixels.
+  /// Bounds of the second derivatives H_uu, H_uv, H_vv, in pixels.
   float uu = 0, uv = 0, vv = 0;
-  /// Most that the derivative of order a along u and b along v can be, in pixels: most[a][b] for
-  /// 2 <= a + b <= 4.
+  /// most[a][b] is a bound of the derivative of order a along u and b along v, in pixels, where a +
+  /// b is from 2 to 4.
   std::array<std::array<float, 4>, 4> most = {};
-  /// About where pixels lie: u (or v) is a + b x + c y.
+  /// Coefficients a, b, c with which a + b x + c y is about u (or v) of a pixel.
   std::array<float, 3> start_u, start_v;
 };
 
 /// A patch as the pixels inside its outline or, where it may fold, cut into triangles.
 struct FaceShape {
-  /// Whether `spans` tells the pixels, by rows; then there are no triangles, and the vertices are
-  /// those of the outline.
+  /// True if `spans` holds the covered pixels, by rows; then there are no triangles, and the
+  /// vertices are those of the outline.
   bool traced = false;
   std::vector<Span> spans;
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
-  /// Whether triangles may overlap.
+  /// True if triangles may overlap.
   bool may_fold = false;
-  /// The pixels that they may cover.
+  /// The pixels that the shape may cover.
   Window bounds;
   Refinement refinement;
 };
 
-/// Finds the pixels of patches. Their outlines are within `flatness` of the curves. Patches that
-/// surely do not fold are what lies inside; others are cut into triangles, from the outline to a
-/// grid inside:
-/// - where the patch surely does not fold triangles are few: they say which pixels it covers and
-///   about where on the patch, and a step of Newton's method then says it to a fraction of
+/// Finds the pixels of patches. Their outlines are within `flatness` of the curves. A patch that
+/// surely does not fold covers what lies inside its outline; others are cut into triangles, from
+/// the outline to a grid inside:
+/// - where the patch surely does not fold, triangles are few: they give the pixels that it covers
+///   and about their parameters, which a step of Newton's method then brings to a fraction of
 ///   `flatness`;
-/// - elsewhere they are within a tenth of a pixel of the surface.
+/// - elsewhere triangles are within a tenth of a pixel of the surface.
 class Tessellator {
  public:
-  /// For the mesh as it is now.
+  /// Starts anew for the mesh as it is now.
   void start(const Mesh& mesh, const Frame& frame);
-  /// `patch` is that of the face as it is to be painted. A shape without bounds where it meets no
-  /// pixel of `window`.
+  /// Finds the shape of a face. `patch` is the face's patch as it is to be painted. The shape has
+  /// empty bounds if it meets no pixel of `window`.
   void tessellate(Face face, const Patch& patch, Window window, FaceShape& shape);
 
  private:

@@ -21,7 +21,7 @@ std::string address(const Image& image) {
   return "data:image/png;base64," + base64(png_bytes(image));
 }
 
-/// The number that is written with so many decimals.
+/// Returns the number that is written with `decimals` decimals.
 double rounded(double value, int decimals) {
   const double scale = std::pow(10, decimals);
   return std::round(value * scale) / scale + 0.0;
@@ -48,7 +48,7 @@ Json hermite(const Patch& patch, int decimals) {
   return matrix;
 }
 
-/// What merging the edges costs, for each half-edge that is alive.
+/// Returns the prices of merging the edges, for each half-edge that is alive.
 Json merging(const Mesh& mesh, const std::vector<EdgePrice>& prices) {
   std::vector<Json> known(mesh.halfedge_slots());
   for (const EdgePrice& p : prices)
@@ -75,7 +75,7 @@ Json regions_json(const std::vector<RegionPrice>& regions, const std::vector<dou
   return list;
 }
 
-/// Of each option that only some methods heed, the names of these.
+/// Returns for each option that only some methods heed the names of these methods.
 Json heeded_by() {
   Json result;
   for (const char* option : {"seed", "omega", "kappa"}) result[option] = methods_with(option);
@@ -106,7 +106,7 @@ Json mesh_json(const ReportedMesh& reported, const Image& picture) {
           {"regions", Json::array()}};
 }
 
-/// The map as a picture in colours from nothing to the largest error in it.
+/// Returns the map as a picture in colours from no error to the largest error in it.
 Json errors_json(const Plane& map) {
   constexpr int steps = 16;
   const float largest = *std::ranges::max_element(map.samples);

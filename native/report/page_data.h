@@ -6,7 +6,7 @@
 
 namespace gradmesh {
 
-/// What the page's scripts work with:
+/// Returns the data of the page's scripts:
 ///   {"id", "width", "height",                    pixels of the pictures
 ///    "heeded_by": {option: [methods]},           of options that only some methods heed
 ///    "metric": "FLIP", "error", "local_error", "epsilon",
@@ -20,7 +20,7 @@ namespace gradmesh {
 ///    "hermite": [[[x, y, r, g, b, a], x 16], ...],  row by row (Eq. 3), one for each face
 ///    "merging": [...],   for each half-edge the price of merging it, why it cannot be, or null
 ///    "regions": [{"rows", "columns", "error", "fitted", "faces": [...]}, ...]}  by rising size
-/// The last two are empty in the mesh after; "fitted" is null where it was not worked out.
+/// In "after" the last two are empty; "fitted" is null if it was not worked out.
 nlohmann::ordered_json page_data(const Report& report);
 
 }  // namespace gradmesh

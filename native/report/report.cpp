@@ -8,7 +8,7 @@
 namespace gradmesh {
 namespace {
 
-/// Replaces the one place that is marked so in the page.
+/// Replaces the one mark in the page by the content.
 void fill(std::string& page, std::string_view mark, std::string_view content) {
   page.replace(page.find(mark), mark.size(), content);
 }

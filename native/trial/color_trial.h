@@ -14,7 +14,8 @@ class ColorTrial {
   /// `error` starts from `mesh`.
   ColorTrial(Mesh& mesh, EditError error) : journal_(mesh), error_(std::move(error)) {}
 
-  /// Tries one level more and one less of each channel of each colour.
+  /// Tries one level more and one less of each channel of each colour, and keeps what lowers the
+  /// error.
   void improve();
 
   double error() const { return error_.error(); }

@@ -8,7 +8,7 @@
 namespace gradmesh {
 namespace {
 
-/// Copies the samples of a window that lies in both.
+/// Copies the samples of a window that lies in both rasters.
 template <class Sample, int Channels>
 void copy(const Raster<Sample, Channels>& from, Window window, Raster<Sample, Channels>& to) {
   for (int c = 0; c < Channels; ++c)

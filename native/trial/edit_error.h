@@ -21,83 +21,85 @@ struct FrameError {
   double mean = 0;
   /// The largest mean in any window of 32 x 32 pixels (metric/local_mean.h).
   double local = 0;
-  /// Whether no window is above the bound that was asked for.
+  /// True if no window is above the bound that was asked for.
   bool keeps_local_bound = true;
 
   bool keeps_to(double epsilon) const { return mean <= epsilon && keeps_local_bound; }
 };
 
-/// The error of an edited mesh against the mesh as it was at first (paper, section 5): the mean
-/// of the metric's map over the whole frame. An edit is painted and measured only where it
-/// changes something, beside what has been accepted so far, and the number is that of the whole
-/// frame.
+/// The error of an edited mesh against the mesh as it was at first (paper, section 5): the mean of
+/// the metric's map over the whole frame. An edit is painted and measured only where it changes
+/// what has been accepted so far; the error is that of the whole frame.
 class EditError {
  public:
   /// Paints `original`, the reference, and `start`, the mesh that will be edited, as it will be
-  /// written. That may cost something before anything is merged: `start` may hold less than the
+  /// written. The error may be above 0 before anything is merged: `start` may hold less than the
   /// original, and a translucent mesh of the model `bilinear` has its opacities in a mask, unless
   /// `masks_opacity` is false. `max_local_error` bounds the error of small parts (LocalBound).
   EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
             bool masks_opacity = true, std::optional<double> max_local_error = std::nullopt);
 
-  /// Another one with the same reference that goes on from what this one has accepted, for another
-  /// thread. Neither sees what the other does.
+  /// Returns an EditError for another thread, with the same reference, that goes on from what this
+  /// one has accepted. Neither sees what the other does.
   EditError fork();
 
-  /// Of the frame.
+  /// Returns the number of pixels of the frame.
   std::size_t pixels() const { return state_->map.pixels(); }
-  /// Error of the mesh as last accepted.
+  /// Returns the error of the mesh as last accepted.
   double error() const { return state_->sum / double(state_->map.pixels()); }
 
-  /// Error of the journal's mesh, which is the accepted one and the operations after the first
-  /// `depth`. Once it is certain to be above `limit` it is not worked out further: then it is some
-  /// number above that.
+  /// Returns the error of the journal's mesh, which is the accepted mesh changed by the operations
+  /// after the first `depth`. Once the error is certain to be above `limit` it is not worked out
+  /// further, and some number above `limit` is returned.
   double after_edits(const Journal& journal, std::size_t depth,
                      double limit = std::numeric_limits<double>::infinity());
-  /// By how much the last after_edits, whose error was at most its limit, changed the sum of the
-  /// map, by the face that is now on top: by its slot, for all of the journal's mesh.
+  /// Returns by how much the edits of the last after_edits, whose error was at most its limit,
+  /// changed the sum of the map over the pixels of each face on top, by slots of the faces of the
+  /// journal's mesh.
   std::vector<double> change_by_face(std::size_t face_slots) const;
   bool has_local_bound() const { return fixed_->local_bound.has_value(); }
-  /// Whether the mesh of the last after_edits, whose error must be at most its limit, keeps to the
-  /// local bound.
+  /// Returns true if the mesh of the last after_edits, whose error must be at most its limit, keeps
+  /// to the local bound.
   bool keeps_local_bound();
-  /// Whether what has been accepted does.
+  /// Returns true if the accepted mesh keeps to the local bound.
   bool accepted_keeps_local_bound() const {
     return !fixed_->local_bound || fixed_->local_bound->holds(state_->map);
   }
-  /// Accepts the journal's mesh, which must be that of the last after_edits, whose error must be
-  /// at most its limit.
+  /// Accepts the journal's mesh, which must be that of the last after_edits, with an error of at
+  /// most its limit.
   void accept(const Journal& journal);
 
-  /// What has been accepted so far.
+  /// The accepted state: the mesh's painting and its map.
   struct State {
     Painting painting;
     Plane map;
     double sum = 0;
-    /// Where each face lies in the painting.
+    /// The pixels that each face may cover in the painting, by slots.
     std::vector<Window> bounds;
     /// False only where no face lies over another anywhere.
     bool overlaps = false;
   };
   std::shared_ptr<const State> state();
-  /// Goes back to an earlier state, after the journal did.
+  /// Goes back to an earlier state, after the journal has gone back to it.
   void restore(std::shared_ptr<const State> state);
 
-  /// Paints and measures everything afresh, with opacities in a mask as for all edits unless it
-  /// says otherwise.
+  /// Paints and measures the whole frame afresh. Opacities are in a mask as for all edits unless
+  /// `masks_opacity` says otherwise.
   FrameError whole_frame(const Mesh& mesh, std::optional<bool> masks_opacity = std::nullopt) const;
 
-  /// Whoever measures many edits at once on the device, from what has been accepted so far. Throws
-  /// DeviceError.
+  /// Returns a DeviceErrors that measures many edits at once, starting from what has been accepted
+  /// so far. Throws DeviceError.
   std::unique_ptr<DeviceErrors> on_device(std::shared_ptr<Device> device);
-  /// The journal's mesh as such an edit, which counts as one that was measured.
+  /// Describes the operations of the journal after the first `depth` as an edit for a DeviceErrors.
+  /// The edit counts as an evaluation.
   void describe(const Journal& journal, std::size_t depth, EditTile& tile);
 
-  /// Edits that were painted and measured, by this one and all its forks.
+  /// Returns the number of edits that were painted and measured, by this EditError and all its
+  /// forks.
   int evaluations() const { return fixed_->evaluations; }
 
  private:
-  /// What does not change, and is shared with the forks.
+  /// The part that does not change and is shared with the forks.
   struct Fixed {
     Frame frame;
     MetricKind kind;
@@ -108,17 +110,18 @@ class EditError {
   EditError(std::shared_ptr<const Fixed> fixed, std::shared_ptr<const State> state)
       : fixed_(std::move(fixed)), state_(std::move(state)) {}
 
-  /// Pixels that the faces touched may change.
+  /// Returns the pixels that the faces touched may change.
   Window changed_pixels(const Mesh& mesh, const std::vector<Face>& touched) const;
 
   std::shared_ptr<const Fixed> fixed_;
   std::shared_ptr<const State> state_;
-  /// The same state where nobody else holds it, so that it may be written.
+  /// The same state if no other object shares it, so that it may be changed; else null.
   std::shared_ptr<State> own_state_;
 
   Painter painter_;
   EditTiler tiler_;
-  /// What is on trial: a copy of the part of the state that it changes and of what lies around.
+  /// The edit on trial: a copy of the part of the state that the edit changes and of what lies
+  /// around.
   struct Trial {
     std::vector<Face> touched;
     Window pixels, measured;

@@ -10,12 +10,12 @@
 namespace gradmesh {
 namespace {
 
-/// Damping of Levenberg and Marquardt, by unknown: it rises where a step made things worse, and
+/// Damping of Levenberg and Marquardt for each unknown: it rises where a step raised the error, and
 /// falls elsewhere.
 constexpr double first_damping = 1e-3, least_damping = 1e-4, most_damping = 1e3;
 constexpr double rise = 20, rise_again = 3, fall = 4;
 
-/// The faces and those that share a curve with them, each once.
+/// Returns the faces and those that share a curve with them, each once.
 std::vector<Face> with_neighbours(const Mesh& mesh, const std::vector<Face>& faces) {
   std::vector<Face> result = faces;
   for (const Face f : faces)
@@ -30,13 +30,13 @@ std::vector<Face> with_neighbours(const Mesh& mesh, const std::vector<Face>& fac
   return result;
 }
 
-/// A merge that costs more than so many times as much as is allowed is not fitted.
+/// A merge that costs more than this many times the limit is not fitted.
 constexpr double most_that_a_fit_saves = 4;
 
 /// Sums of the map that rise by less than this are left alone.
 constexpr double noticeable = 0.01;
 
-/// Those of the faces that the fit changes which surely do not fold.
+/// Returns the faces that the fit changes and that surely do not fold.
 std::vector<Face> unfolded_faces(const Mesh& mesh, const Fit& fit) {
   std::vector<Face> faces;
   for (const InfluencedFace& f : fit.influenced())
@@ -44,7 +44,7 @@ std::vector<Face> unfolded_faces(const Mesh& mesh, const Fit& fit) {
   return faces;
 }
 
-/// The unknowns that change one of these faces.
+/// Returns for each unknown whether it changes a face for which `is_one` is true.
 std::vector<bool> unknowns_of(const Fit& fit, const std::function<bool(Face)>& is_one) {
   std::vector<bool> result(fit.unknowns().size(), false);
   for (const InfluencedFace& f : fit.influenced())

@@ -10,30 +10,31 @@
 
 namespace gradmesh {
 
-/// Merges regions of a mesh and fits what comes of it to the picture of the original. Eq. 5 keeps
-/// the outer tangents and looks at nothing between: it is where a fit starts, and what stays where
-/// a fit does not lower the measured error. No fit folds a patch over itself that did not fold.
+/// Merges regions of a mesh and fits the merged patches to the picture of the original. Eq. 5 keeps
+/// the outer tangents and looks at nothing between: a fit starts from its patch, which stays where
+/// the fit does not lower the measured error. No fit folds a patch over itself that did not fold.
 class FitTrial {
  public:
-  /// `error` and `target` of the same original; both start from `mesh`.
+  /// `error` and `target` are of the same original, and `error` starts from `mesh`.
   FitTrial(Mesh& mesh, EditError error, std::shared_ptr<const FitTarget> target)
       : journal_(mesh), error_(std::move(error)), target_(std::move(target)) {}
 
-  /// By how much the error rises where the region alone is merged and its patch fitted, or some
-  /// number above `limit` where it is above that; infinity where it cannot be merged or breaks the
-  /// local bound. The mesh is as before, after.
+  /// Returns by how much the error rises if the region alone is merged and its patch fitted; some
+  /// number above `limit` if the rise is above `limit`; infinity if the region cannot be merged or
+  /// breaks the local bound. Leaves the mesh as it was.
   double price(const Region& region, double limit);
 
   /// Merges those of the regions that can be merged after the ones before them, and fits them and
-  /// their neighbours in at most so many steps. If the error is then at most `limit` and keeps to
-  /// the local bound that stays, otherwise all is as before; which of both.
+  /// their neighbours in at most `steps` steps. If the error is then at most `limit` and keeps to
+  /// the local bound, the mesh stays so, and true is returned; otherwise the mesh is as before.
   bool try_merge(const std::vector<Region>& regions, double limit, int steps);
 
-  /// Fits these faces in at most so many steps, of which those stay that lower the error; none
-  /// where together they would break the local bound.
+  /// Fits these faces in at most `steps` steps and keeps the steps that lower the error, but none
+  /// if together they would break the local bound.
   void improve(const std::vector<Face>& faces, int steps);
 
-  /// How often the mesh was changed for good, and the last time that a face was.
+  /// Returns how often merges were kept (try_merge), and at the latest of which of these changes a
+  /// face was touched, 0 if at none.
   int changes() const { return changes_; }
   int last_change(Face face) const {
     return std::size_t(face.value) < last_change_.size() ? last_change_[face.value] : 0;
@@ -43,19 +44,21 @@ class FitTrial {
   double error() const { return error_.error(); }
   int evaluations() const { return error_.evaluations(); }
 
-  /// A mesh and a trial of its own, as they are here now, for another thread.
+  /// A copy of the mesh and of the trial as they are now, for another thread.
   struct Fork;
   std::unique_ptr<Fork> fork();
 
  private:
-  /// Merges what can be merged; the faces that came of it.
+  /// Merges the regions that can be merged. Returns the merged faces.
   std::vector<Face> merge_possible(const std::vector<Region>& regions);
   /// Goes back to an earlier depth, and to the error there.
   void go_back(std::size_t depth, std::shared_ptr<const EditError::State> state);
   void undo_to(std::size_t depth);
-  /// Gives up early where the error falls too slowly to come down to `limit` in so many steps.
+  /// Fits the faces in at most `steps` steps. Gives up early if the error falls too slowly to come
+  /// down to `limit` in that many steps.
   void fit(const std::vector<Face>& faces, int steps, double limit);
-  /// `unfolded`: the faces that do not fold, and must not.
+  /// Makes one step, if that lowers the error, and returns true if it does. `unfolded` are the
+  /// faces that do not fold, and must not. Adapts the damping.
   bool try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector<double>& damping);
 
   Journal journal_;

@@ -4,20 +4,20 @@
 
 namespace gradmesh {
 
-/// What the mean of the metric's map may be in any window of 32 x 32 pixels (metric/local_mean.h),
-/// so that a detail is not given up for calm areas elsewhere.
+/// The largest mean that the metric's map may have in any window of 32 x 32 pixels
+/// (metric/local_mean.h), so that a detail is not given up for calm areas elsewhere.
 class LocalBound {
  public:
-  /// `largest` for every window. One that is above it in `start`, the map of the whole frame before
-  /// anything is merged, may stay as it is there.
+  /// Bounds every window by `largest`. A window that is above it in `start`, the map of the whole
+  /// frame before anything is merged, may keep its mean of `start`.
   LocalBound(double largest, const Plane& start);
 
-  /// Whether all windows inside `map`, a part of the frame, keep to it.
+  /// Returns true if all windows inside `map`, a part of the frame, keep to the bound.
   bool holds(const Plane& map) const;
 
  private:
   double largest_;
-  /// For each window by its top left pixel, where they are not all `largest_`.
+  /// The bound of each window by its top left pixel; empty if all are `largest_`.
   Raster<double, 1> allowed_;
 };
 

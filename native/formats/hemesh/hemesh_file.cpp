@@ -15,7 +15,7 @@ class LineReader {
  public:
   LineReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  /// Goes to the next line; false where only blanks follow.
+  /// Goes to the next line. Returns false if only blanks follow.
   bool advance() {
     if (trimmed(text_).empty()) return false;
     const std::size_t end = std::min(text_.find('\n'), text_.size());
@@ -58,7 +58,8 @@ class LineReader {
     const double x = number();
     return {x, number()};
   }
-  /// A colour or a derivative of one, with the fourth channel that the format lacks.
+  /// Reads a colour or a derivative of one, and adds `alpha`, the fourth channel that the format
+  /// lacks.
   glm::dvec4 color(double alpha) {
     const double r = number(), g = number();
     return {r, g, number(), alpha};

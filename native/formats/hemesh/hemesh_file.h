@@ -12,7 +12,7 @@
 namespace gradmesh {
 
 /// The records of a .hemesh file, the text format of the authors of the paper. An index counts the
-/// records of one kind from 0; -1: none. Of what a file repeats, one copy is kept.
+/// records of one kind from 0; -1 means none. Where a file repeats a value, one copy is kept.
 ///
 /// The format does not say which way y points. It is taken to point down, as in SVG: so the
 /// authors' apple, duck, tulips, raindrop and tree (save_1) stand upright, and their faces run
@@ -33,18 +33,18 @@ struct HemeshFile {
   };
   struct Halfedge {
     Value twist;
-    /// Opaque: the format knows no opacity.
+    /// The colour, opaque, as the format has no opacity.
     glm::dvec4 color{0.0, 0.0, 0.0, 1.0};
     std::array<int, 2> handles{-1, -1};
     int twin = -1, prev = -1, next = -1, patch = -1;
     int first_child = -1;
 
     bool is_child = false;
-    /// Children only.
+    /// Of children only.
     int parent = -1;
     Interval interval;
     bool recolored = false;
-    /// Others only.
+    /// Of all other half-edges only.
     int origin = -1;
 
     bool is_bar() const { return is_child && handles[0] < 0 && handles[1] < 0; }
@@ -53,29 +53,29 @@ struct HemeshFile {
 
   std::vector<Point> points;
   std::vector<Handle> handles;
-  /// A half-edge of each patch; -1: a patch that was taken out.
+  /// A half-edge of each patch; -1 if the patch was taken out.
   std::vector<int> patches;
   std::vector<Halfedge> halfedges;
 
-  /// The line of a record, counted from 1.
+  /// Returns the line of a record, counted from 1.
   int line_of_patch(int patch) const {
     return 3 + int(points.size()) + int(handles.size()) + patch;
   }
   int line_of_halfedge(int h) const { return line_of_patch(int(patches.size())) + h; }
 };
 
-/// No number of a file is larger.
+/// The largest number that a file may hold.
 inline constexpr double largest_hemesh_number = 1e9;
 
-/// Reads the text. What the records say is not looked at, except that numbers are finite and of
-/// that size. Throws InputError naming `name` and the line.
+/// Reads the records of the text. Checks nothing but that numbers are finite and at most
+/// largest_hemesh_number. Throws InputError naming `name` and the line.
 HemeshFile parse_hemesh(std::string_view text, const std::string& name);
 
-/// The text of the records, numbers in the shortest form that reads back as the very same. The
-/// first child of a half-edge must be right: some programs read it.
+/// Returns the text of the records, with numbers in the shortest form that reads back as the very
+/// same. The first child of each half-edge must be set correctly, as some programs read it.
 std::string format_hemesh(const HemeshFile& file);
 
-/// Throws InputError `NAME, line LINE: REASON.`
+/// Throws InputError with the text `NAME, line LINE: REASON.`
 [[noreturn]] void fail_at_line(const std::string& name, int line, const Message& reason);
 
 }  // namespace gradmesh

@@ -11,9 +11,9 @@
 namespace gradmesh {
 namespace {
 
-/// Intervals that differ by less are the same: files have six digits.
+/// Ends of intervals that differ by less are the same, as files have six digits.
 constexpr double interval_tolerance = 1e-5;
-/// Bars of bars of bars: more levels are taken for a circle.
+/// Most levels of bars of bars; more are taken for a circle.
 constexpr int most_levels = 1000;
 
 bool is_in_range(const Value& v) {
@@ -22,7 +22,8 @@ bool is_in_range(const Value& v) {
          is_small(v.color.g) && is_small(v.color.b);
 }
 
-/// Whether the mesh can be written: parts of a curve can take larger numbers than the whole.
+/// Returns true if the mesh can be written: parts of a curve can need larger numbers than the
+/// whole.
 bool is_writable(const Mesh& mesh) {
   bool good = true;
   for (const Point p : mesh.points()) good = good && is_in_range({mesh.position(p), {}});
@@ -32,7 +33,7 @@ bool is_writable(const Mesh& mesh) {
   return good;
 }
 
-/// The point t of a part of a curve, on the whole; exact at both ends.
+/// Returns the parameter on the whole curve of the point t of a part; exact at both ends.
 double within(Interval part, double t) { return std::lerp(part.first, part.second, t); }
 
 class HemeshReader {
@@ -68,7 +69,8 @@ class HemeshReader {
   [[noreturn]] void fail(int h, const Message& reason) const {
     fail_at_line(name_, file_.line_of_halfedge(h), reason);
   }
-  /// `index` itself where it is one of `records`; the half-edge h names it.
+  /// Returns `index` if it is an index of `records`, otherwise throws InputError; the half-edge h
+  /// has it.
   template <class Records>
   int checked(int h, int index, const Records& records, const Message& otherwise) const {
     if (index < 0 || index >= int(records.size())) fail(h, otherwise);
@@ -102,7 +104,7 @@ class HemeshReader {
 
   // --- curve sides: half-edges that are no bars, and the leaves along them ---
 
-  /// The whole side of a curve of which `h` is a part, and which part.
+  /// Returns the curve side of which `h` is a part, and the interval of that part.
   std::pair<int, Interval> place_on_side(int h) const {
     Interval part;
     int side = h;
@@ -121,7 +123,7 @@ class HemeshReader {
     if (at(h).recolored) parts_.own_colors.push_back(number_[h]);
   }
 
-  /// Sorts the leaves of a side and lets them meet exactly.
+  /// Sorts the leaves of a side and makes them meet exactly. Returns false if they do not meet.
   static bool join_leaves(std::vector<Leaf>& leaves) {
     std::ranges::stable_sort(leaves, {}, [](const Leaf& leaf) { return leaf.part.first; });
     const auto meet = [](double a, double b) { return std::abs(a - b) <= interval_tolerance; };
@@ -144,10 +146,10 @@ class HemeshReader {
 
   const std::vector<Leaf>& leaves(int side) const { return sides_.at(side); }
   int first_leaf(int side) const { return leaves(side).front().halfedge; }
-  /// The half-edge that starts where a side ends, in its last patch.
+  /// Returns the half-edge that starts where a side ends, in its last patch.
   int leaf_after(int side) const { return at(leaves(side).back().halfedge).next; }
 
-  /// The other side of a curve; -1 on the boundary.
+  /// Returns the other side of a curve; -1 on the boundary.
   int twin(int side) const {
     if (at(side).twin == -1) return -1;
     const int other = place_on_side(checked_halfedge(side, at(side).twin)).first;
@@ -168,7 +170,8 @@ class HemeshReader {
         {curve_side(side), curve_side(other), std::array{tangent(side, 0), tangent(side, 1)}});
   }
 
-  /// Where both are control points, a side must start where its twin ends.
+  /// Throws InputError if a side does not start at the point where its twin ends, where both are
+  /// control points.
   void check_points(int side, int other) const {
     const int p = control_point(first_leaf(side)), q = control_point(leaf_after(other));
     if (p >= 0 && q >= 0 && p != q) fail(side, Message("it does not start where its twin ends"));
@@ -192,7 +195,8 @@ class HemeshReader {
     return file_.handles[checked(side, handle, file_.handles, otherwise)].tangent;
   }
 
-  /// The point at the start of a leaf; -1: a T-junction, where a stem or another bar starts.
+  /// Returns the control point at the start of a leaf; -1 at a T-junction, where a stem or a bar
+  /// other than the first starts.
   int control_point(int leaf) const {
     const int side = place_on_side(leaf).first;
     if (at(side).is_child || leaf != first_leaf(side)) return -1;
@@ -200,7 +204,8 @@ class HemeshReader {
     return checked(side, point, file_.points, Message("there is no point {0}", point));
   }
 
-  /// The curve side on which the T-junction at the start of a leaf lies, and where.
+  /// Returns the curve side on which the T-junction at the start of a leaf lies, and its parameter
+  /// there.
   std::pair<int, double> junction(int leaf) const {
     const auto [side, part] = place_on_side(leaf);
     if (leaf != first_leaf(side)) return {side, part.first};
@@ -212,8 +217,8 @@ class HemeshReader {
     return {parent, t};
   }
 
-  /// Where a leaf starts; nothing yet for T-junctions, since build_mesh places those. On the
-  /// boundary a T-junction of the file becomes a control point.
+  /// Returns the position of the start of a leaf; 0 for T-junctions, since build_mesh places those.
+  /// On the boundary a T-junction of the file becomes a control point.
   glm::dvec2 start(int leaf) const {
     const int point = control_point(leaf);
     if (point >= 0) return file_.points[point].position;
@@ -254,7 +259,8 @@ class HemeshReader {
     }
   }
 
-  /// Lets build_mesh put the T-junctions, and with them the sides of patches, on their parents.
+  /// Lets build_mesh put T-junctions, and with them the sides of patches, on the T-junctions'
+  /// parents.
   void complete_patches() {
     try {
       const Mesh mesh = build_mesh(parts_);
@@ -269,9 +275,10 @@ class HemeshReader {
   const std::string& name_;
   MeshParts parts_;
   std::vector<Loop> loops_;
-  /// 4 * patch + side for the half-edges of patches, counting the patches that are there; else -1.
+  /// 4 * patch + side for each half-edge of a patch, counting the patches that were not taken out;
+  /// else -1.
   std::vector<int> number_;
-  /// By the half-edge that is the side.
+  /// The leaves of each side, by the half-edge that is the side.
   std::map<int, std::vector<Leaf>> sides_;
   std::vector<Cubic<Value>> curves_;
 };

@@ -9,8 +9,8 @@
 namespace gradmesh {
 namespace {
 
-/// Half-edge 4 * face + side is side `side` of a face; parents follow in the order of their first
-/// bars, points and handles in the order in which half-edges meet them.
+/// Writes the records. Half-edge 4 * face + side is side `side` of a face; parents follow in the
+/// order of their first bars, points and handles in the order in which half-edges meet them.
 class HemeshWriter {
  public:
   explicit HemeshWriter(const Mesh& mesh) : mesh_(mesh), number_(mesh.halfedge_slots(), -1) {}
@@ -42,7 +42,7 @@ class HemeshWriter {
     order_.push_back(h);
   }
 
-  /// The control point where a side starts and, once a curve, its handles.
+  /// Adds the control point where a side starts and, once for each curve, the curve's handles.
   void add_side(Halfedge side) {
     const Point p = mesh_.origin(side);
     if (!mesh_[p].is_junction() && point_.try_emplace(p, int(file_.points.size())).second)

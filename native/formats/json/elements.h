@@ -6,7 +6,7 @@
 
 namespace gradmesh {
 
-/// The half-edge structure of a mesh:
+/// Returns the half-edge structure of a mesh:
 ///   {"points":    [{"id", "position": [x, y], "halfedge", "stem"}],
 ///    "handles":   [{"id", "halfedge", "tangent"}],
 ///    "faces":     [{"id", "halfedges": [top, right, bottom, left]}],

@@ -5,8 +5,8 @@
 
 namespace gradmesh {
 
-/// Input as a message shows it: in double quotes, blanks and control characters as one blank,
-/// cut when long.
+/// Returns input as a message shows it: in double quotes, with blanks and control characters as one
+/// blank, cut when long.
 std::string excerpt(std::string_view text);
 
 }  // namespace gradmesh

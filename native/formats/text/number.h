@@ -12,7 +12,7 @@ namespace gradmesh {
 
 /// Decimal digits kept of a coordinate: Inkscape keeps eight when it writes.
 inline constexpr int coordinate_digits = 9;
-/// Of what only has to be large enough.
+/// Decimal digits kept of the coordinates of outlines, which only have to be large enough.
 inline constexpr int outline_digits = 6;
 
 inline double largest_coordinate(const Box& box) {
@@ -20,9 +20,9 @@ inline double largest_coordinate(const Box& box) {
                    std::abs(box.high().y)});
 }
 
-/// The digits for coordinates of what lies in this box: more than the usual where that is far from
-/// the origin for its size, which rounding would else deform. At least `usual` - 3 tell places
-/// along the box's longer side.
+/// Returns the digits for coordinates inside this box: more than `usual` if the box is far from the
+/// origin for its size, as rounding would otherwise deform what lies in it. At least `usual` - 3
+/// digits distinguish places along the box's longer side.
 inline int digits_within(const Box& box, int usual = coordinate_digits) {
   constexpr int most = 17;  // Tell any two doubles apart.
   const double longer = std::max(box.size().x, box.size().y);
@@ -35,16 +35,16 @@ inline int digits_within(const Box& box, int usual = coordinate_digits) {
 /// How the coordinates of a mesh are rounded.
 struct Rounding {
   int digits = coordinate_digits;
-  /// What is smaller is written as 0: it is what roundings have left of that.
+  /// Coordinates smaller than this are written as 0: they are left over from roundings of 0.
   double zero = 0;
 };
 
-/// `box` is that around the mesh.
+/// Returns the rounding for a mesh; `box` is the box around it.
 inline Rounding rounding_within(const Box& box) {
   return {digits_within(box), 1e-12 * largest_coordinate(box)};
 }
 
-/// The number with at most `digits` significant digits, independent of the locale.
+/// Returns the number with at most `digits` significant digits, independent of the locale.
 inline std::string format_number(double value, int digits = coordinate_digits) {
   char text[32];
   const auto end =
@@ -52,7 +52,7 @@ inline std::string format_number(double value, int digits = coordinate_digits) {
   return {text, end.ptr};
 }
 
-/// The shortest text that reads back as the very same number.
+/// Returns the shortest text that reads back as the very same number.
 inline std::string format_exactly(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};

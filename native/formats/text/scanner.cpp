@@ -14,7 +14,7 @@ bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '-';
 }
 
-/// User units in one `unit`; CSS fixes 96 of them to the inch.
+/// Returns the user units in one `unit`; CSS fixes 96 of them to the inch.
 std::optional<double> unit_size(std::string_view unit) {
   if (unit.empty() || unit == "px") return 1.0;
   if (unit == "in") return 96.0;

@@ -9,8 +9,8 @@
 namespace gradmesh {
 namespace {
 
-/// Looks for the cycle that a merge would make, in the mesh as it would be (4.4): at each
-/// interior end two curves are one, and the curve across hangs on it.
+/// Looks for the cycle that a merge would make, in the mesh as it would be (4.4): at each interior
+/// end two curves are one, and the curve across starts on it as a stem.
 class CycleSearch {
  public:
   CycleSearch(const Mesh& mesh, const MergeEnd& tail, const MergeEnd& head) : mesh_(mesh) {
@@ -30,7 +30,8 @@ class CycleSearch {
   }
 
  private:
-  /// The curve in + out and its sides' names: `in` stands for one, the twin of `out` for the other.
+  /// The curve made of `in` and `out`. `in` is the name of one of its sides, the twin of `out` that
+  /// of the other.
   struct Combined {
     Halfedge in, out, across;
   };
@@ -55,7 +56,8 @@ class CycleSearch {
     return side == c->in ? mesh_[c->out].twin : c->in;
   }
 
-  /// The side on which the curve starts as a stem, seen from `side`; invalid where it does not.
+  /// Returns the side on which the curve starts as a stem, seen from `side`; invalid where it does
+  /// not.
   Halfedge support(Halfedge side) const {
     for (const Combined& c : all_combined())
       if (side == name(c.across)) return mesh_[c.out].twin;
@@ -63,9 +65,9 @@ class CycleSearch {
     return mesh_.is_stem(side) ? name(mesh_[side].parent) : Halfedge{};
   }
 
-  /// Follows from the start of `side` what it hangs on, and on, until that is the curve of
-  /// `start`. `by_starts`: each step so far went from the start of a side to the side on which it
-  /// is, and from there to that same side's start.
+  /// Follows the curves on which the start of `side` depends, directly or not, until it reaches the
+  /// curve of `start`. `by_starts` is true if each step so far went from the start of a side to the
+  /// side on which it lies, and from there to that same side's start.
   MergeObstacle follow(Halfedge side, Halfedge start, std::vector<Halfedge>& seen,
                        bool by_starts) const {
     const Halfedge parent = support(side);
@@ -85,7 +87,7 @@ class CycleSearch {
   std::size_t count_ = 0;
 };
 
-/// Whether the sides that the merge joins or keeps are not all on curves of their own.
+/// Returns true if the sides that the merge joins or keeps are not all on curves of their own.
 bool meets_itself(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const MergeEnd& head) {
   const Halfedge twin = mesh[edge].twin;
   if (mesh.face(edge) == mesh.face(twin) || mesh.origin(edge) == mesh.origin(twin)) return true;

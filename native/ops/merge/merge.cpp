@@ -42,7 +42,8 @@ class Merge {
  private:
   HalfedgeRecord& edit(Halfedge h) { return journal_.edit(h); }
 
-  /// The second and third columns of Eq. 5: twists at the far corners of one of the two sides.
+  /// Applies the second and third columns of Eq. 5: scales the twists at the far corners of one of
+  /// the two sides.
   void scale_twists(const MergeEnd& end, double r) {
     const Halfedge far_in = end.in, far_out = mesh_.next(end.out);
     edit(far_in).twist *= 1 / r;
@@ -108,7 +109,8 @@ class Merge {
     return side;
   }
 
-  /// The children of the side of the merged face, where it is divided; returns the face's leaf.
+  /// Joins the side of the merged face, and its children where it is divided. Returns the face's
+  /// leaf.
   Halfedge near_side(const MergeEnd& end, Halfedge in, Halfedge out, double t) {
     if (end.in == in && end.out == out) {
       journal_.remove(out);
@@ -127,14 +129,14 @@ class Merge {
     return bar;
   }
 
-  /// Some children of one parent, each naming the next.
+  /// Consecutive children of one parent, each linked to the next.
   struct Children {
     Halfedge first, last;
   };
 
-  /// The children of a side whose curve becomes the part `part` of a longer one, with their new
-  /// intervals and parent. A leaf is its own only bar, a new one if its half-edge starts the longer
-  /// curve.
+  /// Returns the children of a side whose curve becomes the part `part` of a longer one, with their
+  /// new intervals and parent. A leaf is its own only bar, or gets a new one if its half-edge
+  /// starts the longer curve.
   Children children_over(Halfedge side, Interval part, Halfedge parent) {
     if (mesh_.is_leaf(side)) {
       const Halfedge bar = part.first == 0 ? bar_instead_of(side) : side;
@@ -157,7 +159,7 @@ class Merge {
     return children;
   }
 
-  /// A new leaf in the place of `side`, which is about to become a parent.
+  /// Returns a new leaf in the place of `side`, which is about to become a parent.
   Halfedge bar_instead_of(Halfedge side) {
     const HalfedgeRecord record = mesh_[side];
     HalfedgeRecord copy;
@@ -204,7 +206,8 @@ class Merge {
     record.own_color = corner.own_color;
   }
 
-  /// The outer tangents, for one curve instead of two that meet at t (Eq. 5).
+  /// Scales the outer tangents for one curve instead of two that meet at t (Eq. 5), and removes the
+  /// inner handles.
   void join_handles(Halfedge in, Halfedge out, double t) {
     const std::array<Handle, 2> first = mesh_[in].handles, second = mesh_[out].handles;
     journal_.edit(first[0]).tangent *= 1 / t;
@@ -216,7 +219,7 @@ class Merge {
     if (back.valid()) edit(back).handles = {second[1], first[0]};
   }
 
-  /// The same for what two bars have of their own. `in` becomes the bar instead of both.
+  /// Does the same for the bars' own tangents. `in` becomes the bar instead of both.
   void join_own_tangents(Halfedge in, Halfedge out, double t) {
     const glm::dvec4 end = mesh_[out].own_tangents[1] / (1 - t);
     std::array<glm::dvec4, 2>& own = edit(in).own_tangents;

@@ -17,20 +17,21 @@ enum class MergeObstacle {
   ring,          ///< the two patches are one, or meet themselves round a ring
 };
 
-/// One clause for the person, such as "it is on the boundary of the mesh".
+/// Returns the obstacle as one clause for the person, such as "it is on the boundary of the mesh".
 Message describe(MergeObstacle obstacle);
 
-/// Whether the two patches beside an edge can become one. Any half-edge that is alive.
+/// Returns why the two patches beside an edge cannot become one, or `none` if they can. `edge` is
+/// any half-edge that is alive.
 MergeObstacle can_merge(const Mesh& mesh, Halfedge edge);
 
-/// The parameter r at which the two patches beside `edge` are taken to be split (Eq. 4), as the
-/// share of the patch of `edge`: 0 < r < 1. Where Eq. 4 has nothing to divide, since tangents
-/// vanish or point apart, from the lengths of the curves instead.
+/// Returns the parameter r at which the two patches beside `edge` are taken to be split (Eq. 4), as
+/// the share of the patch of `edge`: 0 < r < 1. Where Eq. 4 has nothing to divide, since tangents
+/// vanish or point apart, r follows from the lengths of the curves instead.
 double split_factor(const Mesh& mesh, Halfedge edge);
 
-/// Makes one patch of the two beside `edge` (Eq. 5, A.2) and mends the T-junctions at both of
-/// its ends (4.3), as one operation of the journal. The patch of `edge` keeps its face; the
-/// twin's goes. `can_merge` must be `none`.
+/// Makes one patch of the two beside `edge` (Eq. 5, A.2) and mends the T-junctions at both of its
+/// ends (4.3), as one operation of the journal. The face of `edge` is kept; that of the twin is
+/// removed. `can_merge` must be `none`.
 void merge(Journal& journal, Halfedge edge);
 
 }  // namespace gradmesh

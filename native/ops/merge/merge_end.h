@@ -4,11 +4,11 @@
 
 namespace gradmesh {
 
-/// One end p of an edge that is to be merged (paper 4.3, Fig. 4): the tail of `edge` or, seen
-/// from the twin, its head.
+/// One end p of an edge that is to be merged (paper 4.3, Fig. 4): the tail of `edge`, or the head
+/// of the edge whose twin is `edge`.
 struct MergeEnd {
   enum Kind {
-    /// The edge is a stem here: its T-junction is removed (Fig. 4b).
+    /// The edge is a stem at p: the T-junction p is removed (Fig. 4b).
     stem,
     /// p lies on the boundary and only two faces meet there: p is removed.
     boundary,
@@ -21,17 +21,17 @@ struct MergeEnd {
   /// The leaves along the side of the merged face: `in` ends at p, `out` starts there. `in`
   /// belongs to the face of `edge` (e_l and e_r of the paper).
   Halfedge in, out;
-  /// `interior`: the curve that starts at p on the other side and becomes a stem.
+  /// For `interior`: the curve that starts at p on the other side and becomes a stem.
   Halfedge across;
 };
 
 MergeEnd merge_end(const Mesh& mesh, Halfedge edge);
 
-/// The share of `in` in the length of in and out where both are bars of one parent.
+/// Returns the share of `in` in the length of `in` and `out` where both are bars of one parent.
 double bar_share(const Mesh& mesh, const MergeEnd& end);
 
-/// Eq. 6: where p lies on the curve that the curves of in and out become, if r is the share of
-/// `in` in the length of in and out.
+/// Returns the place of p on the curve that the curves of `in` and `out` become (Eq. 6), if r is
+/// the share of `in` in the length of `in` and `out`.
 double combined_share(const Mesh& mesh, const MergeEnd& end, double r);
 
 }  // namespace gradmesh

@@ -16,7 +16,7 @@ class FacesMerger {
     for (const Face f : faces_) chosen_[std::size_t(f.value)] = true;
   }
 
-  /// Edges that are sides `first` and `first + 2` of their patches come before the others: a
+  /// Merges edges that are sides `first` and `first + 2` of their patches before the others: a
   /// rectangle is merged row by row or column by column.
   MergedFaces run(int first) {
     while (merge_one(first) || merge_one(first + 1)) {
@@ -29,7 +29,8 @@ class FacesMerger {
   }
 
  private:
-  /// The chosen face on the other side of an edge, one of them where there are several.
+  /// Returns the chosen face on the other side of an edge, one of them where there are several;
+  /// invalid where there is none.
   Face neighbour(Halfedge h) const {
     const Halfedge side = mesh_.other_side(h);
     if (!side.valid()) return {};

@@ -7,15 +7,16 @@
 
 namespace gradmesh {
 
-/// What became of merge_faces(): the one patch, or why there is none.
+/// The result of merge_faces(): the one patch, or why there is none.
 struct MergedFaces {
-  /// Invalid where they could not be merged.
+  /// The one patch; invalid if the faces could not be merged.
   Face face;
-  /// Of an edge between two of the patches that were left; `none` where these do not touch.
+  /// The obstacle of an edge between two of the patches that were left; `none` if no two of these
+  /// touch.
   MergeObstacle obstacle = MergeObstacle::none;
 };
 
-/// Makes one patch of several, by merging edges between them: as many operations of the journal.
+/// Makes one patch of several by merging edges between them, each as one operation of the journal.
 /// Where that is not possible the mesh stays as it was. `faces` are alive, at least one.
 MergedFaces merge_faces(Journal& journal, std::span<const Face> faces);
 

@@ -11,8 +11,9 @@ void undo_to(Journal& journal, std::size_t depth) {
   while (journal.depth() > depth) journal.undo();
 }
 
-/// A curve that hangs on this one as a stem, or on one that does, and on which none hangs; the
-/// curve itself where none hangs on it. Invalid where one of these is on the boundary.
+/// Returns a curve that depends on this one, directly or not, through the starts of stems, and has
+/// no stems itself; the curve itself where it has none. Returns an invalid half-edge where one of
+/// these curves is on the boundary.
 Halfedge last_hanging(const Mesh& mesh, Halfedge side) {
   const Halfedge twin = mesh[side].twin;
   if (!twin.valid()) return {};
@@ -26,7 +27,7 @@ Halfedge last_hanging(const Mesh& mesh, Halfedge side) {
 bool grow(Journal& journal, Face face, int side) {
   const Mesh& mesh = journal.mesh();
   for (bool done = false; !done;) {
-    // Asked for again each time, as merges join curves.
+    // Recomputed each time, as merges join curves.
     const Halfedge across = mesh.curve_side(mesh.sides(face)[std::size_t(side % 4)]);
     const Halfedge edge = last_hanging(mesh, across);
     if (!edge.valid() || can_merge(mesh, edge) != MergeObstacle::none) return false;
@@ -68,7 +69,8 @@ bool RegionMerger::merge(const Region& region) {
   return true;
 }
 
-/// Merges the next row along itself and with the rows above.
+/// Merges the next row along itself and then with the rows above. Returns false, with the row as it
+/// was, if a merge cannot be made.
 bool RegionMerger::merge_row() {
   const std::size_t depth = journal_.depth();
   bool merged = true;

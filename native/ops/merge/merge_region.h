@@ -7,36 +7,38 @@
 
 namespace gradmesh {
 
-/// Makes the patch one step larger, over its side of that number (as in Mesh::sides): merges it
-/// with what lies across the whole of that curve, and before that whatever hangs on the curve, and
-/// on that in turn. So it then covers the smallest area bounded by four curves that has the curve
-/// inside. Each merge is one operation of the journal. Returns false where one of them cannot be
-/// made (can_merge), after those before it.
+/// Makes the patch one step larger across its side of number `side` (as in Mesh::sides, modulo 4):
+/// merges the patch with those across the whole curve of that side, after the curves that depend on
+/// that curve as stems, directly or not, have been merged away. The patch then covers the smallest
+/// area bounded by four curves that has the curve inside. Each merge is one operation of the
+/// journal. Returns false at the first merge that cannot be made (can_merge); the merges before it
+/// stay.
 bool grow(Journal& journal, Face face, int side);
 
-/// The view in which a region is merged: where no T-junction is inside, along its longer direction
-/// first, which has turned out to change the mesh less. So it has at least as many columns as rows.
+/// Returns the view in which a region is merged: where no T-junction is inside, along its longer
+/// direction first, which has turned out to change the mesh less. Such a view has at least as many
+/// columns as rows.
 Region merging_view(const Mesh& mesh, const Region& region);
 
 /// Merges a region into one patch, as one operation of the journal for each merge: in its
-/// merging_view row by row, each along itself and then with the rows above. Returns the patch, or
-/// an invalid one where a merge cannot be made (can_merge): then nothing is changed.
+/// merging_view row by row, each row along itself and then with the rows above. Returns the patch.
+/// Where a merge cannot be made (can_merge), changes nothing and returns an invalid face.
 Face merge_region(Journal& journal, const Region& region);
 
-/// Merges one region after another, each alone, and keeps the rows that the next has in common
-/// with it. So regions that grow by rows cost one row each, if they are asked for by the face, top,
-/// columns and rows of their merging_view.
+/// Merges one region after another, each alone, and keeps the rows that the next has in common with
+/// it. So regions that grow by rows cost one row each, if the face, top, columns and rows of their
+/// merging_view are given.
 class RegionMerger {
  public:
-  /// `start` is the journal's mesh as it is now, and stays so. As long as a region is merged, the
-  /// journal is not to be changed by others.
+  /// `start` equals the journal's mesh as it is now, and does not change. As long as a region is
+  /// merged, nothing else may change the journal.
   RegionMerger(Journal& journal, const Mesh& start)
       : journal_(journal), start_(start), depths_{journal.depth()} {}
 
-  /// Leaves the journal with this region of `start` merged, as by merge_region, and no other. False
-  /// where there is no such region or it cannot be merged: then nothing is merged.
+  /// Leaves the journal with this region of `start` merged, as by merge_region, and no other.
+  /// Returns false if there is no such region or it cannot be merged; then nothing is merged.
   bool merge(const Region& region);
-  /// Takes all back.
+  /// Undoes all merges.
   void undo() { keep_rows(0); }
 
  private:
@@ -45,9 +47,9 @@ class RegionMerger {
 
   Journal& journal_;
   const Mesh& start_;
-  /// What is merged.
+  /// The merging_view of the region that is merged.
   Region view_;
-  /// The journal's depth before anything, and after each row that is merged.
+  /// The journal's depth before any merge, and after each row that is merged.
   std::vector<std::size_t> depths_;
 };
 

@@ -18,7 +18,8 @@ double dot(const Value& a, const Value& b, ColorModel model) {
   return glm::dot(a.position, b.position) + color;
 }
 
-/// |m| / |m + n| of Eq. 4, unless m and n do not point the same way.
+/// Returns |m| / |m + n| of Eq. 4, or nothing if m and n do not point the same way or one of them
+/// is negligible beside the other.
 std::optional<double> share(const Value& m, const Value& n, ColorModel model) {
   const double mm = dot(m, m, model), nn = dot(n, n, model), mn = dot(m, n, model);
   const double smallest = 1e-12 * std::max(mm, nn);
@@ -26,8 +27,8 @@ std::optional<double> share(const Value& m, const Value& n, ColorModel model) {
   return std::sqrt(mm / (mm + 2 * mn + nn));
 }
 
-/// Mean of the two estimates of Eq. 4 at the tail of `edge`, r1 and r2; seen from the twin these
-/// are r4 and r3, as shares of the other patch.
+/// Returns the mean of the two estimates of Eq. 4 at the tail of `edge`, r1 and r2; seen from the
+/// twin these are r4 and r3, as shares of the other patch.
 double share_at_tail(const Mesh& mesh, Halfedge edge, const MergeEnd& tail) {
   const Cubic<Value> in = mesh.side_of(tail.in), out = mesh.side_of(tail.out);
   // Tangents across the edge at its inner Bezier point; the local axes of the twist at the start
@@ -51,8 +52,8 @@ double split_factor(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const
   const Halfedge twin = mesh[edge].twin;
   double sum = 0;
   int ends = 0;
-  // A stem stands where its parent was split, so only the other end is estimated; between two
-  // stems the parents' intervals are all there is to know.
+  // A stem starts where its parent was split, so only the other end is estimated; between two stems
+  // the parents' intervals are all there is to know.
   if (tail.kind != MergeEnd::stem) {
     sum += share_at_tail(mesh, edge, tail);
     ++ends;

@@ -27,7 +27,7 @@ constexpr PowerSums power_sums(int first, int last) {
 /// The point where the two curves meet counts once.
 constexpr PowerSums in_sums = power_sums(1, 8), out_sums = power_sums(0, 7);
 
-/// How far the curve that two curves become strays from them.
+/// Measures how far the curve that two curves become deviates from them.
 class Deviation {
  public:
   Deviation(const Mesh& mesh, const MergeEnd& end) : mesh_(mesh), end_(end) {
@@ -39,9 +39,9 @@ class Deviation {
     out_ = half(out, in, position_weight);
   }
 
-  /// Sum of squares at a few points, if `end.in` gets the share r; positions as shares of the
-  /// curve's length. Colour counts little: a little too far along the curve it is hardly seen,
-  /// while a wrong outline is.
+  /// Returns the sum of squared deviations at a few points, if `end.in` gets the share r; positions
+  /// are shares of the curve's length. Colour counts little: colour that is a little too far along
+  /// the curve is hardly seen, while a wrong outline is.
   double at(double r) const {
     const double t = combined_share(mesh_, end_, r);
     return strays(in_, t, in_sums) + strays(out_, 1 - t, out_sums);
@@ -50,10 +50,10 @@ class Deviation {
  private:
   using Vector = std::array<double, 6>;
 
-  /// One of the two curves, from its outer end: what the polynomial by which the combined curve
-  /// strays from it is made of.
+  /// One of the two curves, from its outer end: the vectors of the polynomial by which the combined
+  /// curve deviates from it.
   struct Half {
-    /// From this outer end to the other; tangents at both, in this direction.
+    /// From this outer end to that of the other curve; tangents at both, in this direction.
     Vector chord, tangent, far_tangent;
     /// The curve itself: outer end to the point where both meet, coefficients of s^2 and s^3.
     Vector to_joint, square, cube;
@@ -75,9 +75,9 @@ class Deviation {
             weighted(curve.m0 + curve.m1 - 2.0 * to_joint)};
   }
 
-  /// The combined curve over [0, t], its outer tangents divided by t and 1 - t (Eq. 5), less the
-  /// half that it takes the place of, both with s from 0 to 1. Value and slope agree at s = 0, so
-  /// a s^2 + b s^3 is left.
+  /// Returns the sum of squares for one half: of the combined curve over [0, t], its outer tangents
+  /// divided by t and 1 - t (Eq. 5), less the half that it replaces, both with s from 0 to 1. Value
+  /// and slope agree at s = 0, so a s^2 + b s^3 is left.
   double strays(const Half& half, double t, const PowerSums& sums) const {
     const bool is_linear = mesh_.color_model() == ColorModel::bilinear;
     const std::size_t cubics = is_linear ? 2 : 6;
@@ -108,16 +108,16 @@ struct Trial {
   double r, deviation;
 };
 
-/// How far from the first trial the parabola through three has its lowest point; not finite where
-/// it has none.
+/// Returns the distance from the first trial to the lowest point of the parabola through three; not
+/// finite where there is none.
 double step_to_vertex(const Trial& a, const Trial& b, const Trial& c) {
   const double ab = (b.r - a.r) * (a.deviation - c.deviation);
   const double ac = (c.r - a.r) * (a.deviation - b.deviation);
   return 0.5 * ((c.r - a.r) * ac - (b.r - a.r) * ab) / (ac - ab);
 }
 
-/// The least deviation near r, by Brent's method: golden sections at first, then, unless that leads
-/// nowhere, the lowest point of the parabola through the three best trials.
+/// Returns the share of the least deviation near r, by Brent's method: golden sections at first,
+/// then, unless that leads nowhere, the lowest point of the parabola through the three best trials.
 double refined(const Deviation& deviation, double r) {
   constexpr double around = 0.15, golden = 0.3819660112501051, precision = 1e-7;
   double low = std::max(smallest_share, r - around);
@@ -125,7 +125,7 @@ double refined(const Deviation& deviation, double r) {
   const double first = low + golden * (high - low);
   Trial best{first, deviation.at(first)}, second = best, third = best;
   double step = 0, step_before = 0;
-  // So many sections find the valley in which the least lies, should there be several.
+  // This number of sections finds the valley in which the least lies, should there be several.
   constexpr int sections = 6, most = 30;
   for (int i = 0; i < most && std::max(best.r - low, high - best.r) > 2 * precision; ++i) {
     const double room = best.r < 0.5 * (low + high) ? high - best.r : low - best.r;
@@ -137,7 +137,7 @@ double refined(const Deviation& deviation, double r) {
       step_before = room;
       next = golden * room;
     }
-    // Steps below the precision would tell nothing but roundings.
+    // Steps below the precision would measure nothing but roundings.
     step = std::abs(next) >= precision ? next : std::copysign(precision, room);
     const Trial trial{best.r + step, deviation.at(best.r + step)};
     if (trial.deviation <= best.deviation) {
@@ -179,7 +179,7 @@ double share_by_length(const Cubic<Value>& in, const Cubic<Value>& out) {
 double split_share(const Mesh& mesh, const MergeEnd& end, double r) {
   if (end.kind == MergeEnd::stem) return bar_share(mesh, end);
   const Deviation deviation(mesh, end);
-  // What was split exactly deviates by roundings only: Eq. 4 is exact there and stays.
+  // Curves that were split exactly deviate by roundings only: Eq. 4 is exact there and stays.
   constexpr double exact = 1e-14;
   const double by_eq4 = deviation.at(r);
   if (by_eq4 < exact) return r;

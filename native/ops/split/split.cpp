@@ -9,7 +9,7 @@
 namespace gradmesh {
 namespace {
 
-/// The patch of the leaf's face, turned so that the leaf is its top.
+/// Returns the patch of the leaf's face, turned so that the leaf is its top.
 Patch patch_with_top(const Mesh& mesh, Halfedge leaf) {
   std::array<Cubic<Value>, 4> sides;
   std::array<Value, 4> twists;
@@ -61,7 +61,7 @@ class Split {
   }
 
  private:
-  /// A leaf cut in two, and the point between.
+  /// The two parts of a leaf that is cut, and the point between them.
   struct Cut {
     Halfedge first, second;
     Point point;
@@ -129,7 +129,8 @@ class Split {
     edit(twin).handles = {end, start};
   }
 
-  /// Lets a half-edge of the new curve start where `cut` is, as a stem unless on the boundary.
+  /// Makes a half-edge of the new curve start at the point of `cut`, as a stem unless on the
+  /// boundary.
   void start_at(Halfedge h, const Cut& cut) {
     edit(h).origin = cut.point;
     if (!cut.parent.valid()) return;
@@ -151,9 +152,9 @@ class Split {
     }
   }
 
-  /// Where the bars at a new T-junction, whose curves are `first` and `second`, have not the
-  /// colours of the parent's curve, since it has colours of its own at one of their other ends,
-  /// they and the stem keep theirs.
+  /// Lets the bars at a new T-junction, whose curves are `first` and `second`, and the stem keep
+  /// their colours where these are not the colours of the parent's curve, since a bar has a colour
+  /// of its own at one of its other ends.
   void keep_colors(Halfedge stem, const Cut& cut, const Cubic<Value>& first,
                    const Cubic<Value>& second) {
     if (!cut.parent.valid()) return;

@@ -12,18 +12,19 @@ namespace {
 
 /// A point on a whole side of a curve.
 struct Place {
-  /// Invalid beyond the boundary.
+  /// The curve side; invalid beyond the boundary.
   Halfedge side;
   double t = 0;
 };
 
-/// The point t of a leaf as a point of the other side of its curve.
+/// Returns the point t of a leaf as a point of the other side of its curve.
 Place beyond(const Mesh& mesh, Halfedge leaf, double t) {
   const Interval span = mesh.span(leaf);
   return {mesh.other_side(leaf), 1 - std::lerp(span.first, span.second, t)};
 }
 
-/// The leaf in which the point lies, and where; invalid where patches already meet there.
+/// Returns the leaf in which the point lies, and the point's place on it; invalid where patches
+/// already meet there.
 Place leaf_at(const Mesh& mesh, const Place& place) {
   if (!place.side.valid()) return {};
   for (const Halfedge leaf : mesh.leaves(place.side)) {
@@ -34,8 +35,8 @@ Place leaf_at(const Mesh& mesh, const Place& place) {
   return {};
 }
 
-/// A point where patches meet on one side of a curve, as a leaf and a place on its other side;
-/// invalid where there is none.
+/// Returns a point where patches meet on one side of a curve only, as a leaf and a place on the
+/// curve's other side; invalid where there is none.
 Place open_junction(const Mesh& mesh) {
   for (const Halfedge side : mesh.halfedges()) {
     if (!mesh.is_parent(side) || !mesh[side].twin.valid()) continue;

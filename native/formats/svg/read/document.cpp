@@ -27,8 +27,8 @@ const xmlChar* chars(const std::string& text) {
   return reinterpret_cast<const xmlChar*>(text.c_str());
 }
 
-/// While it lives, takes libxml2's reports on this thread, which otherwise go to stderr, and keeps
-/// the first one that is an error.
+/// Catches libxml2's reports on this thread as long as it lives, which otherwise go to stderr, and
+/// keeps the first error.
 class Reports {
  public:
   Reports() : handler_(xmlStructuredError), context_(xmlStructuredErrorContext) {
@@ -38,7 +38,7 @@ class Reports {
   Reports(const Reports&) = delete;
   Reports& operator=(const Reports&) = delete;
 
-  /// What is wrong, in libxml2's own words.
+  /// Returns what is wrong, in libxml2's own words.
   Message reason() const {
     if (message_.empty()) return Message("libxml2 gives no reason");
     return line_ > 0 ? Message("{0} (line {1})", message_, line_) : Message("{0}", message_);
@@ -67,14 +67,16 @@ class Reports {
 
 using Context = std::unique_ptr<xmlParserCtxt, void (*)(xmlParserCtxt*)>;
 
-/// Entities can grow without end when libxml2 has no limits: where a document declares one, it has.
+/// Sets libxml2's limits once a document declares an entity, as entities could grow without end
+/// otherwise.
 void limit_from_here(void* context, const xmlChar* name, int type, const xmlChar* public_id,
                      const xmlChar* system_id, xmlChar* content) {
   static_cast<xmlParserCtxt*>(context)->options &= ~XML_PARSE_HUGE;
   xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
 }
 
-/// A tree takes far more memory than the text of many small elements and attributes.
+/// Refuses documents whose tree is too large: it takes far more memory than the text of many small
+/// elements and attributes.
 void check_tree_size(std::string_view bytes, const auto& refuse) {
   constexpr std::uint64_t bytes_of_node = 250;
   const auto nodes = std::ranges::count(bytes, '<') + std::ranges::count(bytes, '=');
@@ -84,7 +86,7 @@ void check_tree_size(std::string_view bytes, const auto& refuse) {
                    beyond_limit("memory", most, needed)));
 }
 
-/// Null where the bytes are no XML, which is reported.
+/// Parses the bytes. Returns null if they are no XML, which libxml2 reports.
 xmlDoc* parse_tree(std::string_view bytes) {
   const Context context(xmlNewParserCtxt(), xmlFreeParserCtxt);
   if (!context) throw std::bad_alloc();
@@ -93,8 +95,8 @@ xmlDoc* parse_tree(std::string_view bytes) {
                            parse_options);
 }
 
-/// How many elements lie inside one another where that are the most. Without recursion, as the
-/// tree may be as deep as the file is long.
+/// Returns the largest number of elements inside one another. Works without recursion, as the tree
+/// may be as deep as the file is long.
 std::size_t nesting(const xmlNode* root) {
   std::size_t depth = 1, deepest = 1;
   for (const xmlNode* node = root;;) {
@@ -114,8 +116,8 @@ std::size_t nesting(const xmlNode* root) {
   }
 }
 
-/// Registers the ids of all elements with libxml2, which keeps the register true when elements are
-/// removed or renamed. Of equal ids the first counts, as in browsers and Inkscape.
+/// Registers the ids of all elements with libxml2, which keeps the register up to date when
+/// elements are removed or renamed. Of equal ids the first counts, as in browsers and Inkscape.
 void register_ids(xmlNode* node) {
   for (xmlAttr* a = node->properties; a; a = a->next) {
     const bool is_plain = a->children && !a->children->next && a->children->type == XML_TEXT_NODE;
@@ -125,7 +127,7 @@ void register_ids(xmlNode* node) {
   for (xmlNode* child : child_elements(node)) register_ids(child);
 }
 
-/// The text with all replaced that would mean something else in `url(#id)`.
+/// Returns the text with all characters replaced that would mean something else in `url(#id)`.
 std::string as_id(std::string text) {
   for (char& c : text) {
     const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||

@@ -11,30 +11,31 @@
 
 namespace gradmesh {
 
-/// An SVG document as a tree of libxml2, with all that it holds: comments, CDATA, foreign
+/// An SVG document as a tree of libxml2, with all of its contents: comments, CDATA, foreign
 /// namespaces, doctype. Nothing outside the document is ever loaded and entities stay references.
-/// Messages about it begin with its name.
+/// Messages about the document begin with its name.
 class SvgDocument {
  public:
-  /// Throws InputError if the file cannot be read or is no SVG document.
+  /// Reads a file. Throws InputError if it cannot be read or is no SVG document.
   static SvgDocument read_file(const std::filesystem::path& path);
-  /// Bytes in any encoding that XML declares; `name` stands for the file in messages.
+  /// Parses bytes in any encoding that XML declares. `name` is the file's name in messages.
   static SvgDocument parse(std::string_view bytes, const std::string& name);
 
   xmlNode* root() const;
   const StyleSheet& styles() const { return styles_; }
 
-  /// The first element with this id; null if there is none.
+  /// Returns the first element with this id; null if there is none.
   xmlNode* find(std::string_view id) const;
-  /// Gives the element this id, which no other may have.
+  /// Gives the element this id, which no other element may have.
   void set_id(xmlNode* node, const std::string& id);
-  /// Gives the element an id that no other has: `prefix` and a number, with all replaced that has
-  /// no place in `url(#id)`, such as the bracket of another object's id.
+  /// Gives the element an id that no other element has, and returns it: `prefix` and a number, with
+  /// characters replaced that cannot stand in `url(#id)`, such as a bracket in another object's id.
   std::string give_id(xmlNode* node, const std::string& prefix);
 
-  /// In its own encoding; in UTF-8 if it declares none, or one that could not be read again.
+  /// Returns the document's text in its own encoding; in UTF-8 if it declares none, or one that
+  /// could not be read again.
   std::string serialize() const;
-  /// Writes the whole file or leaves what was there; throws InputError.
+  /// Writes the whole file or leaves the old one. Throws InputError if the file cannot be written.
   void write_file(const std::filesystem::path& path) const;
 
  private:

@@ -17,7 +17,8 @@ namespace gradmesh {
 namespace {
 
 constexpr std::array<std::string_view, 4> containers{"svg", "g", "a", "switch"};
-/// What is inside of these is painted where something names them, or in <defs> what is inside.
+/// Elements whose contents are painted where something names the element or, for <defs>, its
+/// contents.
 constexpr std::array<std::string_view, 5> definitions{"defs", "symbol", "pattern", "mask",
                                                       "marker"};
 constexpr std::array<std::string_view, 8> paintables{"path", "rect",     "circle",  "ellipse",
@@ -27,7 +28,7 @@ bool contains(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Adds to `ids` what the texts of a list name as `#id`. Entities name nothing.
+/// Adds to `ids` the ids that the texts of a list name as `#id`. Entities name nothing.
 void find_named_in(const xmlNode* texts, std::set<std::string>& ids) {
   for (const xmlNode* node = texts; node; node = node->next) {
     const bool is_text = node->type == XML_TEXT_NODE || node->type == XML_CDATA_SECTION_NODE;
@@ -40,21 +41,21 @@ void find_named_in(const xmlNode* texts, std::set<std::string>& ids) {
   }
 }
 
-/// The same of the attributes and rules of the element and of all below it.
+/// Adds to `ids` the ids that attributes and rules of the element and of all below it name.
 void find_named(const xmlNode* node, std::set<std::string>& ids) {
   for (const xmlAttr* a = node->properties; a; a = a->next) find_named_in(a->children, ids);
   if (svg_name(node) == "style") find_named_in(node->children, ids);
   for (const xmlNode* child : child_elements(node)) find_named(child, ids);
 }
 
-/// What is in force where an element stands.
+/// The properties in force at an element.
 struct Context {
   /// The mesh gradients for fill and stroke; null where the paint is anything else.
   xmlNode* fill = nullptr;
   xmlNode* stroke = nullptr;
-  /// MeshObject::kept.
+  /// The hidden original around the element, as in MeshObject::kept.
   const xmlNode* kept = nullptr;
-  /// Whether it is painted: not where nothing names the definition that it is inside of.
+  /// True if the element is painted; false if it is inside a definition that nothing names.
   bool shown = true;
 };
 

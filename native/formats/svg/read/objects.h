@@ -20,46 +20,49 @@ struct MeshObject {
   xmlNode* node = nullptr;
   std::string id;
   PaintRole role = PaintRole::fill;
-  /// The meshgradient that the paint names; its patches may be another's, through href. Null for
-  /// groups.
+  /// The meshgradient that the paint names, whose patches may be those of another through href.
+  /// Null for groups.
   xmlNode* gradient = nullptr;
-  /// The hidden original (formats/svg/write/keep_original.h) that it is, or is inside of; null for
-  /// all others.
+  /// The hidden original (formats/svg/write/keep_original.h) that the object is, or is inside of;
+  /// null for all others.
   const xmlNode* kept = nullptr;
 };
 
-/// Every object painted by a mesh gradient, in document order, fill before stroke. The paint may
-/// come from a style, a rule, an attribute or a group around the object. What is defined to be used
-/// (in <mask>, <pattern>, <symbol>, <marker>, <defs>) is among them where something names it. What
-/// is in a <clipPath> is not, as nothing of it is painted, nor are lines' fills (can_paint). An
-/// object without an id gets one.
+/// Returns every object painted by a mesh gradient, in document order, fill before stroke. The
+/// paint may come from a style, a rule, an attribute or a group around the object. Objects in a
+/// definition (<mask>, <pattern>, <symbol>, <marker>, <defs>) are among them if something names the
+/// definition. Objects in a <clipPath> are not, as nothing of them is painted, nor are the fills of
+/// lines (can_paint). An object without an id gets one.
 std::vector<MeshObject> mesh_objects(SvgDocument& document);
 
-/// Whether the element is a shape or text that a gradient can fill or stroke.
+/// Returns true if the element is a shape or text that a gradient can fill or stroke.
 bool can_paint(const xmlNode* node, PaintRole role);
 
-/// Whether the element paints nothing itself, and what it says of paint is for what is inside.
+/// Returns true if the element paints nothing itself, and its paint properties are for the elements
+/// inside.
 bool hands_paint_on(const xmlNode* node);
 
-/// The element that stands for the whole object: itself or, for a group of blocks inside a group
-/// that does, that one.
+/// Returns the element that represents the whole object: the node itself or, for a group of blocks,
+/// the outermost of the groups around it that are marked `outer` (formats/svg/read/read_group.h).
 xmlNode* whole_object(xmlNode* node);
-/// Its id, by which the person knows the object. Empty where there is none.
+/// Returns the id of whole_object(node), by which the person knows the object; empty if there is
+/// none.
 std::string object_id(xmlNode* node);
 
-/// The id in a paint `url(#id)`, with or without quotes; what follows is the fallback colour.
+/// Returns the id in a paint `url(#id)`, with or without quotes. A fallback colour may follow in
+/// the paint.
 std::optional<std::string> referenced_id(std::string_view paint);
 
-/// The colour that a paint `url(#id) colour` falls back to where meshes are not known; empty where
-/// there is none.
+/// Returns the colour that a paint `url(#id) colour` falls back to in programs without meshes;
+/// empty if there is none.
 std::string fallback_color(std::string_view paint);
 
-/// The meshgradient that a paint names; null where it names none.
+/// Returns the meshgradient that a paint names; null if it names none.
 xmlNode* referenced_mesh(const SvgDocument& document, std::string_view paint);
 
-/// From the object's user space to that of the outermost <svg>: the product of the `transform`
-/// attributes of the element and of all around it; viewBox and nested viewports do not count.
-/// Throws InputError at a malformed one.
+/// Returns the map from the object's user space to that of the outermost <svg>: the product of the
+/// `transform` attributes of the element and of all around it; viewBox and nested viewports do not
+/// count. Throws InputError at a malformed transform.
 Affine to_document(const MeshObject& object);
 
 }  // namespace gradmesh

@@ -38,8 +38,8 @@ bool is_font(std::string_view name) {
                name);
 }
 
-/// Properties that CSS does not inherit and that act on the object as a whole, with what turns
-/// them off.
+/// Properties that CSS does not inherit and that act on the object as a whole, with the values that
+/// turn them off.
 constexpr std::array<std::pair<const char*, const char*>, 7> effects{{{"opacity", "1"},
                                                                       {"filter", "none"},
                                                                       {"clip-path", "none"},
@@ -52,7 +52,8 @@ std::string_view view(const xmlChar* text) {
   return text ? std::string_view(reinterpret_cast<const char*>(text)) : std::string_view();
 }
 
-/// In a namespace that `to` knows: that of the attribute may be declared by its own element.
+/// Copies an attribute, in a namespace that is declared at `to`, as the attribute's own may be
+/// declared by its own element only.
 void copy_attribute(const xmlAttr* a, xmlNode* to) {
   const std::string name(view(a->name)), value = text_of(a->children, a->parent);
   if (a->ns)
@@ -83,7 +84,7 @@ void write_style(xmlNode* node, const Declarations& style) {
   }
 }
 
-/// Whether `text` names `#id`, and not just an id that begins with it.
+/// Returns true if `text` names `#id`, and not just an id that begins with it.
 bool names_id(std::string_view text, const std::string& id) {
   const std::string wanted = "#" + id;
   for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + 1)) {

@@ -88,7 +88,7 @@ xmlNode* block_gradient(const SvgDocument& document, const xmlNode* group, const
   return gradient;
 }
 
-/// A block's grid, in the group's user space.
+/// Returns a block's grid, in the group's user space.
 MeshParts read_block(const SvgDocument& document, const xmlNode* group, xmlNode* path) {
   xmlNode* gradient = block_gradient(document, group, path);
   MeshParts block = read_mesh(document, {path, {}, PaintRole::fill, gradient});
@@ -107,8 +107,8 @@ void renumber(CurveSide& side, int first_face) {
   for (int& h : side.halfedges) h += 4 * first_face;
 }
 
-/// The patches of all blocks below `parent`, the group or its mask, by their numbers, and the
-/// curves inside each block.
+/// Returns the patches of all blocks below `parent`, the group or its mask, by their numbers, and
+/// the curves inside each block.
 MeshParts read_blocks(const SvgDocument& document, const xmlNode* group, const xmlNode* parent) {
   std::map<int, MeshParts> blocks;
   for (xmlNode* path : child_elements(parent)) {

@@ -12,8 +12,8 @@
 
 namespace gradmesh {
 
-/// A simplified mesh in a document is a group of blocks. Attributes of our own namespace
-/// say how the blocks hang together; shapes and colours are those of the blocks themselves.
+/// A simplified mesh in a document is a group of blocks. Attributes of our own namespace say how
+/// the blocks are connected; shapes and colours are those of the blocks themselves.
 ///   version         on the group: 1
 ///   role            on the group: fill or stroke, what the mesh paints
 ///   patches-before  on the group: patches of the mesh before it was first simplified
@@ -24,42 +24,43 @@ namespace gradmesh {
 ///                   moved; may be absent
 ///   label           on the group: its inkscape:label as it was written
 ///   face            on a block's path: number of its first face; the others follow row by row
-///   opacity         on the mask that holds the opacities, as blocks whose luminance they are,
-///   where
-///                   the blocks do not hold them themselves
-///   kept-for        on a hidden original: the id of the object that was simplified
-///   (formats/svg/write/keep_original.h) outer           on groups around the group that stand for
-///   the same object
-/// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A
-/// curve is `side | side`, a side `halfedge break halfedge ... halfedge`; curves are separated by
-/// semicolons. What is not named is joined as in a grid inside a block, or on the boundary.
+///   opacity         on the mask whose blocks hold the opacities as luminances, if those of the
+///                   group do not hold them
+///   kept-for        on a hidden original (formats/svg/write/keep_original.h): the id of the object
+///                   that was simplified
+///   outer           on each group around the group that belongs to the same object
+/// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A curve
+/// is `side | side`, a side `halfedge break halfedge ... halfedge`; curves are separated by
+/// semicolons. A side that is not named is joined as in a grid inside its block, or is on the
+/// boundary.
 inline constexpr std::string_view gradmesh_namespace = "urn:gradmesh";
 
 bool is_mesh_group(const xmlNode* node);
 
-/// What the group says of itself. Throws InputError where it does not.
+/// Returns `role`. Throws InputError if `version` is not 1.
 PaintRole group_role(const xmlNode* group);
+/// Returns `patches-before`. Throws InputError if that is not a number.
 int patches_before(const xmlNode* group);
 
-/// Whether the element is the mask that holds the opacities of some group's mesh.
+/// Returns true if the element is the mask that holds the opacities of some group's mesh.
 bool is_opacity_mask(const xmlNode* node);
-/// The mask that holds the opacities of the group's mesh; null where its blocks do.
+/// Returns the mask that holds the opacities of the group's mesh; null if the blocks hold them.
 xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group);
 
-/// Which faces of its group's mesh a block holds.
+/// The faces of its group's mesh that a block holds.
 struct BlockFaces {
   int first = 0, rows = 0, columns = 0;
 };
 
-/// Of a block's path; nothing where it is no block of a group. Throws InputError where its gradient
-/// cannot be read.
+/// Returns the faces of the block with this path; nothing if the path is no block of a group.
+/// Throws InputError if its gradient cannot be read.
 std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode* path);
 
-/// The mesh of a group, in the group's user space. Throws InputError where blocks are missing or
-/// do not fit together.
+/// Returns the mesh of a group, in the group's user space. Throws InputError if blocks are missing
+/// or do not fit together.
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group);
 
-/// The value of `curves` for a mesh in these blocks.
+/// Returns the value of `curves` for a mesh in these blocks.
 std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks);
 
 }  // namespace gradmesh

@@ -21,10 +21,11 @@
 namespace gradmesh {
 namespace {
 
-/// The gradient and those that its href leads to, in this order.
+/// A gradient and the gradients that its href leads to, in this order.
 struct HrefChain {
   std::vector<const xmlNode*> gradients;
-  /// Why the last href leads to no gradient, where there is one. Inkscape does without.
+  /// Why the last href leads to no gradient; nothing if there is no such href. Inkscape ignores the
+  /// href.
   std::optional<Message> broken;
 };
 
@@ -57,7 +58,7 @@ bool uses_bounding_box(const HrefChain& chain) {
   return true;
 }
 
-/// What Inkscape takes for a colour; all else is as if it were not there.
+/// Returns true if Inkscape takes the value for a colour; it ignores all others.
 bool is_color(std::string_view value) {
   return value == "inherit" || value == "currentColor" || parse_color(value).has_value();
 }
@@ -66,8 +67,8 @@ bool is_opacity(std::string_view value) {
   return value == "inherit" || parse_opacity(value).has_value();
 }
 
-/// A property of a stop that is a colour. Stops inherit nothing in Inkscape: what would be the
-/// value of another element is black.
+/// Returns a property of a stop that is a colour. Stops inherit nothing in Inkscape: a value that
+/// would be inherited is black.
 glm::dvec3 own_color(const StyleSheet& styles, const xmlNode* stop, std::string_view property) {
   const std::string text = styles.declared(stop, property, is_color).value_or("black");
   if (text == "currentColor" && property != "color") return own_color(styles, stop, "color");
@@ -83,9 +84,8 @@ Message place_name(int row, int column) {
   return Message("row {0}, patch {1}", row + 1, column + 1);
 }
 
-/// Reads the rows below one meshgradient into the net of the whole mesh, 3 rows + 1 times
-/// 3 columns + 1 points, in the order in which Inkscape does: what two patches share is what was
-/// read last.
+/// Reads the rows below one meshgradient into the net of the whole mesh, 3 rows + 1 times 3 columns
+/// + 1 points, in Inkscape's order: where two patches share a point, the one read last counts.
 class GridReader {
  public:
   GridReader(const StyleSheet& styles, const xmlNode* holder, glm::dvec2 start)
@@ -113,9 +113,9 @@ class GridReader {
  private:
   struct Node {
     Value value{glm::dvec2(0.0), glm::dvec4(0.0)};
-    /// Of the first handle of a side: whether the side is a line, with handles at its thirds.
+    /// At the first handle of a side: true if the side is a line, with handles at its thirds.
     bool is_line = false;
-    /// Of an interior point: whether `tensor` gives it.
+    /// At an interior point: true if `tensor` gives it.
     bool is_given = false;
   };
 
@@ -127,10 +127,10 @@ class GridReader {
   Node& node(int i, int j) {
     return nodes_[std::size_t(i) * std::size_t(3 * columns_ + 1) + std::size_t(j)];
   }
-  /// Point (i, j), 0..3, of a patch.
+  /// Returns point (i, j), 0..3, of a patch.
   Node& node(Place place, int i, int j) { return node(3 * place.row + i, 3 * place.column + j); }
 
-  /// Point j, 0..3, of side `side` in the side's direction (clockwise).
+  /// Returns point j, 0..3, of side `side` in the side's direction (clockwise).
   Node& side_node(Place place, int side, int j) {
     switch (side) {
       case 0:
@@ -143,7 +143,7 @@ class GridReader {
         return node(place, 3 - j, 0);
     }
   }
-  /// Where the side's Node::is_line is kept, whichever of the two patches asks.
+  /// Returns the side's Node::is_line, which is the same for both patches beside it.
   bool& is_line(Place place, int side) { return side_node(place, side, side < 2 ? 1 : 2).is_line; }
 
   void read_patch(Place place, const xmlNode* patch) {
@@ -169,8 +169,8 @@ class GridReader {
     if (const auto tensor = attribute(patch, "tensor")) read_interior(place, *tensor);
   }
 
-  /// One segment from the side's known start; what follows it does not count. Where the side
-  /// closes the patch its end is known too, and is ignored where it is there.
+  /// Reads one segment from the side's known start; text after it is ignored. If the side closes
+  /// the patch its end is known too, and is ignored if given.
   bool read_side(Place place, int side, bool closes, std::string path) {
     std::ranges::replace(path, ',', ' ');
     Scanner scanner(path);
@@ -192,8 +192,8 @@ class GridReader {
     return true;
   }
 
-  /// `tensor` is Inkscape's own: the interior points, each relative to its corner, clockwise. Those
-  /// after the first that is no point are as if there were no tensor.
+  /// Reads `tensor`, Inkscape's own attribute: the interior points, each relative to its corner,
+  /// clockwise. From the first that is no point on, all are as if there were no tensor.
   void read_interior(Place place, std::string tensor) {
     std::ranges::replace(tensor, ',', ' ');
     Scanner scanner(tensor);
@@ -207,7 +207,7 @@ class GridReader {
     }
   }
 
-  /// The points of a patch, with those that follow from others.
+  /// Returns the points of a patch, including those that follow from others.
   BezierNet net(Place place) {
     for (int side = 0; side < 4; ++side) {
       if (!is_line(place, side)) continue;
@@ -264,7 +264,7 @@ void check_limits(const MeshGrid& grid, const xmlNode* node) {
 
 bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
 
-/// From the gradient's coordinates to the object's user space.
+/// Returns the map from the gradient's coordinates to the object's user space.
 Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
   Affine to_user;
   if (const auto text = attribute(object.gradient, "gradientTransform")) {

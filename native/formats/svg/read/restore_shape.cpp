@@ -66,14 +66,15 @@ class ShapeRestorer {
   bool is_stroke() const { return role_ == PaintRole::stroke; }
   const char* holding_attribute() const { return is_stroke() ? "mask" : "clip-path"; }
 
-  /// The element that an attribute names.
+  /// Returns the element that an attribute names; null if there is none.
   xmlNode* named(const xmlNode* node, const char* name) const {
     const auto reference = attribute(node, name);
     const auto id = reference ? referenced_id(*reference) : std::nullopt;
     return id ? document_.find(*id) : nullptr;
   }
 
-  /// The innermost group that the object's shape clips or masks; an opacity mask is another.
+  /// Finds the innermost group that the object's shape clips or masks, which an opacity mask does
+  /// not. Throws InputError if there is none.
   void find_holder() {
     for (xmlNode* node = group_; !holding_; node = parent_element(node)) {
       xmlNode* found = named(node, holding_attribute());
@@ -91,7 +92,8 @@ class ShapeRestorer {
       unused_.push_back(attribute(mask, "id").value_or(""));
   }
 
-  /// The shape: what paints beside the blocks where there is that, otherwise what holds them.
+  /// Takes the shape out of the document and returns it: the object that paints beside the blocks
+  /// if there is one, otherwise the content of the clip path or mask.
   xmlNode* take_shape() {
     xmlNode* shape = nullptr;
     for (xmlNode* child : child_elements(outermost_)) {
@@ -116,14 +118,15 @@ class ShapeRestorer {
     }
     if (holder_ == outermost_) remove_attribute(outermost_, holding_attribute());
     if (group_ == outermost_ && opacity_mask(document_, group_)) remove_attribute(group_, "mask");
-    // Not one that the person has given.
+    // A label that the person has given stays.
     if (attribute(outermost_, "label", inkscape_namespace) ==
         attribute(group_, "label", gradmesh_namespace))
       remove_attribute(outermost_, "label", inkscape_namespace);
     return_group_attributes(outermost_, shape);
   }
 
-  /// Names the gradients of the blocks as unused; the colour for programs that know no meshes.
+  /// Adds the gradients of the blocks to `unused_`. Returns the colour for programs that know no
+  /// meshes.
   std::string collect_gradients() {
     std::string fallback;
     for (const xmlNode* path : child_elements(group_)) {
@@ -148,7 +151,7 @@ class ShapeRestorer {
   /// The group that the shape clips or masks, and the clip path or mask.
   xmlNode* holder_ = nullptr;
   xmlNode* holding_ = nullptr;
-  /// Ids of what nothing needs once the group is gone.
+  /// Ids of elements that nothing needs once the group is removed.
   std::vector<std::string> unused_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 using Shapes = std::vector<FilledOutline>;
 
-/// From an element's user space to that around it; nothing where that is not known.
+/// Returns the map from an element's user space to that around it; nothing if it is not known.
 std::optional<Affine> placed(const xmlNode* node) {
   const auto text = attribute(node, "transform");
   return text ? parse_transform(*text) : Affine();
@@ -49,7 +49,7 @@ class VisibleFinder {
                                                                       : FillRule::nonzero;
   }
 
-  /// Whether what is around the element is painted as it stands in the document.
+  /// Returns true if the surroundings of the element are painted where they stand in the document.
   bool stays_in_place(const xmlNode* node) const {
     const std::string_view name = svg_name(node);
     return node == object_.node || name == "g" || name == "a" || name == "switch";
@@ -60,7 +60,7 @@ class VisibleFinder {
     return id && is_used(document_, *id);
   }
 
-  /// The clip path or mask that holds the element, if its coordinates are the element's.
+  /// Returns the clip path or mask of the element, if its coordinates are the element's; else null.
   const xmlNode* held_by(const xmlNode* node, const char* property, const char* units) const {
     const auto value = document_.styles().declared(node, property);
     const auto id = value ? referenced_id(*value) : std::nullopt;
@@ -72,7 +72,7 @@ class VisibleFinder {
     return own_units && !moved ? holder : nullptr;
   }
 
-  /// What a clip path or mask holds is all that it can show.
+  /// Limits the area to the shapes in a clip path or mask, if all of them are known.
   void add(const xmlNode* holder, const char* rule_property, const Affine& to_object) {
     // The mask of a mesh's opacities holds all of its blocks.
     if (!holder || attribute(holder, "opacity", gradmesh_namespace)) return;
@@ -82,7 +82,8 @@ class VisibleFinder {
     area_.sets.push_back(std::move(shapes));
   }
 
-  /// Whether it is known where the element may paint.
+  /// Adds the shapes of the element to `shapes`. Returns false if it is not known where the element
+  /// may paint.
   bool collect(const xmlNode* node, const char* rule_property, const Affine& around,
                Shapes& shapes) const {
     const std::string_view name = svg_name(node);

@@ -8,11 +8,12 @@
 
 namespace gradmesh {
 
-/// What is seen of the object's mesh, in its user space: the inside of its own shape, and of the
-/// clip paths and masks of itself and of the groups around it. What is not known here counts as
-/// seen: text and strokes, clip paths and masks that hold something else than shapes or that follow
-/// the object's box, and what is clipped or masked around an object that is used elsewhere too.
-/// Nothing where nothing is known. Throws InputError at geometry that cannot be read.
+/// Returns the area in which the object's mesh is seen, in its user space: the inside of its own
+/// shape, and of the clip paths and masks of itself and of the groups around it. All that is not
+/// known here counts as seen: text and strokes, clip paths and masks that hold something else than
+/// shapes or that follow the object's box, and what is clipped or masked around an object that is
+/// used elsewhere too. Returns nothing if no limit of the area is known. Throws InputError at
+/// geometry that cannot be read.
 std::optional<VisibleArea> visible_area(const SvgDocument& document, const MeshObject& object);
 
 }  // namespace gradmesh

@@ -32,18 +32,18 @@ std::optional<glm::dvec3> parse_hex(std::string_view text) {
   if (count != 3 && count != 6) return std::nullopt;
   std::uint32_t rgb = 0;
   std::from_chars(text.data(), text.data() + count, rgb, 16);
-  // Each of three digits stands for two.
+  // Each of three digits is doubled.
   if (count == 3) rgb = 0x11 * ((rgb & 0xf00) << 8 | (rgb & 0x0f0) << 4 | (rgb & 0x00f));
   return from_bytes(rgb);
 }
 
-/// An argument of a colour function; `percent` says that '%' followed it.
+/// An argument of a colour function; `percent` is true if '%' followed.
 struct Argument {
   double value = 0;
   bool percent = false;
 };
 
-/// Three arguments apart by commas, up to the closing parenthesis.
+/// Reads three arguments separated by commas, up to the closing parenthesis.
 std::optional<std::array<Argument, 3>> parse_arguments(Scanner scanner) {
   std::array<Argument, 3> arguments;
   for (Argument& argument : arguments) {
@@ -55,7 +55,7 @@ std::optional<std::array<Argument, 3>> parse_arguments(Scanner scanner) {
   return scanner.accept(')') ? std::optional(arguments) : std::nullopt;
 }
 
-/// CSS Color 4, section 7.1; `hue` in degrees.
+/// Returns the colour in RGB, by CSS Color 4, section 7.1; `hue` is in degrees.
 glm::dvec3 hsl_to_rgb(double hue, double saturation, double lightness) {
   const double chroma = saturation * std::min(lightness, 1 - lightness);
   const auto channel = [&](double n) {

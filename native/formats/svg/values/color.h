@@ -6,9 +6,10 @@
 
 namespace gradmesh {
 
-/// A colour as Inkscape 1.2 reads it, (r, g, b), 0..1, sRGB: a name, #rgb, #rrggbb, rgb() or hsl()
-/// with commas. What follows after a blank, such as an `icc-color()`, is ignored. `currentColor`
-/// and `inherit` are the caller's. Nothing if it is none, as are all forms with an opacity.
+/// Returns a colour as Inkscape 1.2 reads it, (r, g, b), 0..1, sRGB: a name, #rgb, #rrggbb, rgb()
+/// or hsl() with commas. What follows after a blank, such as an `icc-color()`, is ignored.
+/// `currentColor` and `inherit` are left to the caller. Returns nothing if the text is no colour,
+/// which includes all forms with an opacity.
 std::optional<glm::dvec3> parse_color(std::string_view text);
 
 }  // namespace gradmesh

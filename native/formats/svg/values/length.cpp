@@ -12,7 +12,7 @@
 namespace gradmesh {
 namespace {
 
-/// Size of a viewBox, `min-x min-y width height`.
+/// Returns the size of a viewBox, `min-x min-y width height`.
 std::optional<glm::dvec2> parse_view_box(std::string_view text) {
   Scanner scanner(text);
   double values[4] = {};

@@ -12,13 +12,13 @@ inline constexpr const char* mesh_gradient_name = "meshgradient";
 inline constexpr const char* mesh_row_name = "meshrow";
 inline constexpr const char* mesh_patch_name = "meshpatch";
 
-/// Whether the element is a <meshgradient>, <meshGradient> or <mesh>.
+/// Returns true if the element is a <meshgradient>, <meshGradient> or <mesh>.
 bool is_mesh_gradient(const xmlNode* node);
-/// Whether it is a gradient of any kind.
+/// Returns true if the element is a gradient of any kind.
 bool is_gradient(const xmlNode* node);
-/// The <meshrow>s and <meshRow>s of a gradient.
+/// Returns the <meshrow>s and <meshRow>s of a gradient.
 std::vector<xmlNode*> mesh_rows(const xmlNode* gradient);
-/// The <meshpatch>es and <meshPatch>es of a row.
+/// Returns the <meshpatch>es and <meshPatch>es of a row.
 std::vector<xmlNode*> mesh_patches(const xmlNode* row);
 
 }  // namespace gradmesh

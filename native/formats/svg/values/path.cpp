@@ -26,7 +26,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 struct CenterArc {
   glm::dvec2 center, radii;
   double cos_rotation, sin_rotation, begin, extent;
-  /// Whether angles grow.
+  /// True if angles grow along the arc.
   bool sweep;
 
   glm::dvec2 at(double angle) const {
@@ -34,14 +34,14 @@ struct CenterArc {
     return center + glm::dvec2(cos_rotation * p.x - sin_rotation * p.y,
                                sin_rotation * p.x + cos_rotation * p.y);
   }
-  /// How far the angle lies from the beginning, in the arc's direction.
+  /// Returns how far the angle lies from the beginning, in the arc's direction.
   double way_to(double angle) const {
     const double way = std::fmod(sweep ? angle - begin : begin - angle, full_turn);
     return way < 0 ? way + full_turn : way;
   }
 };
 
-/// Conversion to centre and angles, SVG 2 appendix B.2; nothing where the arc is a line.
+/// Returns the arc by its centre (SVG 2 appendix B.2); nothing if the arc is a line.
 std::optional<CenterArc> center_arc(const EndArc& arc) {
   glm::dvec2 r = glm::abs(arc.radii);
   if (arc.from == arc.to || r.x == 0 || r.y == 0) return std::nullopt;
@@ -68,7 +68,7 @@ std::optional<CenterArc> center_arc(const EndArc& arc) {
   return result;
 }
 
-/// What a reader of path data finds: segments, in order.
+/// Receives the segments that a reader of path data finds, in order.
 class PathSink {
  public:
   virtual ~PathSink() = default;
@@ -87,7 +87,7 @@ class BoxSink : public PathSink {
   void cubic(glm::dvec2 from, glm::dvec2 first, glm::dvec2 second, glm::dvec2 to) override {
     box.add_cubic(from, first, second, to);
   }
-  /// The ends, and those of the ellipse's four extreme points that the arc passes.
+  /// Adds the ends, and those of the ellipse's four extreme points that the arc passes.
   void arc(const EndArc& ends) override {
     line(ends.from, ends.to);
     const auto arc = center_arc(ends);
@@ -132,7 +132,7 @@ class PathReader {
  public:
   PathReader(std::string_view data, PathSink& sink) : scanner_(data), sink_(sink) {}
 
-  /// Whether the data are sound.
+  /// Reads the data. Returns true if they are well-formed.
   bool read() {
     char command = 0;
     while (!scanner_.at_end()) {
@@ -259,7 +259,7 @@ class PathReader {
 
   Scanner scanner_;
   PathSink& sink_;
-  /// Whether the subpath has a segment yet.
+  /// True if the subpath has a segment.
   bool drawing_ = false;
   glm::dvec2 current_{0.0}, subpath_{0.0};
   // Last control point and kind of the segment before, for S and T.

@@ -8,14 +8,15 @@
 
 namespace gradmesh {
 
-/// The exact box of SVG path data, all commands; empty if nothing is drawn (a lone moveto draws
-/// nothing). Nothing if the data is malformed or has numbers beyond Scanner's limit.
+/// Returns the exact box of SVG path data, all commands; an empty box if nothing is drawn (a lone
+/// moveto draws nothing). Returns nothing if the data is malformed or has numbers beyond Scanner's
+/// limit.
 std::optional<Box> path_box(std::string_view data);
 
-/// How many lines stand for one curve in an outline.
+/// Number of lines by which an outline approximates one curve.
 inline constexpr int outline_steps = 128;
 
-/// The subpaths as polygons; nothing as above.
+/// Returns the subpaths as polygons; nothing in the cases in which path_box returns nothing.
 std::optional<Outline> path_outline(std::string_view data);
 
 }  // namespace gradmesh

@@ -75,7 +75,7 @@ Box points_box(const xmlNode* shape) {
   return box;
 }
 
-/// What `read` makes of the path's data.
+/// Returns the result of `read` for the path's data.
 template <class Read>
 auto read_path(const xmlNode* path, const Read& read) {
   const std::string data = attribute(path, "d").value_or("");
@@ -93,7 +93,7 @@ void add_quarter(std::vector<glm::dvec2>& polygon, glm::dvec2 center, glm::dvec2
   }
 }
 
-/// A rectangle with corners rounded by `radii`; an ellipse where these are half its size.
+/// Returns a rectangle with corners rounded by `radii`; an ellipse if these are half its size.
 Outline rounded_outline(const Box& box, glm::dvec2 radii) {
   const glm::dvec2 r = glm::min(glm::abs(radii), box.size() / 2.0);
   const glm::dvec2 low = box.low() + r, high = box.high() - r;

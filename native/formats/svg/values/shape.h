@@ -8,12 +8,12 @@
 
 namespace gradmesh {
 
-/// Bounding box of a shape's geometry in its user space, without stroke: path, rect, circle,
-/// ellipse, line, polyline, polygon. Nothing for text and all else, whose size is not known here.
-/// Throws InputError at attributes that cannot be read.
+/// Returns the bounding box of a shape's geometry in its user space, without stroke: path, rect,
+/// circle, ellipse, line, polyline, polygon. Returns nothing for text and all other elements, whose
+/// size is not known here. Throws InputError at attributes that cannot be read.
 std::optional<Box> shape_box(const xmlNode* shape);
 
-/// The outline of the shape's geometry, likewise; lines have none.
+/// Returns the outline of the shape's geometry, under the same conditions; lines have none.
 std::optional<Outline> shape_outline(const xmlNode* shape);
 
 }  // namespace gradmesh

@@ -10,7 +10,7 @@
 namespace gradmesh {
 namespace {
 
-/// Where a reader of CSS stands: inside quotes or parentheses, after a backslash.
+/// The state of a reader of CSS: inside quotes or parentheses, after a backslash.
 class Nesting {
  public:
   bool is_outside() const { return !quote_ && depth_ == 0 && !escaped_; }
@@ -31,7 +31,7 @@ class Nesting {
     }
   }
 
-  /// What is missing to be outside.
+  /// Returns the text that closes what is open.
   std::string ending() const {
     return std::string(escaped_ ? "\\" : "") + std::string(quote_ ? 1 : 0, quote_) +
            std::string(std::size_t(depth_), ')');
@@ -43,8 +43,8 @@ class Nesting {
   bool escaped_ = false;
 };
 
-/// Position of the next of `ends` in `text` from `start` on that is neither inside quotes nor
-/// inside parentheses; the text's size if there is none.
+/// Returns the position of the next of `ends` in `text` from `start` on that is neither inside
+/// quotes nor inside parentheses; the text's size if there is none.
 std::size_t find_outside(std::string_view text, std::string_view ends, std::size_t start) {
   Nesting nesting;
   for (std::size_t i = start; i < text.size(); ++i) {
@@ -54,16 +54,16 @@ std::size_t find_outside(std::string_view text, std::string_view ends, std::size
   return text.size();
 }
 
-/// The text with what CSS adds at its end where quotes or parentheses are left open: other
-/// declarations may come to stand behind it.
+/// Returns the text with what CSS adds at its end if quotes or parentheses are left open, so that
+/// other declarations may follow it.
 std::string closed(std::string_view text) {
   Nesting nesting;
   for (const char c : text) nesting.take(c);
   return std::string(text) + nesting.ending();
 }
 
-/// `text` without CSS comments and without the marks that once hid style sheets from old browsers,
-/// each of which separates like a blank.
+/// Returns `text` without CSS comments and without the marks that once hid style sheets from old
+/// browsers, each of which separates like a blank.
 std::string without_comments(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -87,7 +87,7 @@ std::string_view without_important(std::string_view value) {
   return trimmed(value.substr(0, mark));
 }
 
-/// Position after the block that opens at `text[open]`.
+/// Returns the position after the block that opens at `text[open]`.
 std::size_t block_end(std::string_view text, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < text.size(); i = find_outside(text, "{}", i + 1)) {
@@ -120,7 +120,7 @@ std::vector<std::string> split_words(std::string_view text) {
   return words;
 }
 
-/// All declarations in their order, also of equal names.
+/// Returns all declarations in their order, also of equal names.
 std::vector<std::pair<std::string, std::string>> declaration_list(std::string_view text) {
   const std::string clean = without_comments(text);
   const std::string_view view = clean;

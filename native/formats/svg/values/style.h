@@ -9,29 +9,29 @@
 
 namespace gradmesh {
 
-/// Property names (lower case) and their values, as of a `style` attribute; the last of equal
-/// names counts. `!important` and what has no name is left out, open quotes are closed.
+/// Property names (lower case) and their values, as of a `style` attribute; the last of equal names
+/// counts. `!important` and declarations without a name are left out, open quotes are closed.
 using Declarations = std::map<std::string, std::string, std::less<>>;
 Declarations parse_declarations(std::string_view text);
 
 /// The rules of a document's <style> elements whose selectors are `element`, `.class`, `#id` or a
-/// comma list of these. All others, such as those in @media, are passed over.
+/// comma list of these. All other rules, such as those in @media, are ignored.
 class StyleSheet {
  public:
   StyleSheet() = default;
   /// Reads all <style> elements below `root`.
   explicit StyleSheet(const xmlNode* root);
 
-  /// The property's value on this element alone: from the `style` attribute, else from a rule,
-  /// else from the presentation attribute. `inherit` is returned as such. As in Inkscape a value
-  /// that `accepts` refuses is as if it were not there: in the `style` attribute the one before it
-  /// counts, but of rules only the last is asked.
+  /// Returns the property's value on this element alone: from the `style` attribute, else from a
+  /// rule, else from the presentation attribute. `inherit` is returned as such. As in Inkscape a
+  /// value that `accepts` refuses is ignored: in the `style` attribute the value before it counts,
+  /// but of rules only the last is tried.
   using Accepts = bool (*)(std::string_view value);
   std::optional<std::string> declared(const xmlNode* node, std::string_view property,
                                       Accepts accepts = nullptr) const;
 
-  /// The same, but from the nearest ancestor where the element itself says nothing or `inherit`:
-  /// for properties that CSS inherits, such as `fill` and `color`.
+  /// Returns the property's value on this element or, if that is absent or `inherit`, on the
+  /// nearest ancestor with a value: for properties that CSS inherits, such as `fill` and `color`.
   std::optional<std::string> inherited(const xmlNode* node, std::string_view property) const;
 
  private:

@@ -5,9 +5,9 @@
 
 namespace gradmesh {
 
-/// Puts a copy of the object as it is directly below it, hidden, with an id of its own that begins
-/// with the object's, and marked as `kept-for` the object (formats/svg/read/read_group.h). One that
-/// is there already stays the only one.
+/// Puts a hidden copy of the object directly below it, with an id of its own that begins with the
+/// object's, and marked as `kept-for` the object (formats/svg/read/read_group.h). Adds none if
+/// there is a copy already.
 void keep_hidden_copy(SvgDocument& document, const MeshObject& object);
 
 }  // namespace gradmesh

@@ -21,7 +21,8 @@ namespace {
 
 /// libxml2 takes no attribute beyond ten million bytes, and Inkscape reads with libxml2.
 constexpr std::size_t longest_attribute = 9'000'000;
-/// Of a document in a memory: far more than the longest attribute can honestly hold.
+/// Most bytes of a document in a memory: far more than a mesh that fits into the longest attribute
+/// takes.
 constexpr std::size_t most_bytes = 64 << 20;
 /// How many times its size a memory may unpack to, beyond the first bytes. A mesh unpacks to two to
 /// twelve times; zlib could pack a thousand times, so that small documents took as much memory as
@@ -63,7 +64,7 @@ std::string group_document(const Mesh& mesh, const std::vector<Block>& blocks,
   return document.serialize();
 }
 
-/// A tensor for less than this would only say how doubles are rounded.
+/// Returns the distance below which a tensor would only show how doubles are rounded.
 double rounding(const Mesh& mesh) {
   Box box;
   for (const Point p : mesh.points()) box.add(mesh.position(p));

@@ -16,15 +16,16 @@ namespace gradmesh {
 /// document with such a group (formats/svg/read/read_group.h), of gradients and nothing else, in
 /// `bicubic` a .hemesh file.
 
-/// The mesh with all its digits, whose faces lie over one another as `overlaps` says. Empty where
-/// it is too large for an attribute.
+/// Returns the memory of the mesh with all its digits; its faces lie over one another as `overlaps`
+/// says. Returns an empty string if it is too large for an attribute.
 std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps = {});
 
-/// The mesh in just the numbers that a document holds in which it is written in this form. Empty
-/// as above.
+/// Returns the memory of the mesh in just the numbers of a document in which it is written in this
+/// form. Returns an empty string if it is too large for an attribute.
 std::string remember_as_written(const Mesh& mesh, const BlockForm& form);
 
-/// The mesh that an attribute holds, one that can be built; nothing where it is damaged.
+/// Returns the mesh that an attribute holds, which can be built; nothing if the attribute is
+/// damaged.
 std::optional<MeshParts> recall(std::string_view memory);
 
 }  // namespace gradmesh

@@ -6,8 +6,8 @@
 
 namespace gradmesh {
 
-/// The outline of a mesh as SVG path data, for the fill rule nonzero: parts of the mesh may lie
-/// over one another, and holes stay holes. Empty where the mesh has no boundary.
+/// Returns the outline of a mesh as SVG path data, for the fill rule nonzero: parts of the mesh may
+/// lie over one another, and holes stay holes. Returns an empty string if the mesh has no boundary.
 std::string outline_path(const Mesh& mesh);
 
 }  // namespace gradmesh

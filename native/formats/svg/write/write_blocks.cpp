@@ -60,8 +60,8 @@ std::string BlocksWriter::style(const std::string& gradient, MeshChannel channel
   return style + ";fill-rule:nonzero;fill-opacity:1;stroke:none";
 }
 
-/// Enough that a path's smoothed edge stays off the mesh even where the whole mesh is shown as
-/// small as 50 pixels.
+/// Returns by how much outlines are grown: enough that a path's smoothed edge stays off the mesh
+/// even if the whole mesh is shown as small as 50 pixels.
 double BlocksWriter::seam_margin() const {
   Box box;
   for (const Point p : written_.mesh.points()) box.add(written_.mesh.position(p));

@@ -14,13 +14,13 @@ namespace gradmesh {
 /// Writes the blocks of a mesh as paths with a meshgradient each.
 class BlocksWriter {
  public:
-  /// `id` begins the ids of all that is written; `fallback` is the colour for programs that know
-  /// no meshes, or empty.
+  /// `id` is the prefix of the ids of all that is written; `fallback` is the colour for programs
+  /// that know no meshes, or empty.
   BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMesh& written, std::string id,
                std::string fallback);
 
-  /// Adds the blocks to `parent`, the largest below, before `before` or at the end; the box around
-  /// their paths.
+  /// Adds the blocks to `parent`, the largest below, before the node `before` or at the end.
+  /// Returns the box around their paths.
   Box write(xmlNode* parent, xmlNode* before, MeshChannel channel) const;
 
  private:

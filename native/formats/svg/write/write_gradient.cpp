@@ -31,8 +31,8 @@ class GradientWriter {
   }
 
  private:
-  /// Sides that the patches above and to the left have given already are left out; so are
-  /// colours.
+  /// Writes a patch. Leaves out the sides and colours that the patches above and to the left have
+  /// given already.
   void write_patch(xmlNode* node, int row, int column) {
     const Block::Cell& cell = block_.cell(row, column);
     const Patch patch = block_patch(mesh_, cell);

@@ -49,7 +49,7 @@ class MeshWriter {
     for (const std::string& id : gradients) remove_if_unused(document_, id);
   }
 
-  /// Removes the blocks in a group or mask; the gradients that they used.
+  /// Removes the blocks in a group or mask. Returns the ids of the gradients that they used.
   std::vector<std::string> remove_blocks(xmlNode* parent) {
     std::vector<std::string> gradients;
     for (xmlNode* path : child_elements(parent)) {
@@ -109,13 +109,14 @@ class MeshWriter {
     remove_if_unused(document_, gradient);
   }
 
-  /// A group in `outer`, which stands for the whole object.
+  /// Adds a group in `outer`, and marks `outer` as the whole object.
   static xmlNode* add_inner_group(xmlNode* outer) {
     set_attribute(outer, "outer", "1", gradmesh_namespace, "gradmesh");
     return add_child(outer, "g");
   }
 
-  /// The opacity of the fill, which must not act on each block by itself.
+  /// Multiplies the group's opacity by that of the fill, which must not act on each block by
+  /// itself.
   void multiply_opacity(xmlNode* group, const std::string& by) {
     const auto factor = parse_opacity(by);
     if (!factor || *factor == 1) return;
@@ -131,8 +132,8 @@ class MeshWriter {
     return document_.styles().inherited(object_.node, other).value_or(otherwise) != "none";
   }
 
-  /// The shape itself without the paint that is now in blocks; a stroke above them, a fill below,
-  /// unless paint-order turns that round.
+  /// Keeps the shape without the paint that is now in blocks: a stroke above the blocks, a fill
+  /// below, unless paint-order reverses that.
   void keep_other_paint(xmlNode* shape, xmlNode* outer, xmlNode* group) {
     const std::string order = document_.styles().inherited(shape, "paint-order").value_or("normal");
     const bool stroke_first = order.find("stroke") < order.find("fill");
@@ -191,7 +192,8 @@ class MeshWriter {
       set_attribute(outer, "label", written_.label, inkscape_namespace, "inkscape");
   }
 
-  /// The blocks and, where they do not hold the opacities, the mask that does.
+  /// Writes the blocks and, if they do not hold the opacities, the mask that does. Returns the box
+  /// around the blocks' paths.
   Box write_blocks(xmlNode* group, xmlNode* before) {
     const BlocksWriter writer(document_, defs_, written_, id_, fallback_);
     const Box box = writer.write(
@@ -212,7 +214,7 @@ class MeshWriter {
   const WrittenMesh& written_;
   xmlNode* defs_;
   const std::string id_;
-  /// What programs that know no meshes paint instead.
+  /// The colour that programs that know no meshes paint instead.
   std::string fallback_;
 };
 

@@ -14,20 +14,20 @@ struct WrittenMesh {
   /// The mesh in the object's user space, colour model `bilinear`.
   const Mesh& mesh;
   const BlockForm& form;
-  /// For the person, such as "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
+  /// The label that the person sees, such as "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
   std::string label;
   int patches_before;
-  /// For the group to remember, as of remember(): the mesh before it was first simplified. Empty:
-  /// nothing.
+  /// The mesh before it was first simplified, as of remember(), for the group to remember; empty if
+  /// there is none.
   std::string original = {};
 };
 
 /// Puts a simplified mesh in the place of the object: a group of blocks with the object's id,
 /// transform, opacity, filter and place among its neighbours, clipped by the object's own shape or,
-/// for a stroke, masked by the stroke in white (a clip path knows no strokes). What else the object
-/// paints (its stroke, or its fill) is kept as an object beside the blocks. An object that is such
-/// a group already gets new blocks. Gradients that nothing uses any more are removed; those that
-/// others use stay. The object's node is replaced.
+/// for a stroke, masked by the stroke in white (a clip path knows no strokes). The object's other
+/// paint (its stroke, or its fill) is kept as an object beside the blocks. An object that is such a
+/// group already gets new blocks. Gradients that nothing uses any more are removed. The object's
+/// node is replaced.
 void write_mesh(SvgDocument& document, const MeshObject& object, const WrittenMesh& written);
 
 }  // namespace gradmesh

@@ -26,7 +26,8 @@ Block whole_block(const Mesh& mesh) {
   return block;
 }
 
-/// A gradient beside the old one that is like it but for its rows; it may have those by href.
+/// Adds a gradient beside the old one, equal to it but for its rows, which the old one may have by
+/// href.
 xmlNode* add_gradient(SvgDocument& document, const MeshObject& object) {
   xmlNode* old = object.gradient;
   xmlNode* gradient = add_copy(parent_element(old), old);

@@ -7,14 +7,15 @@
 
 namespace gradmesh {
 
-/// Gives an object that a mesh gradient paints a new one, with fewer rows and columns: the object
-/// stays what and where it is, and the gradient keeps its units, transform and type. The old
-/// gradient goes where nothing else uses it. The mesh is a grid (find_grid), bilinear, in the
-/// coordinates of read_mesh, with one colour at each point; `coons_tolerance` as of BlockForm.
+/// Gives an object that a mesh gradient paints a new gradient, with fewer rows and columns: the
+/// object is otherwise unchanged, and the new gradient has the old one's units, transform and type.
+/// The old gradient is removed if nothing else uses it. The mesh is a grid (find_grid), bilinear,
+/// in the coordinates of read_mesh, with one colour at each point; `coons_tolerance` is that of
+/// BlockForm.
 void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const Mesh& mesh,
                          double coons_tolerance);
 
-/// The mesh as a reader of what write_mesh_gradient writes finds it.
+/// Returns the mesh that a reader finds in the gradient that write_mesh_gradient writes.
 MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance);
 
 }  // namespace gradmesh

@@ -8,7 +8,8 @@
 namespace gradmesh {
 namespace {
 
-/// Whether the one block's sides are the boundary of the mesh: that of a ring is joined to itself.
+/// Returns true if the mesh is one block whose sides are the boundary of the mesh; the block of a
+/// ring is joined to itself.
 bool is_rectangle(const Mesh& mesh, const std::vector<Block>& blocks) {
   if (blocks.size() != 1) return false;
   const Block& block = blocks.front();

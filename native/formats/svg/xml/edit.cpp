@@ -9,8 +9,8 @@ const xmlChar* chars(const std::string& text) {
   return reinterpret_cast<const xmlChar*>(text.c_str());
 }
 
-/// Whether an element or attribute has the prefix although no namespace was declared for it: a
-/// declaration further up would give it a meaning that it does not have.
+/// Returns true if an element or attribute has the prefix although no namespace was declared for
+/// it: a declaration further up would change its meaning.
 bool has_undeclared(const xmlNode* node, const std::string& prefix) {
   const auto has_prefix = [&](const xmlChar* name, const xmlNs* ns) {
     return !ns && std::string_view(reinterpret_cast<const char*>(name)).starts_with(prefix + ":");

@@ -7,10 +7,11 @@
 
 namespace gradmesh {
 
-/// A new element in the namespace of `parent`, as its last child.
+/// Adds a new element in the namespace of `parent`, as its last child, and returns it.
 xmlNode* add_child(xmlNode* parent, const char* name);
 
-/// A copy of the element and all below it, ids too, as the last child of `parent`.
+/// Adds a copy of the element and all below it, with its ids, as the last child of `parent`, and
+/// returns it.
 xmlNode* add_copy(xmlNode* parent, const xmlNode* node);
 
 /// Gives the element another name in its namespace.
@@ -19,13 +20,13 @@ void set_name(xmlNode* node, const char* name);
 /// Sets an attribute in no namespace.
 void set_attribute(xmlNode* node, const char* name, const std::string& value);
 /// Sets an attribute in the namespace `space`, which is declared on the root with the given prefix
-/// (or that and a number) where the document does not know it yet.
+/// (or the prefix and a number) if the document does not declare it yet.
 void set_attribute(xmlNode* node, const char* name, const std::string& value,
                    std::string_view space, const char* prefix);
 void remove_attribute(xmlNode* node, const char* name);
 void remove_attribute(xmlNode* node, const char* name, std::string_view space);
 
-/// Takes a node out of its document and frees it, and all below it.
+/// Takes a node out of its document and frees it with all below it.
 void remove_node(xmlNode* node);
 
 /// The namespace of `inkscape:label`.
