@@ -50,14 +50,14 @@ std::string complaint(const std::function<void()>& action) {
   return "nothing was thrown";
 }
 
-TEST_F(ImageFile, RoundTrip) {
+TEST_F(ImageFile, round_trip) {
   Image image(5, 3);
   for (std::size_t i = 0; i < image.samples.size(); ++i) image.samples[i] = std::uint8_t(i * 37);
   write_png(image, folder / "a.png");
   EXPECT_EQ(read_image(folder / "a.png"), image);
 }
 
-TEST_F(ImageFile, OtherChannelsBecomeRgb) {
+TEST_F(ImageFile, other_channels_become_rgb) {
   EXPECT_EQ(interleaved(read_image(write_row(3, {1, 2, 3}))), (Samples{1, 2, 3}));
   EXPECT_EQ(interleaved(read_image(write_row(1, {7, 200}))), (Samples{7, 7, 7, 200, 200, 200}));
   EXPECT_EQ(
@@ -67,7 +67,7 @@ TEST_F(ImageFile, OtherChannelsBecomeRgb) {
             (Samples{204, 204, 204, 90, 90, 90}));
 }
 
-TEST_F(ImageFile, FailuresNameTheFile) {
+TEST_F(ImageFile, failures_name_the_file) {
   const fs::path bad = folder / "bad.png", missing = folder / "missing.png";
   write_bytes(bad, "no image");
   EXPECT_TRUE(
@@ -83,7 +83,7 @@ TEST_F(ImageFile, FailuresNameTheFile) {
   EXPECT_EQ(read_bytes(bad), "no image");
 }
 
-TEST(Base64, GivesTheExamplesOfTheStandard) {
+TEST(Base64, gives_the_examples_of_the_standard) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");

@@ -74,7 +74,7 @@ class SvgFile : public testing::Test {
   fs::path folder;
 };
 
-TEST(SvgObjects, PaintComesFromStyleAttributeOrGroup) {
+TEST(SvgObjects, paint_comes_from_style_attribute_or_group) {
   EXPECT_EQ(listing("<path id=\"a\" fill=\"url(#m)\" stroke=\"url(#n)\"/>"),
             "a fill=m; a stroke=n; ");
   EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#m)\" style=\"fill:url(#n)\"/>"), "a fill=n; ");
@@ -88,7 +88,7 @@ TEST(SvgObjects, PaintComesFromStyleAttributeOrGroup) {
             "");
 }
 
-TEST(SvgObjects, WritingsOfThePaint) {
+TEST(SvgObjects, writings_of_the_paint) {
   for (const std::string paint :
        {"url(#m)", "url( '#m' )", "url(#m) #abc", "url(#m) none", "URL(&quot;#m&quot;) red"})
     EXPECT_EQ(listing("<rect id=\"a\" fill=\"" + paint + "\"/>"), "a fill=m; ") << paint;
@@ -97,7 +97,7 @@ TEST(SvgObjects, WritingsOfThePaint) {
       "a fill=m; ");
 }
 
-TEST(SvgObjects, SimpleStyleRules) {
+TEST(SvgObjects, simple_style_rules) {
   const auto with = [](const std::string& css) {
     return listing("<style>" + css + "</style><rect id=\"a\" class=\"x y\" fill=\"none\"/>");
   };
@@ -113,14 +113,14 @@ TEST(SvgObjects, SimpleStyleRules) {
   EXPECT_EQ(with("svg rect{fill:url(#m)} rect.x{fill:url(#m)} *{fill:url(#m)} {}{"), "");
 }
 
-TEST(SvgObjects, DefinitionsAreNotListed) {
+TEST(SvgObjects, definitions_are_not_listed) {
   for (const std::string element : {"defs", "clipPath", "mask", "symbol", "pattern", "marker"})
     EXPECT_EQ(
         listing("<" + element + "><g><rect id=\"a\" fill=\"url(#m)\"/></g></" + element + ">"), "");
   EXPECT_EQ(listing("<x:rect xmlns:x=\"urn:other\" id=\"a\" fill=\"url(#m)\"/>"), "");
 }
 
-TEST(SvgObjects, MissingIdsAreWritten) {
+TEST(SvgObjects, missing_ids_are_written) {
   SvgDocument document =
       parse_body("<rect id=\"rect1\"/><rect fill=\"url(#m)\"/><rect id=\"\" fill=\"url(#m)\"/>");
   const auto objects = mesh_objects(document);
@@ -131,7 +131,7 @@ TEST(SvgObjects, MissingIdsAreWritten) {
   EXPECT_EQ(mesh_objects(document).at(1).id, "rect3");
 }
 
-TEST(SvgObjects, TransformToDocument) {
+TEST(SvgObjects, transform_to_document) {
   SvgDocument document = parse_body(
       "<g transform=\"translate(100 0) scale(2)\"><g transform=\"rotate(90)\">"
       "<path id=\"a\" fill=\"url(#m)\" transform=\"translate(1,2)\"/></g></g>");
@@ -147,7 +147,7 @@ TEST(SvgObjects, TransformToDocument) {
             "drawing.svg: g in line 2: its transform \"scale(\" is malformed.");
 }
 
-TEST(SvgDocument, UnreadableDocumentsGiveTheReason) {
+TEST(SvgDocument, unreadable_documents_give_the_reason) {
   const std::string start = "drawing.svg is not a readable SVG document: ";
   EXPECT_EQ(parse_complaint(""), start + "it is empty.");
   EXPECT_EQ(parse_complaint("plain text"), start + "Start tag expected, '<' not found (line 1).");
@@ -158,7 +158,7 @@ TEST(SvgDocument, UnreadableDocumentsGiveTheReason) {
   EXPECT_EQ(parse_complaint("<html/>"), start + "its outermost element is not <svg>.");
 }
 
-TEST(SvgDocument, DepthIsLimited) {
+TEST(SvgDocument, depth_is_limited) {
   std::string deep = head, end = "</svg>";
   for (int i = 0; i < 100000; ++i) {
     deep += "<g>";
@@ -179,7 +179,7 @@ TEST(SvgDocument, DepthIsLimited) {
   EXPECT_TRUE(parse(just.substr(0, last) + just_end).root());
 }
 
-TEST(SvgDocument, KeepsWhatItDoesNotKnow) {
+TEST(SvgDocument, keeps_what_it_does_not_know) {
   const std::string text =
       "<?xml version=\"1.0\" encoding=\"ISO-8859-1\" standalone=\"no\"?>\n"
       "<!DOCTYPE svg [\n<!ENTITY note \"plain\">\n]>\n"
@@ -193,7 +193,7 @@ TEST(SvgDocument, KeepsWhatItDoesNotKnow) {
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + head + "\xc3\xa9</svg>\n");
 }
 
-TEST(SvgDocument, CanBeReadAgainWhateverItsEncoding) {
+TEST(SvgDocument, can_be_read_again_whatever_its_encoding) {
   for (const std::string encoding : {"UTF-7", "windows-1252", "KOI8-R", "ISO-8859-15", "ASCII"}) {
     const std::string text =
         "<?xml version=\"1.0\" encoding=\"" + encoding + "\"?>\n" + head + "<g id=\"a\"/></svg>\n";
@@ -203,7 +203,7 @@ TEST(SvgDocument, CanBeReadAgainWhateverItsEncoding) {
   }
 }
 
-TEST(SvgDocument, EntitiesAreTakenOnlyWhereHarmless) {
+TEST(SvgDocument, entities_are_taken_only_where_harmless) {
   const auto first_color = [](const std::string& entities, const std::string& paint) {
     SvgDocument document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
                                  "<rect id=\"a\" style=\"" + paint + "\"/></svg>");
@@ -215,7 +215,7 @@ TEST(SvgDocument, EntitiesAreTakenOnlyWhereHarmless) {
       "drawing.svg: rect \"a\": the entity \"b\" is not a short plain text.");
 }
 
-TEST(SvgDocument, EntityBombIsNotExpanded) {
+TEST(SvgDocument, entity_bomb_is_not_expanded) {
   std::string entities = "<!ENTITY e0 \"0123456789\">";
   for (int i = 1; i < 12; ++i) {
     std::string ten;
@@ -233,7 +233,7 @@ TEST(SvgDocument, EntityBombIsNotExpanded) {
         << body;
 }
 
-TEST_F(SvgFile, ExternalEntitiesAreNotLoaded) {
+TEST_F(SvgFile, external_entities_are_not_loaded) {
   write_bytes(folder / "secret.txt", "fill:url(#m)");
   const std::string uri = "file://" + (folder / "secret.txt").string();
   const std::string in_text = "<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
@@ -249,7 +249,7 @@ TEST_F(SvgFile, ExternalEntitiesAreNotLoaded) {
             "drawing.svg: style \"s\": the entity \"x\" is not a short plain text.");
 }
 
-TEST_F(SvgFile, WritesWholeFileOrNothing) {
+TEST_F(SvgFile, writes_whole_file_or_nothing) {
   const fs::path path = folder / "drawing.svg";
   write_bytes(path, head + "<rect/></svg>");
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);

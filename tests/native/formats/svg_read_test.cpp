@@ -175,7 +175,7 @@ std::string write_grid(const Writing& form) {
          "</meshgradient>";
 }
 
-TEST(SvgMesh, AssemblesGrid) {
+TEST(SvgMesh, assembles_grid) {
   const MeshParts parts = read_gradient(write_grid({}));
   expect_near(parts.patches, grid_by_hand(false), 1e-11);
   EXPECT_EQ(parts.color_model, ColorModel::bilinear);
@@ -183,7 +183,7 @@ TEST(SvgMesh, AssemblesGrid) {
   EXPECT_EQ(parts.curves.size(), 7u);
 }
 
-TEST(SvgMesh, NeighboursShareTheirSides) {
+TEST(SvgMesh, neighbours_share_their_sides) {
   const MeshParts parts = read_gradient(write_grid({}));
   for (const CurveParts& curve : parts.curves) {
     const auto side = [&](const CurveSide& s) {
@@ -193,7 +193,7 @@ TEST(SvgMesh, NeighboursShareTheirSides) {
   }
 }
 
-TEST(SvgMesh, FormsThatMeanTheSame) {
+TEST(SvgMesh, forms_that_mean_the_same) {
   const auto expected = grid_by_hand(false);
   for (const bool relative : {false, true})
     for (const bool style : {false, true})
@@ -202,7 +202,7 @@ TEST(SvgMesh, FormsThatMeanTheSame) {
                     1e-11);
 }
 
-TEST(SvgMesh, TensorGivesInteriorPoints) {
+TEST(SvgMesh, tensor_gives_interior_points) {
   const auto read = read_gradient(write_grid({.tensor = true})).patches;
   expect_near(read, grid_by_hand(true), 1e-11);
   EXPECT_GT(
@@ -210,7 +210,7 @@ TEST(SvgMesh, TensorGivesInteriorPoints) {
       0.1);
 }
 
-TEST(SvgMesh, LinesHaveHandlesAtThirds) {
+TEST(SvgMesh, lines_have_handles_at_thirds) {
   const std::string curve = patch(stop("c 4,0,8,0,12,0") + stop("c0 3 0 6 0 9") +
                                   stop("c-4 0-8 0-12 0") + stop("c0-3 0-6"));
   const auto expected = read_gradient(mesh(row(curve))).patches;
@@ -222,7 +222,7 @@ TEST(SvgMesh, LinesHaveHandlesAtThirds) {
     expect_near(read_gradient(mesh(row(lines))).patches, expected, 1e-12);
 }
 
-TEST(SvgMesh, ClosingPointIsIgnored) {
+TEST(SvgMesh, closing_point_is_ignored) {
   const auto with = [](const std::string& end) {
     return read_gradient(mesh(row(patch(stop("l 10,0") + stop("l 0,10") + stop("l -10,0") +
                                         stop("c 1,-3 1,-6 " + end)))))
@@ -232,7 +232,7 @@ TEST(SvgMesh, ClosingPointIsIgnored) {
   EXPECT_EQ(with("0,-10"), with(""));
 }
 
-TEST(SvgMesh, BoundingBoxUnits) {
+TEST(SvgMesh, bounding_box_units) {
   const std::string fractions =
       patch(stop("l .5,0", "red") + stop("l 0,1", "lime") + stop("l-.5,0", "blue") + stop("l0-1"));
   const std::string units = patch(stop("l 50,0", "red") + stop("l 0,50", "lime") +
@@ -254,7 +254,7 @@ TEST(SvgMesh, BoundingBoxUnits) {
               expected, 1e-12);
 }
 
-TEST(SvgMesh, LengthsOfTheStart) {
+TEST(SvgMesh, lengths_of_the_start) {
   const auto start = [](const std::string& xy) {
     return read_gradient("<meshgradient id=\"m1\" gradientUnits=\"userSpaceOnUse\" " + xy + ">" +
                          row(square) + "</meshgradient>")
@@ -268,7 +268,7 @@ TEST(SvgMesh, LengthsOfTheStart) {
   EXPECT_EQ(start("x=\"1in\" y=\"3px\""), glm::dvec2(96, 3));
 }
 
-TEST(SvgMesh, SmoothMeshesStayInTheCoordinatesOfTheirGradient) {
+TEST(SvgMesh, smooth_meshes_stay_in_the_coordinates_of_their_gradient) {
   const std::string attributes = "gradientTransform=\"matrix(2,0,0,5,7,1)\" type=\"bicubic\"";
   SvgDocument document = parse_mesh(mesh(row(square), attributes));
   const MeshParts smooth = read_only_mesh(document);
@@ -283,7 +283,7 @@ TEST(SvgMesh, SmoothMeshesStayInTheCoordinatesOfTheirGradient) {
                    .smooth);
 }
 
-TEST(SvgMesh, HrefGivesRowsAndUnits) {
+TEST(SvgMesh, href_gives_rows_and_units) {
   const std::string base =
       "<meshgradient id=\"base\" x=\"5\" y=\"5\" "
       "gradientUnits=\"userSpaceOnUse\" gradientTransform=\"scale(7)\">" +
@@ -302,7 +302,7 @@ TEST(SvgMesh, HrefGivesRowsAndUnits) {
               expected, 1e-12);
 }
 
-TEST(SvgMesh, StopColors) {
+TEST(SvgMesh, stop_colors) {
   const auto color = [](const std::string& attributes, const std::string& around = "") {
     const std::string first = "<stop path=\"l 10,0\" " + attributes + "/>";
     return read_gradient("<g " + around + ">" +
@@ -325,7 +325,7 @@ TEST(SvgMesh, StopColors) {
   EXPECT_EQ(color("style=\"stop-color:red;stop-color:none\""), glm::dvec4(1, 0, 0, 1));
 }
 
-TEST(SvgMesh, EarlierNames) {
+TEST(SvgMesh, earlier_names) {
   const auto expected = read_gradient(mesh(row(square + next_square))).patches;
   std::string text = mesh(row(square + next_square));
   const auto rename = [&](const std::string& from, const std::string& to) {
@@ -343,7 +343,7 @@ TEST(SvgMesh, EarlierNames) {
   }
 }
 
-TEST(SvgMesh, StopsMoreOrLessThanNeeded) {
+TEST(SvgMesh, stops_more_or_less_than_needed) {
   // The last stop of a row's first patch: a line to a corner without a colour.
   const auto open = read_gradient(
       mesh(row(patch(stop("l 10,0", "red") + stop("l 0,10", "red") + stop("l -10,0", "red")))));
@@ -360,7 +360,7 @@ TEST(SvgMesh, StopsMoreOrLessThanNeeded) {
   EXPECT_EQ(twice.patches.at(0).corner(2).color, glm::dvec4(1, 0, 0, 1));
 }
 
-TEST(SvgMesh, BadMeshesAreNamed) {
+TEST(SvgMesh, bad_meshes_are_named) {
   const std::string m = "drawing.svg: meshgradient \"m1\": ";
   const auto broken_stop = [](const std::string& path) {
     return mesh(row(patch(stop(path) + stop("l 0,10") + stop("l -10,0") + stop("l 0,-10"))));
@@ -396,7 +396,7 @@ TEST(SvgMesh, BadMeshesAreNamed) {
             m + "its x \"1furlong\" is not a known length.");
 }
 
-TEST(SvgMesh, BadLinksAreNamed) {
+TEST(SvgMesh, bad_links_are_named) {
   const auto link = [](const std::string& id, const std::string& target) {
     return "<meshgradient id=\"" + id + "\" href=\"" + target + "\"/>";
   };
@@ -412,7 +412,7 @@ TEST(SvgMesh, BadLinksAreNamed) {
             "drawing.svg: meshgradient \"m1\": its href leads back to itself.");
 }
 
-TEST(SvgMesh, BoundingBoxMustBeKnown) {
+TEST(SvgMesh, bounding_box_must_be_known) {
   const auto with = [](const std::string& shape) {
     return complaint([&] {
       SvgDocument document =

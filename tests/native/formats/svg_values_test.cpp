@@ -30,7 +30,7 @@ void expect_box(std::string_view path, glm::dvec2 low, glm::dvec2 high, double t
 }
 
 // tests/python/test_inkscape_reads.py holds them to what Inkscape paints.
-TEST(SvgColor, AllForms) {
+TEST(SvgColor, all_forms) {
   const glm::dvec3 orange(1, 165 / 255.0, 0);
   for (const std::string_view text :
        {"orange", "ORANGE", "orange ham", "#ffa500", " #FFA500 ", "rgb(255,165,0)",
@@ -43,7 +43,7 @@ TEST(SvgColor, AllForms) {
   EXPECT_EQ(parse_color("yellowgreen"), glm::dvec3(154, 205, 50) / 255.0);
 }
 
-TEST(SvgColor, Hsl) {
+TEST(SvgColor, hsl) {
   const auto expect_color = [](std::string_view text, glm::dvec3 expected) {
     const auto color = parse_color(text);
     ASSERT_TRUE(color) << text;
@@ -54,7 +54,7 @@ TEST(SvgColor, Hsl) {
   expect_color("hsl(-120, 100%, 50%)", {0, 0, 1});
 }
 
-TEST(SvgColor, OthersAreNone) {
+TEST(SvgColor, others_are_none) {
   for (const std::string_view text : {"",
                                       "#",
                                       "#12",
@@ -80,7 +80,7 @@ TEST(SvgColor, OthersAreNone) {
     EXPECT_FALSE(parse_color(text)) << text;
 }
 
-TEST(SvgNumber, FormsAndLimits) {
+TEST(SvgNumber, forms_and_limits) {
   for (const auto& [text, value] :
        std::vector<std::pair<std::string_view, double>>{{"1", 1},
                                                         {" -1.5 ", -1.5},
@@ -96,7 +96,7 @@ TEST(SvgNumber, FormsAndLimits) {
     EXPECT_FALSE(parse_number(text)) << text;
 }
 
-TEST(SvgTransform, EachKindAndOrder) {
+TEST(SvgTransform, each_kind_and_order) {
   const auto map = [](std::string_view text) {
     const auto affine = parse_transform(text);
     EXPECT_TRUE(affine) << text;
@@ -119,7 +119,7 @@ TEST(SvgTransform, EachKindAndOrder) {
     EXPECT_FALSE(parse_transform(text)) << text;
 }
 
-TEST(SvgTransform, IsFinite) {
+TEST(SvgTransform, is_finite) {
   std::string text;
   for (int i = 0; i < 34; ++i) text += "scale(1e9)";
   EXPECT_TRUE(parse_transform(text));
@@ -127,14 +127,14 @@ TEST(SvgTransform, IsFinite) {
   EXPECT_FALSE(parse_transform(text + "translate(1000)"));
 }
 
-TEST(Affine, InverseUndoes) {
+TEST(Affine, inverse_undoes) {
   const Affine map = parse_transform("rotate(30) skewX(10) translate(5 7) scale(2 -3)").value();
   expect_near((map.inverse() * map).point({3, 5}), {3, 5}, 1e-12);
   EXPECT_NEAR(map.determinant(), -6, 1e-12);
   expect_near(map.vector({1, 2}), map.point({4, 7}) - map.point({3, 5}), 1e-12);
 }
 
-TEST(SvgPath, BoxOfEveryCommand) {
+TEST(SvgPath, box_of_every_command) {
   expect_box("M 1 2 L 5 7", {1, 2}, {5, 7});
   expect_box("m1 2 3 4-10-1", {-6, 2}, {4, 6});
   expect_box("M0 0H10V-3h-12v1z", {-2, -3}, {10, 0});
@@ -155,7 +155,7 @@ TEST(SvgPath, BoxOfEveryCommand) {
 }
 
 // An ellipse drawn from its own parameters, against the end-point form that path data has.
-TEST(SvgPath, BoxOfArcsAgainstDenseSampling) {
+TEST(SvgPath, box_of_arcs_against_dense_sampling) {
   const glm::dvec2 center(7, -3), radii(5, 2);
   for (const double rotation : {0.0, 25.0, 90.0, 160.0, -70.0})
     for (const double begin : {0.1, 1.7, 3.3, 5.0})
@@ -182,7 +182,7 @@ TEST(SvgPath, BoxOfArcsAgainstDenseSampling) {
       }
 }
 
-TEST(SvgPath, ArcsThatAreNone) {
+TEST(SvgPath, arcs_that_are_none) {
   // Radii too small are stretched to a half circle; none at all make a line; flags may stick.
   expect_box("M 0 0 A 1 1 0 0 1 10 0", {0, -5}, {10, 0});
   expect_box("M0 0a1 1 0 0110 0", {0, -5}, {10, 0});
@@ -190,7 +190,7 @@ TEST(SvgPath, ArcsThatAreNone) {
   expect_box("M 1 2 A 5 5 0 1 1 1 2", {1, 2}, {1, 2});
 }
 
-TEST(SvgShape, BoxOfEveryShape) {
+TEST(SvgShape, box_of_every_shape) {
   const auto expect_shape = [](const std::string& shape, glm::dvec2 low, glm::dvec2 high) {
     const SvgDocument document =
         SvgDocument::parse("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 400 300\"><" +
@@ -231,7 +231,7 @@ void expect_area(std::string_view path, double expected, std::size_t polygons = 
   EXPECT_NEAR(area(*outline), expected, 1e-3 * std::abs(expected));
 }
 
-TEST(SvgPath, Outlines) {
+TEST(SvgPath, outlines) {
   expect_area("M0,0 H4 V3 H0 Z", 12);
   expect_area("m1,1 h4 v3 h-4 z m10,0 h1 v1 h-1 z", 13, 2);
   // What follows a closed subpath without a moveto starts where that began.
@@ -245,7 +245,7 @@ TEST(SvgPath, Outlines) {
   EXPECT_FALSE(path_outline("M0,0 L1"));
 }
 
-TEST(SvgShape, Outlines) {
+TEST(SvgShape, outlines) {
   const SvgDocument document = SvgDocument::parse(
       "<svg xmlns='http://www.w3.org/2000/svg'><rect id='r' x='1' y='2' width='4' height='3'/>"
       "<rect id='round' width='4' height='3' rx='1'/><circle id='c' cx='9' r='2'/>"
@@ -267,7 +267,7 @@ TEST(SvgShape, Outlines) {
   EXPECT_EQ(size("l"), -1);
 }
 
-TEST(SvgStyle, WhatIsLeftOpenDoesNotSwallowWhatIsWrittenBehindIt) {
+TEST(SvgStyle, what_is_left_open_does_not_swallow_what_is_written_behind_it) {
   const auto read = [](std::string_view text) { return parse_declarations(text); };
   EXPECT_EQ(read("fill:red;font:'a;b"), (Declarations{{"fill", "red"}, {"font", "'a;b'"}}));
   EXPECT_EQ(read("fill:url(\"#m"), (Declarations{{"fill", "url(\"#m\")"}}));

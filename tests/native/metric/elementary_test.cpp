@@ -10,7 +10,7 @@ namespace gradmesh {
 namespace {
 
 // metric_test shows that the other targets give the same bits as this one.
-TEST(Elementary, FunctionsAgreeWithTheStandardLibrary) {
+TEST(Elementary, functions_agree_with_the_standard_library) {
   namespace simd = HWY_NAMESPACE;
   const hwy::HWY_NAMESPACE::CappedTag<float, 1> d;
   for (double exact = 1e-37; exact < 1e5; exact *= 1.0173) {

@@ -120,7 +120,7 @@ void expect_near_naive(MetricKind kind, const Image& a, const Image& b) {
   EXPECT_NEAR(mean(map), total / double(map.samples.size()), 2e-6) << title(kind);
 }
 
-TEST(Metric, AgreesWithTheDefinitionsInDoublePrecision) {
+TEST(Metric, agrees_with_the_definitions_in_double_precision) {
   Random random(1);
   const int sizes[][2] = {{1, 1}, {1, 9}, {23, 1}, {2, 3}, {7, 5}, {10, 11}, {25, 14}};
   for (const auto& [width, height] : sizes) {
@@ -138,7 +138,7 @@ TEST(Metric, AgreesWithTheDefinitionsInDoublePrecision) {
 }
 
 // There a variance is a small difference of large squares.
-TEST(Metric, SsimOfBrightNearlyFlatImagesIsAsExact) {
+TEST(Metric, ssim_of_bright_nearly_flat_images_is_as_exact) {
   Random random(11);
   Image a = filled(24, 24, 253, 128, 1), b = a;
   for (Image* image : {&a, &b})
@@ -149,7 +149,7 @@ TEST(Metric, SsimOfBrightNearlyFlatImagesIsAsExact) {
       ASSERT_NEAR(*map.at(x, y), naive::one_minus_ssim(a, b, x, y), 1e-7) << x << ", " << y;
 }
 
-TEST(Metric, FlatImagesHaveKnownDistances) {
+TEST(Metric, flat_images_have_known_distances) {
   const auto distance_of = [](MetricKind kind, const Image& a, const Image& b) {
     return mean(make_metric(kind, a)->map(b));
   };
@@ -166,7 +166,7 @@ TEST(Metric, FlatImagesHaveKnownDistances) {
       1 - (1 + luminance(200, 100) + luminance(90, 0)) / 3, 1e-5);
 }
 
-TEST(Metric, EqualImagesHaveNoDistanceAtAll) {
+TEST(Metric, equal_images_have_no_distance_at_all) {
   Random random(2);
   for (const MetricKind kind : all_kinds) {
     for (const Image& image : {random.noise(70, 45), random.gradient(33, 64), random.noise(1, 1)}) {
@@ -177,7 +177,7 @@ TEST(Metric, EqualImagesHaveNoDistanceAtAll) {
 
 // The pixels between two far differences are computed, not left out, and must come to 0 all the
 // same: the reference and the test go through the same arithmetic.
-TEST(Metric, PixelsAmongEqualOnesHaveNoDistanceAtAll) {
+TEST(Metric, pixels_among_equal_ones_have_no_distance_at_all) {
   Random random(3);
   for (const MetricKind kind : all_kinds) {
     const Image reference = random.noise(90, 30);
@@ -194,14 +194,14 @@ TEST(Metric, PixelsAmongEqualOnesHaveNoDistanceAtAll) {
   }
 }
 
-TEST(Metric, FlipIsSymmetric) {
+TEST(Metric, flip_is_symmetric) {
   Random random(4);
   const Image a = random.noise(40, 25), b = random.gradient(40, 25);
   expect_equal_bits(make_metric(MetricKind::flip, a)->map(b),
                     make_metric(MetricKind::flip, b)->map(a));
 }
 
-TEST(Metric, AWindowHoldsTheBitsOfTheWholeFrame) {
+TEST(Metric, a_window_holds_the_bits_of_the_whole_frame) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -271,7 +271,7 @@ struct Update {
   double rise = 0;
 };
 
-TEST(Metric, AnUpdatedMapHoldsTheBitsOfANewOne) {
+TEST(Metric, an_updated_map_holds_the_bits_of_a_new_one) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -285,7 +285,7 @@ TEST(Metric, AnUpdatedMapHoldsTheBitsOfANewOne) {
   }
 }
 
-TEST(Metric, AMapIsUpdatedFromPartsOfTheFrame) {
+TEST(Metric, a_map_is_updated_from_parts_of_the_frame) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -300,7 +300,7 @@ TEST(Metric, AMapIsUpdatedFromPartsOfTheFrame) {
   }
 }
 
-TEST(Metric, AnUpdateGivesUpBeyondItsLimitOnly) {
+TEST(Metric, an_update_gives_up_beyond_its_limit_only) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
@@ -315,7 +315,7 @@ TEST(Metric, AnUpdateGivesUpBeyondItsLimitOnly) {
   }
 }
 
-TEST(Metric, AnUpdateThatGivesUpLeavesOutTheRest) {
+TEST(Metric, an_update_that_gives_up_leaves_out_the_rest) {
   Random random(9);
   const Image reference = random.gradient(60, 400), test = random.noise(60, 400);
   for (const MetricKind kind : all_kinds) {
@@ -328,7 +328,7 @@ TEST(Metric, AnUpdateThatGivesUpLeavesOutTheRest) {
   }
 }
 
-TEST(Metric, AnUpdateLooksAtTheLargestPartFirst) {
+TEST(Metric, an_update_looks_at_the_largest_part_first) {
   Random random(12);
   const Image reference = random.gradient(90, 300), noise = random.noise(90, 300);
   for (const MetricKind kind : all_kinds) {
@@ -344,7 +344,7 @@ TEST(Metric, AnUpdateLooksAtTheLargestPartFirst) {
   }
 }
 
-TEST(Metric, RefusesToUpdateFromPartsThatAreTooSmall) {
+TEST(Metric, refuses_to_update_from_parts_that_are_too_small) {
   for (const MetricKind kind : all_kinds) {
     const Image frame(90, 80);
     const Window changed = {40, 30, 50, 45};
@@ -362,7 +362,7 @@ TEST(Metric, RefusesToUpdateFromPartsThatAreTooSmall) {
   }
 }
 
-TEST(Metric, APixelChangesTheMapAsFarAsItsReachAndNoFarther) {
+TEST(Metric, a_pixel_changes_the_map_as_far_as_its_reach_and_no_farther) {
   Random random(5);
   constexpr int width = 60, height = 50;
   const Image reference = random.noise(width, height), before = random.noise(width, height);
@@ -384,7 +384,7 @@ TEST(Metric, APixelChangesTheMapAsFarAsItsReachAndNoFarther) {
   }
 }
 
-TEST(Metric, TheNumberOfThreadsDoesNotChangeABit) {
+TEST(Metric, the_number_of_threads_does_not_change_a_bit) {
   Random random(6);
   const Image reference = random.gradient(150, 170), test = random.noise(150, 170);
   for (const MetricKind kind : all_kinds) {
@@ -398,7 +398,7 @@ TEST(Metric, TheNumberOfThreadsDoesNotChangeABit) {
   }
 }
 
-TEST(Metric, EverySetOfInstructionsGivesTheSameBits) {
+TEST(Metric, every_set_of_instructions_gives_the_same_bits) {
 #ifdef HWY_COMPILE_ONLY_STATIC
   GTEST_SKIP() << "this build has one set of instructions";
 #endif
@@ -425,7 +425,7 @@ TEST(Metric, EverySetOfInstructionsGivesTheSameBits) {
   hwy::GetChosenTarget().DeInit();
 }
 
-TEST(Metric, ServesSeveralThreadsAtOnce) {
+TEST(Metric, serves_several_threads_at_once) {
   Random random(7);
   const Image reference = random.gradient(120, 90), test = random.noise(120, 90);
   for (const MetricKind kind : all_kinds) {
@@ -440,7 +440,7 @@ TEST(Metric, ServesSeveralThreadsAtOnce) {
   }
 }
 
-TEST(Metric, RefusesImagesOfAnotherSize) {
+TEST(Metric, refuses_images_of_another_size) {
   for (const MetricKind kind : all_kinds) {
     const auto metric = make_metric(kind, Image(8, 6));
     Plane map(8, 6), other_map(6, 8);
@@ -449,14 +449,14 @@ TEST(Metric, RefusesImagesOfAnotherSize) {
   }
 }
 
-TEST(Metric, AcceptsAnImageWithoutPixels) {
+TEST(Metric, accepts_an_image_without_pixels) {
   for (const MetricKind kind : all_kinds) {
     EXPECT_EQ(mean(make_metric(kind, Image())->map(Image())), 0) << title(kind);
   }
 }
 
 // A running sum in float is off by far more than this on so many pixels.
-TEST(Metric, MeanIsSummedInDouble) {
+TEST(Metric, mean_is_summed_in_double) {
   const Plane map(2000, 1500, 0.1F);
   EXPECT_NEAR(mean(map), double(0.1F), 1e-12);
 }
@@ -476,7 +476,7 @@ Image read_image(const std::string& path) {
 
 // Pairs measured with the published programs. Their FLIP adds in float, which alone moves the
 // most contrasted pairs by 9e-6.
-TEST(Metric, AgreesWithThePublishedPrograms) {
+TEST(Metric, agrees_with_the_published_programs) {
   const std::filesystem::path folder = std::filesystem::path(GRADMESH_SHARED_DIR) / "golden";
   std::ifstream list(folder / "metrics.json");
   if (!list) GTEST_SKIP() << "There is no " << folder / "metrics.json";
