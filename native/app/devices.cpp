@@ -137,6 +137,14 @@ std::shared_ptr<Device> open_device(Renderer renderer) {
   return Device::open(renderer == Renderer::automatic);
 }
 
+void use_renderer(RunOptions& options, Renderer wanted,
+                  const std::function<void(const std::string& reason)>& tell) {
+  options.device_if_faster = wanted == Renderer::automatic;
+  if (wanted == Renderer::egl) options.device = open_device(wanted);
+  options.device_lost = [tell](const DeviceError& error) { tell(error.what()); };
+  if (wanted == Renderer::egl && !options.device) tell(no_device);
+}
+
 double priced_pixels(const Mesh& mesh, const Frame& frame, MetricKind metric) {
   const int reach = metric_reach(metric);
   double pixels = 0;

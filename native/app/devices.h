@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "mesh/mesh.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
+#include "simplify/simplify.h"
 
 namespace gradmesh {
 
@@ -30,6 +32,12 @@ inline constexpr const char* no_device =
 /// Opens the device that may be used; returns null if there is none. Opening one takes a tenth of a
 /// second.
 std::shared_ptr<Device> open_device(Renderer renderer);
+
+/// Sets where a run finds its errors. Calls `tell` with the reason at once if `egl` is wanted and
+/// there is no device, and later, on the thread of the run, if the device fails; the cores do the
+/// work then.
+void use_renderer(RunOptions& options, Renderer wanted,
+                  const std::function<void(const std::string& reason)>& tell);
 
 /// How long pricing takes, found by pricing two small meshes.
 struct Speed {

@@ -86,14 +86,10 @@ std::function<void(const std::string&)> device_callback(const py::object& callba
 }
 
 /// As of --renderer; `lost` is called with the reason where the cores have to do without.
-void use_renderer(RunOptions& options, const std::string& name, const py::object& lost) {
-  const Renderer wanted = renderer_named(name);
+void take_renderer(RunOptions& options, const std::string& name, const py::object& lost) {
   const auto tell = device_callback(lost);
   const py::gil_scoped_release release;
-  options.device_if_faster = wanted == Renderer::automatic;
-  if (wanted == Renderer::egl) options.device = open_device(wanted);
-  options.device_lost = [tell](const DeviceError& error) { tell(error.what()); };
-  if (wanted == Renderer::egl && !options.device) tell(no_device);
+  use_renderer(options, renderer_named(name), tell);
 }
 
 py::list report_list(const std::vector<MeshReport>& reports) {
@@ -283,7 +279,7 @@ void bind_options(py::module_& m) {
       .def_readwrite("edges", &RunOptions::edges)
       .def_readwrite("time_budget", &RunOptions::time_budget)
       .def_readwrite("threads", &RunOptions::threads)
-      .def("use_renderer", &use_renderer);
+      .def("use_renderer", &take_renderer);
   m.def("check_resolution", &check_resolution);
   py::class_<AnalysisPaths>(m, "AnalysisPaths")
       .def(py::init([](const std::string& load, const std::string& save, const std::string& cache) {

@@ -85,11 +85,7 @@ void add_renderer_option(CLI::App& command, std::string& renderer) {
 }
 
 void take_renderer(const std::string& renderer, RunOptions& options) {
-  const Renderer wanted = renderer_named(renderer);
-  options.device_if_faster = wanted == Renderer::automatic;
-  if (wanted == Renderer::egl) options.device = open_device(wanted);
-  options.device_lost = [](const DeviceError& error) { say_without_device(error.what()); };
-  if (wanted == Renderer::egl && !options.device) say_without_device(no_device);
+  use_renderer(options, renderer_named(renderer), say_without_device);
 }
 
 void say_without_device(const std::string& reason) {
