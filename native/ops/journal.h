@@ -23,6 +23,10 @@ class Journal {
   void begin();
   /// Undoes the last operation. There must be at least one.
   void undo();
+  /// Takes operations back until `depth` of them are left.
+  void undo_to(std::size_t depth) {
+    while (this->depth() > depth) undo();
+  }
   /// Returns the number of operations that can be undone.
   std::size_t depth() const { return operations_.size(); }
   /// Makes all operations final: none of them can be undone any more.

@@ -63,7 +63,7 @@ double FitTrial::price(const Region& region, double limit) {
     const double most = most_that_a_fit_saves * limit;
     price = error_.after_edits(journal_, depth, before + most) - before;
     if (price > most) {
-      undo_to(depth);
+      journal_.undo_to(depth);
       return price;
     }
     Fit fit(journal_, *target_, merged);
@@ -76,7 +76,7 @@ double FitTrial::price(const Region& region, double limit) {
     const bool breaks = price <= limit && !error_.keeps_local_bound();
     price = breaks ? std::numeric_limits<double>::infinity() : std::min(price, unfitted);
   }
-  undo_to(depth);
+  journal_.undo_to(depth);
   return price;
 }
 
@@ -146,7 +146,7 @@ bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector
       error_.accept(journal_);
       return true;
     }
-    undo_to(depth);
+    journal_.undo_to(depth);
   }
   return false;
 }
@@ -161,12 +161,8 @@ std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {
 }
 
 void FitTrial::go_back(std::size_t depth, std::shared_ptr<const EditError::State> state) {
-  undo_to(depth);
+  journal_.undo_to(depth);
   error_.restore(std::move(state));
-}
-
-void FitTrial::undo_to(std::size_t depth) {
-  while (journal_.depth() > depth) journal_.undo();
 }
 
 std::unique_ptr<FitTrial::Fork> FitTrial::fork() {

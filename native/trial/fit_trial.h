@@ -53,7 +53,6 @@ class FitTrial {
   std::vector<Face> merge_possible(const std::vector<Region>& regions);
   /// Goes back to an earlier depth, and to the error there.
   void go_back(std::size_t depth, std::shared_ptr<const EditError::State> state);
-  void undo_to(std::size_t depth);
   /// Fits the faces in at most `steps` steps. Gives up early if the error falls too slowly to come
   /// down to `limit` in that many steps.
   void fit(const std::vector<Face>& faces, int steps, double limit);

@@ -25,7 +25,7 @@ double MergeTrial::try_merge(const std::vector<Halfedge>& edges, double limit) {
     error_.accept(journal_);
     return error;
   }
-  undo_to(depth);
+  journal_.undo_to(depth);
   return error <= limit ? std::numeric_limits<double>::infinity() : error;
 }
 
@@ -48,16 +48,12 @@ bool MergeTrial::merge_in_turn(const std::vector<Halfedge>& edges) {
   return true;
 }
 
-void MergeTrial::undo_to(std::size_t depth) {
-  while (journal_.depth() > depth) journal_.undo();
-}
-
 bool MergeTrial::keep_if_cheap(std::size_t depth) {
   if (error_.after_edits(journal_, depth, epsilon_) <= epsilon_ && error_.keeps_local_bound()) {
     error_.accept(journal_);
     return true;
   }
-  undo_to(depth);
+  journal_.undo_to(depth);
   return false;
 }
 
@@ -75,7 +71,7 @@ bool RegionTrial::describe(const Region& region, EditTile& tile) {
 
 void MergeTrial::go_back(const State& state) {
   if (depth() == state.depth) return;
-  undo_to(state.depth);
+  journal_.undo_to(state.depth);
   error_.restore(state.error);
 }
 

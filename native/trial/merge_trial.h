@@ -100,7 +100,6 @@ class MergeTrial {
   void merge_possible(const std::vector<Region>& regions);
   /// Merges the edges in order until one cannot be merged. Returns true if all were merged.
   bool merge_in_turn(const std::vector<Halfedge>& edges);
-  void undo_to(std::size_t depth);
   /// Keeps the operations after the first `depth`, or takes them back if they cost too much.
   /// Returns true if they were kept.
   bool keep_if_cheap(std::size_t depth);

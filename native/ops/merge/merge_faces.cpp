@@ -69,7 +69,7 @@ MergedFaces merge_faces(Journal& journal, std::span<const Face> faces) {
   for (const int first : {1, 0}) {
     merged = FacesMerger(journal, faces).run(first);
     if (merged.face.valid()) return merged;
-    while (journal.depth() > depth) journal.undo();
+    journal.undo_to(depth);
   }
   return merged;
 }

@@ -7,10 +7,6 @@
 namespace gradmesh {
 namespace {
 
-void undo_to(Journal& journal, std::size_t depth) {
-  while (journal.depth() > depth) journal.undo();
-}
-
 /// Returns a curve that depends on this one, directly or not, through the starts of stems, and has
 /// no stems itself; the curve itself where it has none. Returns an invalid half-edge where one of
 /// these curves is on the boundary.
@@ -51,7 +47,7 @@ Face merge_region(Journal& journal, const Region& region) {
   for (int j = 1; merged && j < view.columns; ++j) merged = grow(journal, view.face, view.top + 1);
   for (int i = 1; merged && i < view.rows; ++i) merged = grow(journal, view.face, view.top + 2);
   if (merged) return view.face;
-  undo_to(journal, depth);
+  journal.undo_to(depth);
   return {};
 }
 
@@ -80,13 +76,13 @@ bool RegionMerger::merge_row() {
   } else {
     merged = grow(journal_, view_.face, view_.top + 2);
   }
-  merged ? depths_.push_back(journal_.depth()) : undo_to(journal_, depth);
+  merged ? depths_.push_back(journal_.depth()) : journal_.undo_to(depth);
   return merged;
 }
 
 void RegionMerger::keep_rows(int rows) {
   depths_.resize(std::min(depths_.size(), std::size_t(rows) + 1));
-  undo_to(journal_, depths_.back());
+  journal_.undo_to(depths_.back());
 }
 
 }  // namespace gradmesh

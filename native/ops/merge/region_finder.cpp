@@ -69,8 +69,6 @@ std::vector<Face> RegionFinder::merged_faces(Face merged) const {
   return faces;
 }
 
-void RegionFinder::undo() {
-  while (journal_.depth() > 0) journal_.undo();
-}
+void RegionFinder::undo() { journal_.undo_to(0); }
 
 }  // namespace gradmesh
