@@ -1,5 +1,5 @@
 #include "cases.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 
 namespace gradmesh::bench {
 namespace {

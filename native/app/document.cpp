@@ -14,7 +14,7 @@
 #include "formats/text/scanner.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
 
 namespace gradmesh {

@@ -17,7 +17,7 @@
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
 #include "mesh/build.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "raster/overlaps.h"
 #include "trial/edit_error.h"
 
@@ -219,25 +219,25 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
   list_meshes();
 }
 
-Rectangle SvgMeshes::block(const std::string& id) const {
+ChosenPatches SvgMeshes::block(const std::string& id) const {
   const xmlNode* node = svg_.find(id);
   if (!node) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
   const auto faces = block_faces(svg_, node);
   if (!faces) fail(node, Message("it is no block of a simplified mesh"));
-  Rectangle chosen{{}, faces->rows, faces->columns, {}};
+  ChosenPatches chosen{{}, {faces->rows, faces->columns, {}}};
   for (const MeshEntry& entry : entries_)
     if (object(entry).node == parent_element(node)) chosen.entry = entry;
   for (int i = 0; i < faces->rows * faces->columns; ++i)
-    chosen.faces.push_back(Face{faces->first + i});
+    chosen.rectangle.tops.push_back(mesh(chosen.entry).sides(Face{faces->first + i})[0]);
   return chosen;
 }
 
-Rectangle SvgMeshes::rectangle(const std::string& id) const {
+ChosenPatches SvgMeshes::rectangle(const std::string& id) const {
   for (const MeshEntry& entry : entries_) {
     if (entry.id != id) continue;
     if (entry.simplified)
       throw InputError("{0}: it is made of blocks; choose one of them.", describe(entry));
-    const Mesh whole = mesh(entry);
+    const Mesh& whole = mesh(entry);
     if (whole.is_smooth())
       throw InputError(
           "{0}: its colours follow those of the neighbours (type=\"bicubic\"), so that its patches "
@@ -245,9 +245,7 @@ Rectangle SvgMeshes::rectangle(const std::string& id) const {
           describe(entry));
     const auto grid = find_grid(whole);
     if (!grid) throw InputError("{0}: its mesh is not one rectangle of patches.", describe(entry));
-    Rectangle chosen{entry, grid->rows, grid->columns, {}};
-    for (const Halfedge top : grid->tops) chosen.faces.push_back(whole.face(top));
-    return chosen;
+    return {entry, *grid};
   }
   return block(id);
 }

@@ -3,14 +3,15 @@
 #include "app/document.h"
 #include "form/reconcile.h"
 #include "formats/svg/read/document.h"
+#include "mesh/rectangle.h"
 
 namespace gradmesh {
 
-/// Patches of a mesh, row by row as they lie in their block or mesh gradient.
-struct Rectangle {
+/// Patches that a person has chosen by an id: those of a block, or all of a mesh gradient.
+struct ChosenPatches {
   MeshEntry entry;
-  int rows = 0, columns = 0;
-  std::vector<Face> faces;
+  /// In the mesh of the entry.
+  Rectangle rectangle;
 };
 
 /// An SVG document: its meshes are the objects that a mesh gradient paints, and groups of blocks.
@@ -27,10 +28,10 @@ class SvgMeshes : public Document {
   FramePadding padding() const override { return {}; }
 
   /// Returns the block whose path has this id. Throws InputError if the id names something else.
-  Rectangle block(const std::string& id) const;
+  ChosenPatches block(const std::string& id) const;
   /// Returns the block with this id, or the mesh of the object with this id if it is not simplified
   /// and one rectangle. Throws InputError otherwise.
-  Rectangle rectangle(const std::string& id) const;
+  ChosenPatches rectangle(const std::string& id) const;
   /// Writes an edited mesh in the place of the entry's mesh. Returns the error of the mesh as
   /// written against the original that is remembered, or else against the mesh as it was. `entry`
   /// is no longer valid afterwards.

@@ -12,15 +12,15 @@ using Polygon = std::vector<glm::dvec2>;
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// Returns the sides of the block clockwise, each as the half-edges along it.
-std::array<std::vector<Halfedge>, 4> outer_sides(const Mesh& mesh, const Block& block) {
+std::array<std::vector<Halfedge>, 4> outer_sides(const Mesh& mesh, const Rectangle& block) {
   std::array<std::vector<Halfedge>, 4> sides;
   for (int j = 0; j < block.columns; ++j) {
-    sides[0].push_back(block_side(mesh, block.cell(0, j), 0));
-    sides[2].push_back(block_side(mesh, block.cell(block.rows - 1, block.columns - 1 - j), 2));
+    sides[0].push_back(block.top(0, j));
+    sides[2].push_back(side_from(mesh, block.top(block.rows - 1, block.columns - 1 - j), 2));
   }
   for (int i = 0; i < block.rows; ++i) {
-    sides[1].push_back(block_side(mesh, block.cell(i, block.columns - 1), 1));
-    sides[3].push_back(block_side(mesh, block.cell(block.rows - 1 - i, 0), 3));
+    sides[1].push_back(side_from(mesh, block.top(i, block.columns - 1), 1));
+    sides[3].push_back(side_from(mesh, block.top(block.rows - 1 - i, 0), 3));
   }
   return sides;
 }
@@ -127,10 +127,10 @@ Polygon convex_hull(Polygon points) {
   return hull;
 }
 
-Polygon surface_points(const Mesh& mesh, const Block& block) {
+Polygon surface_points(const Mesh& mesh, const Rectangle& block) {
   Polygon points;
-  for (const Block::Cell& cell : block.cells) {
-    const Patch patch = mesh.patch(cell.face);
+  for (const Halfedge top : block.tops) {
+    const Patch patch = mesh.patch(mesh.face(top));
     for (int i = 0; i <= 8; ++i)
       for (int j = 0; j <= 8; ++j) points.push_back(patch.at(i / 8.0, j / 8.0).position);
   }
@@ -159,7 +159,7 @@ double doubled_area(const std::vector<glm::dvec2>& polygon) {
   return sum;
 }
 
-std::vector<glm::dvec2> block_outline(const Mesh& mesh, const Block& block, int steps) {
+std::vector<glm::dvec2> block_outline(const Mesh& mesh, const Rectangle& block, int steps) {
   Polygon outline;
   for (const auto& side : outer_sides(mesh, block))
     for (const Halfedge h : side) {
@@ -169,7 +169,7 @@ std::vector<glm::dvec2> block_outline(const Mesh& mesh, const Block& block, int 
   return outline;
 }
 
-std::vector<glm::dvec2> grown_outline(const Mesh& mesh, const Block& block, double margin) {
+std::vector<glm::dvec2> grown_outline(const Mesh& mesh, const Rectangle& block, double margin) {
   const auto sides = outer_sides(mesh, block);
   const double across = 0.5 * (chord_length(mesh, sides[0]) + chord_length(mesh, sides[2]));
   const double down = 0.5 * (chord_length(mesh, sides[1]) + chord_length(mesh, sides[3]));

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/build.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 
 namespace gradmesh {
 namespace {
@@ -97,7 +97,8 @@ class SmoothGrid {
 
   Patch patch(int row, int column) const {
     const Halfedge top = grid_.top(row, column);
-    Patch patch = top_patch(top);
+    Patch patch = patch_from(mesh_, top);
+    make_color_bilinear(patch);
     Slopes down, right;
     for (int i : {0, 1})
       for (int j : {0, 1}) {
@@ -109,19 +110,6 @@ class SmoothGrid {
   }
 
  private:
-  /// Returns the patch with `top` as its top side, wherever its face begins, and bilinear colours.
-  Patch top_patch(Halfedge top) const {
-    std::array<Cubic<Value>, 4> sides;
-    std::array<Value, 4> twists;
-    for (int k = 0; k < 4; ++k, top = mesh_.next(top)) {
-      sides[k] = mesh_.side_of(top);
-      twists[k] = mesh_[top].twist;
-    }
-    Patch patch = patch_from_sides(sides, twists);
-    make_color_bilinear(patch);
-    return patch;
-  }
-
   Corner corner(int i, int j) const {
     const bool below = i == grid_.rows, beside = j == grid_.columns;
     Halfedge at = grid_.top(i - below, j - beside);
@@ -131,7 +119,7 @@ class SmoothGrid {
   }
 
   const Mesh& mesh_;
-  const Grid grid_;
+  const Rectangle grid_;
   /// Slopes by row of corners and by column of corners.
   std::vector<std::vector<glm::dvec3>> right_, down_;
 };

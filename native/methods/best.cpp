@@ -149,8 +149,8 @@ class Rounds {
     });
     // What is left goes to the rounds, which see prices as they are once all is fitted.
     constexpr double share = 0.75;
-    return fork_->trial.try_merge(best_regions(candidates, mesh().face_slots(), gamma),
-                                  share * epsilon_, steps_for_set);
+    return fork_->trial.try_and_fit(best_regions(candidates, mesh().face_slots(), gamma),
+                                    share * epsilon_, steps_for_set);
   }
 
   void fit(int steps) { fork_->trial.improve(all_faces(mesh()), steps); }
@@ -192,11 +192,11 @@ class Rounds {
     for (double share = too_much; share > too_little && !should_stop(); share *= shrink) {
       const auto chosen = best_regions(candidates, mesh().face_slots(), share * room);
       if (chosen.empty() || chosen.size() == std::exchange(last_size, chosen.size())) continue;
-      if (trial.try_merge(chosen, limit_, steps_for_set)) return true;
+      if (trial.try_and_fit(chosen, limit_, steps_for_set)) return true;
     }
     constexpr std::size_t tried_alone = 3;
     for (std::size_t i = 0; i < std::min(tried_alone, candidates.size()) && !should_stop(); ++i)
-      if (trial.try_merge({candidates[i].region}, limit_, steps_for_one)) return true;
+      if (trial.try_and_fit({candidates[i].region}, limit_, steps_for_one)) return true;
     return false;
   }
 

@@ -98,7 +98,7 @@ void try_edges(MergeTrial& trial, const EdgeOrder& order, StopWatch& watch) {
       if (watch.should_stop({std::min(tried, total), total, mesh.face_count(), trial.error()}))
         return;
       ++tried;
-      merged = trial.try_merge(edge) || merged;
+      merged = trial.try_edge(edge) || merged;
     }
   }
 }

@@ -263,13 +263,13 @@ class Gqe {
     Choice choice(own.mesh().face_slots());
     std::vector<Region> planned;
     for (const int i : plan.chosen) planned.push_back(candidates_[i].region);
-    result.fits = planned.empty() || own.try_merge(planned);
+    result.fits = planned.empty() || own.try_regions(planned);
     if (result.fits)
       for (const int i : plan.chosen) choice.add(candidates_[i]);
     for (const int i : plan.order) {
       const Candidate& c = candidates_[i];
       if (choice.is_free(c) && own.error() + c.error <= own.epsilon() &&
-          own.try_merge(std::vector{c.region}))
+          own.try_regions(std::vector{c.region}))
         choice.add(c);
     }
     result.regions = choice.regions();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "pricing/parallel_trials.h"
 
 namespace gradmesh {
@@ -32,7 +32,7 @@ struct Corner {
 };
 
 Corner corner_of(const Mesh& mesh) {
-  const std::optional<Grid> grid = find_grid(mesh);
+  const std::optional<Rectangle> grid = find_grid(mesh);
   if (!grid)
     throw InputError(
         "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
@@ -47,7 +47,7 @@ Corner corner_of(const Mesh& mesh) {
 /// ends there, and its merge takes the T-junction away again (paper, Fig. 4b). So the last merge
 /// leaves none.
 std::vector<Halfedge> edges_along(const Mesh& mesh, Corner corner, Along along, int at) {
-  const Grid grid = grid_from(mesh, corner.face, corner.top).value();
+  const Rectangle grid = grid_from(mesh, corner.face, corner.top).value();
   std::vector<Halfedge> edges;
   if (along == Along::rows) {
     for (int column = 0; column < grid.columns; ++column)
@@ -62,7 +62,7 @@ class LineSelection {
  public:
   LineSelection(MergeTrial& trial, StopWatch& watch)
       : trial_(trial), watch_(watch), corner_(corner_of(trial.mesh())) {
-    const Grid grid = grid_from(trial.mesh(), corner_.face, corner_.top).value();
+    const Rectangle grid = grid_from(trial.mesh(), corner_.face, corner_.top).value();
     for (int i = 1; i < grid.rows; ++i) lines_.push_back({Along::rows, i});
     for (int i = 1; i < grid.columns; ++i) lines_.push_back({Along::columns, i});
     total_ = lines_.size();
@@ -119,7 +119,7 @@ class LineSelection {
     double limit = trial_.epsilon();
     if (first.lines_before < taken_ && candidates_.size() > 1)
       limit = std::min(limit, before + candidates_[1].price);
-    const double error = trial_.try_merge(edges_of(first.line), limit);
+    const double error = trial_.try_edges(edges_of(first.line), limit);
     if (error <= limit) {
       ++taken_;
       std::erase(lines_, first.line);

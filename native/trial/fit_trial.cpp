@@ -80,7 +80,7 @@ double FitTrial::price(const Region& region, double limit) {
   return price;
 }
 
-bool FitTrial::try_merge(const std::vector<Region>& regions, double limit, int steps) {
+bool FitTrial::try_and_fit(const std::vector<Region>& regions, double limit, int steps) {
   const std::size_t depth = journal_.depth();
   const auto start = error_.state();
   const std::vector<Face> merged = merge_possible(regions);

@@ -27,14 +27,14 @@ class FitTrial {
   /// Merges those of the regions that can be merged after the ones before them, and fits them and
   /// their neighbours in at most `steps` steps. If the error is then at most `limit` and keeps to
   /// the local bound, the mesh stays so, and true is returned; otherwise the mesh is as before.
-  bool try_merge(const std::vector<Region>& regions, double limit, int steps);
+  bool try_and_fit(const std::vector<Region>& regions, double limit, int steps);
 
   /// Fits these faces in at most `steps` steps and keeps the steps that lower the error, but none
   /// if together they would break the local bound.
   void improve(const std::vector<Face>& faces, int steps);
 
-  /// Returns how often merges were kept (try_merge), and at the latest of which of these changes a
-  /// face was touched, 0 if at none.
+  /// Returns how often merges were kept (try_and_fit), and at the latest of which of these changes
+  /// a face was touched, 0 if at none.
   int changes() const { return changes_; }
   int last_change(Face face) const {
     return std::size_t(face.value) < last_change_.size() ? last_change_[face.value] : 0;

@@ -4,20 +4,20 @@
 
 namespace gradmesh {
 
-bool MergeTrial::try_merge(Halfedge edge) {
+bool MergeTrial::try_edge(Halfedge edge) {
   if (!mesh()[edge].alive || can_merge(mesh(), edge) != MergeObstacle::none) return false;
   const std::size_t depth = journal_.depth();
   gradmesh::merge(journal_, edge);
   return keep_if_cheap(depth);
 }
 
-bool MergeTrial::try_merge(const std::vector<Region>& regions) {
+bool MergeTrial::try_regions(const std::vector<Region>& regions) {
   const std::size_t depth = journal_.depth();
   merge_possible(regions);
   return journal_.depth() > depth && keep_if_cheap(depth);
 }
 
-double MergeTrial::try_merge(const std::vector<Halfedge>& edges, double limit) {
+double MergeTrial::try_edges(const std::vector<Halfedge>& edges, double limit) {
   const std::size_t depth = journal_.depth();
   const double error = merge_in_turn(edges) ? error_.after_edits(journal_, depth, epsilon_)
                                             : std::numeric_limits<double>::infinity();

@@ -22,21 +22,21 @@ class MergeTrial {
 
   /// Merges the edge if that is possible, and if the whole error stays at most epsilon and keeps to
   /// the local bound. Returns true if the edge was merged.
-  bool try_merge(Halfedge edge);
+  bool try_edge(Halfedge edge);
 
   /// Merges all these regions or none, on the same conditions. Regions that cannot be merged any
   /// more after the others are left out.
-  bool try_merge(const std::vector<Region>& regions);
+  bool try_regions(const std::vector<Region>& regions);
 
   /// Merges these edges one after another if the whole error is then at most `limit`. Returns the
   /// error that the mesh then has, or would have: some number above epsilon once the error is
   /// certain to be above epsilon; infinity if one of the edges cannot be merged in its turn, or if
   /// the error is at most `limit` but breaks the local bound.
-  double try_merge(const std::vector<Halfedge>& edges, double limit);
-  /// Returns the error that the mesh would have, as try_merge does but regardless of the local
+  double try_edges(const std::vector<Halfedge>& edges, double limit);
+  /// Returns the error that the mesh would have, as try_edges does but regardless of the local
   /// bound. Merges nothing.
   double error_with(const std::vector<Halfedge>& edges) {
-    return try_merge(edges, -std::numeric_limits<double>::infinity());
+    return try_edges(edges, -std::numeric_limits<double>::infinity());
   }
 
   /// Merges those of the regions that can be merged in their turn, whatever the error is.

@@ -10,7 +10,7 @@
 #include "formats/svg/write/write_group.h"
 #include "formats/svg/write/write_mesh.h"
 #include "mesh/build.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "ops/merge/merge.h"
 #include "target.h"
 

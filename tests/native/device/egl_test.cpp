@@ -8,7 +8,7 @@
 #include "branch_meshes.h"
 #include "device/device_errors.h"
 #include "device/egl_rasterizer.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "meshes.h"
 #include "ops/merge/merge.h"
 #include "random_meshes.h"

@@ -153,7 +153,7 @@ TEST(FitTrial, prices_and_refused_merges_leave_everything_as_it_was) {
         const double price = trial.price(region, 1);
         priced += std::isfinite(price);
         EXPECT_TRUE(test::same(mesh, before));
-        EXPECT_FALSE(trial.try_merge({region}, -1, 3));
+        EXPECT_FALSE(trial.try_and_fit({region}, -1, 3));
         EXPECT_TRUE(test::same(mesh, before));
         EXPECT_EQ(trial.error(), 0);
       }
@@ -197,7 +197,7 @@ TEST(FitTrial, fitted_merges_cost_less) {
                      std::make_shared<const FitTarget>(original, frame));
       const Region region = region_of_edge(original, h);
       const double price = trial.price(region, 1);
-      if (!trial.try_merge({region}, 1, 0)) continue;
+      if (!trial.try_and_fit({region}, 1, 0)) continue;
       EXPECT_LE(price, trial.error() + 1e-12);
       merged += trial.error();
       fitted += price;

@@ -152,9 +152,9 @@ TEST(Blocks, are_found_however_the_faces_are_turned) {
   for (CurveParts& curve : parts.curves)
     for (CurveSide* side : {&curve.a, &curve.b})
       for (int& h : side->halfedges) h = h / 4 * 4 + (h % 4 - h / 4 % 4 + 4) % 4;
-  const std::vector<Block> blocks = block_form(build_mesh(parts), 0).blocks;
+  const std::vector<Rectangle> blocks = block_form(build_mesh(parts), 0).blocks;
   ASSERT_EQ(blocks.size(), 1u);
-  EXPECT_EQ(blocks[0].cells.size(), 20u);
+  EXPECT_EQ(blocks[0].tops.size(), 20u);
 }
 
 }  // namespace

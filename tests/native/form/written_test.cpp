@@ -53,10 +53,10 @@ TEST(BlockForm, paints_what_lies_over_itself_as_before) {
     const BlockForm form = block_form(mesh, 0, overlaps);
     std::vector<int> place(mesh.face_slots(), -1);
     int next = 0;
-    for (const Block& block : form.blocks)
-      for (const Block::Cell& cell : block.cells) {
-        EXPECT_EQ(place[cell.face.value], -1);
-        place[cell.face.value] = next++;
+    for (const Rectangle& block : form.blocks)
+      for (const Halfedge top : block.tops) {
+        EXPECT_EQ(place[mesh.face(top).value], -1);
+        place[mesh.face(top).value] = next++;
       }
     EXPECT_EQ(next, mesh.face_count());
     for (const Overlap& overlap : overlaps) {

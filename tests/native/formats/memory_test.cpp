@@ -48,10 +48,10 @@ Mesh random_mesh(unsigned seed) {
 }
 
 /// The faces in the order in which blocks hold them.
-std::vector<Patch> in_blocks(const Mesh& mesh, const std::vector<Block>& blocks) {
+std::vector<Patch> in_blocks(const Mesh& mesh, const std::vector<Rectangle>& blocks) {
   std::vector<Patch> list;
-  for (const Block& block : blocks)
-    for (const Block::Cell& cell : block.cells) list.push_back(block_patch(mesh, cell));
+  for (const Rectangle& block : blocks)
+    for (const Halfedge top : block.tops) list.push_back(patch_from(mesh, top));
   return list;
 }
 

@@ -9,7 +9,7 @@
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 #include "mesh/build.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "meshes.h"
 
 namespace gradmesh {

@@ -409,18 +409,18 @@ TEST(Blocks, hold_every_face_once_and_whole_grids_in_one) {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Mesh mesh = random_mesh(seed);
     std::set<Face> faces;
-    for (const Block& block : block_form(mesh, 0).blocks) {
-      EXPECT_EQ(block.cells.size(), std::size_t(block.rows * block.columns));
-      for (const Block::Cell& cell : block.cells) EXPECT_TRUE(faces.insert(cell.face).second);
+    for (const Rectangle& block : block_form(mesh, 0).blocks) {
+      EXPECT_EQ(block.tops.size(), std::size_t(block.rows * block.columns));
+      for (const Halfedge top : block.tops) EXPECT_TRUE(faces.insert(mesh.face(top)).second);
       for (int i = 0; i < block.rows; ++i)
         for (int j = 0; j < block.columns; ++j) {
           if (j + 1 < block.columns) {
-            EXPECT_EQ(mesh[block_side(mesh, block.cell(i, j), 1)].twin,
-                      block_side(mesh, block.cell(i, j + 1), 3));
+            EXPECT_EQ(mesh[side_from(mesh, block.top(i, j), 1)].twin,
+                      side_from(mesh, block.top(i, j + 1), 3));
           }
           if (i + 1 < block.rows) {
-            EXPECT_EQ(mesh[block_side(mesh, block.cell(i, j), 2)].twin,
-                      block_side(mesh, block.cell(i + 1, j), 0));
+            EXPECT_EQ(mesh[side_from(mesh, block.top(i, j), 2)].twin,
+                      side_from(mesh, block.top(i + 1, j), 0));
           }
         }
     }

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "branch_meshes.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "meshes.h"
@@ -38,7 +38,7 @@ Mesh noisy_grid(int rows, int columns, unsigned seed, ColorModel model = ColorMo
 
 TEST(Grid, is_found_row_by_row_from_the_corner_where_the_patches_begin) {
   const Mesh mesh = grid_mesh({.rows = 3, .columns = 4});
-  const std::optional<Grid> grid = find_grid(mesh);
+  const std::optional<Rectangle> grid = find_grid(mesh);
   ASSERT_TRUE(grid);
   EXPECT_EQ(grid->rows, 3);
   EXPECT_EQ(grid->columns, 4);
@@ -75,7 +75,7 @@ TEST(Lines, leave_a_grid_and_say_its_error_truly) {
       Mesh mesh = original;
       const SimplifyResult result = simplify(mesh, line_options(epsilon, metric));
       EXPECT_EQ(validate(mesh), std::vector<std::string>{});
-      const std::optional<Grid> grid = find_grid(mesh);
+      const std::optional<Rectangle> grid = find_grid(mesh);
       ASSERT_TRUE(grid);
       EXPECT_EQ(grid->rows * grid->columns, result.patches_after);
       EXPECT_LE(result.error, epsilon);
@@ -155,7 +155,7 @@ TEST(Lines, of_small_cost_go_first) {
   Mesh mesh = build_mesh(subdivided(coarse, 2));
   ASSERT_EQ(mesh.face_count(), 16);
   simplify(mesh, line_options(3e-3));
-  const std::optional<Grid> grid = find_grid(mesh);
+  const std::optional<Rectangle> grid = find_grid(mesh);
   ASSERT_TRUE(grid);
   EXPECT_EQ(grid->rows, 4);
   EXPECT_EQ(grid->columns, 1);

@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "branch_meshes.h"
 #include "formats/hemesh/read_hemesh.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "ops/merge/merge.h"

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "meshes.h"

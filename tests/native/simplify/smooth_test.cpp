@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "base/error.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "raster/rasterizer.h"

@@ -7,7 +7,7 @@
 #include "app/document.h"
 #include "base/error.h"
 #include "mesh/color_model.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "metric/local_mean.h"
 #include "random_meshes.h"
 #include "raster/painting.h"

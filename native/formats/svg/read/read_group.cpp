@@ -177,7 +177,7 @@ std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode
   const xmlNode* group = parent_element(path);
   const auto first = own_number(path, "face");
   if (!first || !group || !is_mesh_group(group)) return std::nullopt;
-  const MeshGrid grid = read_mesh_gradient(document, block_gradient(document, group, path));
+  const GradientPatches grid = read_mesh_gradient(document, block_gradient(document, group, path));
   return BlockFaces{*first, grid.rows, grid.columns};
 }
 
@@ -197,10 +197,10 @@ MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
   return parts;
 }
 
-std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks) {
+std::string format_curves(const Mesh& mesh, const std::vector<Rectangle>& blocks) {
   // Sides inside a block: a reader joins those by itself.
   std::vector<bool> inside;
-  for (const Block& block : blocks)
+  for (const Rectangle& block : blocks)
     for (int i = 0; i < block.rows; ++i)
       for (int j = 0; j < block.columns; ++j)
         for (const bool side : {i > 0, j + 1 < block.columns, i + 1 < block.rows, j > 0})

@@ -61,6 +61,6 @@ std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group);
 
 /// Returns the value of `curves` for a mesh in these blocks.
-std::string format_curves(const Mesh& mesh, const std::vector<Block>& blocks);
+std::string format_curves(const Mesh& mesh, const std::vector<Rectangle>& blocks);
 
 }  // namespace gradmesh

@@ -91,7 +91,7 @@ class GridReader {
   GridReader(const StyleSheet& styles, const xmlNode* holder, glm::dvec2 start)
       : styles_(styles), holder_(holder), start_(start) {}
 
-  MeshGrid read() {
+  GradientPatches read() {
     std::vector<std::vector<xmlNode*>> patches;
     for (const xmlNode* row : mesh_rows(holder_)) patches.push_back(mesh_patches(row));
     while (patches.size() > 1 && patches.back().empty()) patches.pop_back();
@@ -236,8 +236,8 @@ class GridReader {
     fail(holder_, Message("{0} is degenerate: all its points coincide", place.name()));
   }
 
-  MeshGrid finish() {
-    MeshGrid grid{rows_, columns_, {}};
+  GradientPatches finish() {
+    GradientPatches grid{rows_, columns_, {}};
     for (int row = 0; row < rows_; ++row)
       for (int column = 0; column < columns_; ++column) {
         const BezierNet points = net({row, column});
@@ -255,7 +255,7 @@ class GridReader {
   std::vector<Node> nodes_;
 };
 
-void check_limits(const MeshGrid& grid, const xmlNode* node) {
+void check_limits(const GradientPatches& grid, const xmlNode* node) {
   for (std::size_t i = 0; i < grid.patches.size(); ++i)
     if (!is_within_limits(grid.patches[i]))
       fail(node, Message("{0} reaches beyond 5e8 user units",
@@ -290,7 +290,7 @@ Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
   return to_user;
 }
 
-MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
+GradientPatches read_grid(const SvgDocument& document, const xmlNode* gradient) {
   const HrefChain chain = href_chain(document, gradient);
   const std::size_t most = limits().links, count = chain.gradients.size();
   if (count > most)
@@ -305,7 +305,7 @@ MeshGrid read_grid(const SvgDocument& document, const xmlNode* gradient) {
   }
   // Inkscape takes a percentage for a fraction of one unit, whatever the units are.
   const glm::dvec2 start(read_box_length(gradient, "x"), read_box_length(gradient, "y"));
-  MeshGrid grid = GridReader(document.styles(), *holder, start).read();
+  GradientPatches grid = GridReader(document.styles(), *holder, start).read();
   check_limits(grid, *holder);
   return grid;
 }
@@ -322,7 +322,7 @@ bool is_within_limits(const Patch& patch) {
   });
 }
 
-MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
+GradientPatches read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
   if (is_smooth(gradient))
     fail(gradient, Message("its type \"bicubic\" is not supported here, where a mesh has several "
                            "gradients"));
@@ -330,7 +330,7 @@ MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient
 }
 
 MeshParts read_mesh(const SvgDocument& document, const MeshObject& object) {
-  MeshGrid grid = read_grid(document, object.gradient), in_user = grid;
+  GradientPatches grid = read_grid(document, object.gradient), in_user = grid;
   const Affine to_user = gradient_to_user(document, object);
   for (Patch& patch : in_user.patches) transform(patch, to_user);
   check_limits(in_user, object.gradient);

@@ -13,7 +13,7 @@ namespace gradmesh {
 
 /// Patches of a rectangular mesh, row by row, `rows * columns` of them, both at least 1. Colours
 /// are bilinear in each patch.
-struct MeshGrid {
+struct GradientPatches {
   int rows = 0, columns = 0;
   std::vector<Patch> patches;
 };
@@ -29,7 +29,7 @@ bool is_within_limits(const Patch& patch);
 /// gradientTransform). As in Inkscape 1.2 the element that `href` leads to gives only its rows and
 /// gradientUnits; x, y, type and gradientTransform are the element's own (SVG 2 would inherit
 /// them). Throws InputError at all that Inkscape could not paint, and at type="bicubic".
-MeshGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient);
+GradientPatches read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient);
 
 /// Returns the object's mesh in its user space, with gradientTransform and gradientUnits applied. A
 /// smooth mesh (type="bicubic") stays in the coordinates of its meshgradient, where Inkscape

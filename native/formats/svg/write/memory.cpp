@@ -40,7 +40,7 @@ std::string packed(const std::string& text) {
   return memory.size() <= longest_attribute ? memory : "";
 }
 
-std::string group_document(const Mesh& mesh, const std::vector<Block>& blocks,
+std::string group_document(const Mesh& mesh, const std::vector<Rectangle>& blocks,
                            const GradientFormat& format) {
   SvgDocument document =
       SvgDocument::parse("<svg xmlns=\"" + std::string(svg_namespace) + "\" xmlns:gradmesh=\"" +
@@ -54,12 +54,12 @@ std::string group_document(const Mesh& mesh, const std::vector<Block>& blocks,
   own(group, "version", "1");
   own(group, "curves", format_curves(mesh, blocks));
   int face = 0;
-  for (const Block& block : blocks) {
+  for (const Rectangle& block : blocks) {
     const std::string gradient = write_block_gradient(document, defs, mesh, block, format, "m");
     xmlNode* path = add_child(group, "path");
     set_attribute(path, "fill", "url(#" + gradient + ")");
     own(path, "face", std::to_string(face));
-    face += int(block.cells.size());
+    face += int(block.tops.size());
   }
   return document.serialize();
 }

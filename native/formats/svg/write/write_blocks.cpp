@@ -37,7 +37,7 @@ Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) c
                               .rounding = rounding_within(mesh_box)};
   Box box;
   int face = 0;
-  for (const Block& block : written_.form.blocks) {
+  for (const Rectangle& block : written_.form.blocks) {
     const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
                                                       format, id_ + (color ? "-mesh" : "-opacity"));
     xmlNode* path = add_child(parent, "path");
@@ -48,7 +48,7 @@ Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) c
     set_attribute(path, "d", path_data(outline, digits_within(mesh_box, outline_digits)));
     set_attribute(path, "style", style(gradient, channel));
     set_attribute(path, "face", std::to_string(face), gradmesh_namespace, "gradmesh");
-    face += int(block.cells.size());
+    face += int(block.tops.size());
   }
   return box;
 }

@@ -14,11 +14,11 @@ namespace {
 
 class GradientWriter {
  public:
-  GradientWriter(const Mesh& mesh, const Block& block, const GradientFormat& format)
+  GradientWriter(const Mesh& mesh, const Rectangle& block, const GradientFormat& format)
       : mesh_(mesh), block_(block), format_(format) {}
 
   void write(xmlNode* gradient) {
-    const Halfedge first = block_side(mesh_, block_.cell(0, 0), 0);
+    const Halfedge first = block_.top(0, 0);
     const glm::dvec2 start = mesh_.position(mesh_.origin(first));
     const glm::dvec2 placed = format_.place.point(start);
     set_attribute(gradient, "x", coordinate(placed.x));
@@ -34,11 +34,11 @@ class GradientWriter {
   /// Writes a patch. Leaves out the sides and colours that the patches above and to the left have
   /// given already.
   void write_patch(xmlNode* node, int row, int column) {
-    const Block::Cell& cell = block_.cell(row, column);
-    const Patch patch = block_patch(mesh_, cell);
+    const Halfedge top = block_.top(row, column);
+    const Patch patch = patch_from(mesh_, top);
     for (int side = row == 0 ? 0 : 1; side < (column == 0 ? 4 : 3); ++side) {
       xmlNode* stop = add_child(node, "stop");
-      const Cubic<Value> curve = mesh_.side_of(block_side(mesh_, cell, side));
+      const Cubic<Value> curve = mesh_.side_of(side_from(mesh_, top, side));
       set_attribute(stop, "path",
                     "C " + point(curve.bezier1().position) + " " + point(curve.bezier2().position) +
                         " " + point(curve.p1.position));
@@ -95,19 +95,19 @@ class GradientWriter {
   std::string point(glm::dvec2 p) const { return pair(format_.place.point(p)); }
 
   const Mesh& mesh_;
-  const Block& block_;
+  const Rectangle& block_;
   const GradientFormat& format_;
 };
 
 }  // namespace
 
-void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
+void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Rectangle& block,
                       const GradientFormat& format) {
   GradientWriter(mesh, block, format).write(gradient);
 }
 
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
-                                 const Block& block, const GradientFormat& format,
+                                 const Rectangle& block, const GradientFormat& format,
                                  const std::string& prefix) {
   xmlNode* gradient = add_child(defs, mesh_gradient_name);
   std::string id = document.give_id(gradient, prefix);

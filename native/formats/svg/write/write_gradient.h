@@ -32,7 +32,7 @@ struct GradientFormat {
 };
 
 /// Gives a meshgradient the block's start and rows.
-void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
+void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Rectangle& block,
                       const GradientFormat& format);
 
 /// Adds to `defs` a meshgradient in userSpaceOnUse that holds the block, in Inkscape's own form
@@ -40,7 +40,7 @@ void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Block& block,
 /// that blocks that share a point have the very same coordinates there and Inkscape's mesh tool
 /// joins them. Returns the gradient's id, which begins with `prefix`.
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
-                                 const Block& block, const GradientFormat& format,
+                                 const Rectangle& block, const GradientFormat& format,
                                  const std::string& prefix);
 
 }  // namespace gradmesh

@@ -11,20 +11,10 @@
 #include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/boundary.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 
 namespace gradmesh {
 namespace {
-
-Block whole_block(const Mesh& mesh) {
-  const Grid grid = find_grid(mesh).value();
-  Block block{grid.rows, grid.columns, {}};
-  for (const Halfedge top : grid.tops) {
-    const std::array<Halfedge, 4> sides = mesh.sides(mesh.face(top));
-    block.cells.push_back({mesh.face(top), int(std::ranges::find(sides, top) - sides.begin())});
-  }
-  return block;
-}
 
 /// Adds a gradient beside the old one, equal to it but for its rows, which the old one may have by
 /// href.
@@ -48,7 +38,7 @@ void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const 
                          double coons_tolerance) {
   xmlNode* gradient = add_gradient(document, object);
   const Affine place = mesh_to_gradient(document, object);
-  write_block_rows(gradient, mesh, whole_block(mesh),
+  write_block_rows(gradient, mesh, find_grid(mesh).value(),
                    {.coons_tolerance = coons_tolerance,
                     .place = place,
                     .rounding = rounding_within(bounding_box(mesh, place))});
@@ -62,11 +52,11 @@ void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const 
 }
 
 MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance) {
-  const Block block = whole_block(mesh);
-  MeshParts parts{{}, grid_curves(block.rows, block.columns)};
+  const Rectangle grid = find_grid(mesh).value();
+  MeshParts parts{{}, grid_curves(grid.rows, grid.columns)};
   parts.smooth = mesh.is_smooth();
-  for (const Block::Cell& cell : block.cells)
-    parts.patches.push_back(as_written(block_patch(mesh, cell), coons_tolerance));
+  for (const Halfedge top : grid.tops)
+    parts.patches.push_back(as_written(patch_from(mesh, top), coons_tolerance));
   return parts;
 }
 

@@ -10,9 +10,9 @@ namespace {
 
 /// Returns true if the mesh is one block whose sides are the boundary of the mesh; the block of a
 /// ring is joined to itself.
-bool is_rectangle(const Mesh& mesh, const std::vector<Block>& blocks) {
+bool is_rectangle(const Mesh& mesh, const std::vector<Rectangle>& blocks) {
   if (blocks.size() != 1) return false;
-  const Block& block = blocks.front();
+  const Rectangle& block = blocks.front();
   int on_boundary = 0;
   for (const Halfedge h : mesh.halfedges())
     on_boundary += mesh.is_leaf(h) && !mesh.other_side(h).valid();

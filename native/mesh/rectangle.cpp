@@ -1,4 +1,4 @@
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 
 #include "mesh/region.h"
 
@@ -20,12 +20,27 @@ int count_across(const Mesh& mesh, Halfedge side) {
 
 }  // namespace
 
-std::optional<Grid> grid_from(const Mesh& mesh, Face face, int top) {
+Halfedge side_from(const Mesh& mesh, Halfedge top, int side) {
+  for (; side > 0; --side) top = mesh.next(top);
+  return top;
+}
+
+Patch patch_from(const Mesh& mesh, Halfedge top) {
+  std::array<Cubic<Value>, 4> sides;
+  std::array<Value, 4> twists;
+  for (int k = 0; k < 4; ++k, top = mesh.next(top)) {
+    sides[k] = mesh.side_of(top);
+    twists[k] = mesh[top].twist;
+  }
+  return patch_from_sides(sides, twists);
+}
+
+std::optional<Rectangle> grid_from(const Mesh& mesh, Face face, int top) {
   const Halfedge first = mesh.sides(face)[top];
   const int columns = count_across(mesh, mesh.next(first));
   const int rows = count_across(mesh, mesh.next(mesh.next(first)));
   if (rows > mesh.face_count() || rows * columns != mesh.face_count()) return std::nullopt;
-  Grid grid{rows, columns, region_tops(mesh, {face, top, rows, columns})};
+  Rectangle grid{rows, columns, region_tops(mesh, {face, top, rows, columns})};
   if (grid.tops.empty()) return std::nullopt;
   int boundary = 0;
   for (const Halfedge side : grid.tops)
@@ -35,7 +50,7 @@ std::optional<Grid> grid_from(const Mesh& mesh, Face face, int top) {
   return grid;
 }
 
-std::optional<Grid> find_grid(const Mesh& mesh) {
+std::optional<Rectangle> find_grid(const Mesh& mesh) {
   for (int top = 0; top < 4; ++top)
     for (const Face f : mesh.faces()) {
       const std::array<Halfedge, 4> sides = mesh.sides(f);

@@ -7,24 +7,31 @@
 
 namespace gradmesh {
 
-/// A mesh seen as one rectangle of patches.
-struct Grid {
+/// Patches in rows and columns, as a mesh gradient holds them: the whole of a mesh that is a grid,
+/// or a part of any mesh.
+struct Rectangle {
   int rows = 0, columns = 0;
-  /// The top sides of the patches, row by row.
+  /// The half-edges along the patches' upper sides, row by row, each of its own patch.
   std::vector<Halfedge> tops;
 
   Halfedge top(int row, int column) const { return tops[row * columns + column]; }
 };
+
+/// Returns side `side` (0 top, 1 right, 2 bottom, 3 left) of the patch with this top.
+Halfedge side_from(const Mesh& mesh, Halfedge top, int side);
+
+/// Returns the patch as seen with this side as its top, wherever its face begins.
+Patch patch_from(const Mesh& mesh, Halfedge top);
 
 /// Returns the whole mesh as a grid: nothing but whole edges and regular points inside, and all
 /// around it the boundary. Returns nothing for meshes with T-junctions, holes, branches or several
 /// parts, and for rings. Rows and columns are counted as the patches themselves have them, if they
 /// agree; a mesh that is read row by row starts at the same corner before and after patches of it
 /// are merged.
-std::optional<Grid> find_grid(const Mesh& mesh);
+std::optional<Rectangle> find_grid(const Mesh& mesh);
 
 /// Returns the whole mesh as such a grid, whose first patch is `face` with its side `top` as its
 /// top.
-std::optional<Grid> grid_from(const Mesh& mesh, Face face, int top);
+std::optional<Rectangle> grid_from(const Mesh& mesh, Face face, int top);
 
 }  // namespace gradmesh
