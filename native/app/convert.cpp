@@ -7,6 +7,7 @@
 
 #include "app/hemesh_document.h"
 #include "app/svg_meshes.h"
+#include "app/svg_rules.h"
 #include "form/smooth_colors.h"
 #include "formats/hemesh/write_hemesh.h"
 #include "formats/svg/write/mesh_outline.h"
@@ -15,7 +16,6 @@
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "mesh/subdivide.h"
-#include "raster/overlaps.h"
 #include "simplify/adapt.h"
 
 namespace gradmesh {
@@ -142,8 +142,8 @@ class Converter {
   void write_svg(const SvgPage& page, const Mesh& mesh, Conversion& conversion) const {
     const std::string outline = outline_path(conversion.original);
     const std::string label = mesh_label(mesh.face_count()).in(from_.translation());
-    const BlockForm form = block_form(mesh, coons_tolerance(frame_), find_overlaps(mesh, frame_));
-    const SvgDocument svg = new_svg(page, outline, {mesh, form, label, mesh.face_count()});
+    const WrittenForm form = block_rules()->form(mesh, frame_);
+    const SvgDocument svg = new_svg(page, outline, {mesh, *form.blocks, label, mesh.face_count()});
     measure(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
   }
 

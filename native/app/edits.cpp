@@ -6,11 +6,12 @@
 #include <stdexcept>
 
 #include "app/svg_meshes.h"
+#include "app/svg_rules.h"
 #include "formats/svg/write/write_mesh.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
 #include "mesh/build.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
 #include "ops/merge/merge_faces.h"
 #include "ops/split/split.h"
@@ -39,10 +40,11 @@ class Refiner {
   Refiner(Journal& journal, const Rectangle& chosen, const RefineOptions& options)
       : journal_(journal),
         mesh_(journal.mesh()),
-        chosen_(chosen),
+        columns_in_all_(chosen.columns),
         options_(options),
         rows_(range(options.row, chosen.rows)),
         columns_(range(options.column, chosen.columns)) {
+    for (const Halfedge top : chosen.tops) faces_.push_back(mesh_.face(top));
     if (rows_.first < 0 || rows_.second > chosen.rows)
       throw InputError("it has no row {0}, only {1} of them.", rows_.second, chosen.rows);
     if (columns_.first < 0 || columns_.second > chosen.columns)
@@ -66,7 +68,7 @@ class Refiner {
   }
 
   Face face(int row, int column) const {
-    return chosen_.faces[std::size_t(row) * std::size_t(chosen_.columns) + std::size_t(column)];
+    return faces_[std::size_t(row) * std::size_t(columns_in_all_) + std::size_t(column)];
   }
 
   void split_patch(Face f) {
@@ -97,7 +99,9 @@ class Refiner {
 
   Journal& journal_;
   const Mesh& mesh_;
-  const Rectangle& chosen_;
+  /// The patches as they were chosen, row by row: a patch that is cut keeps its face.
+  std::vector<Face> faces_;
+  const int columns_in_all_;
   const RefineOptions& options_;
   const Range rows_, columns_;
 };
@@ -145,10 +149,11 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
     const Mesh& grid =
         grids.emplace_back(entry, meshes.naming(entry, [&] { return as_grid(before); })).second;
     const Frame frame = meshes.frame(entry, before, measure.resolution);
-    const Mesh written = build_mesh(gradient_parts(grid, coons_tolerance(frame)));
+    const WrittenForm form =
+        meshes.naming(entry, [&] { return gradient_rules({})->form(grid, frame); });
     const EditError error(before, before, frame, measure.metric);
     reports.push_back(
-        {entry.id, before.face_count(), grid.face_count(), error.whole_frame(written).mean});
+        {entry.id, before.face_count(), grid.face_count(), error.whole_frame(form.surface).mean});
   }
   if (grids.empty())
     throw InputError("{0}: only simplified meshes can be made one mesh gradient.", document.name());
@@ -163,12 +168,13 @@ EditReport merge_blocks(Document& document, const std::vector<std::string>& ids,
   std::vector<Face> faces;
   std::optional<MeshEntry> entry;
   for (const std::string& id : ids) {
-    const Rectangle block = meshes.block(id);
+    const ChosenPatches block = meshes.block(id);
     if (entry && entry->index != block.entry.index)
       throw InputError("{0}: the blocks {1} and {2} are of different meshes.", document.name(),
                        excerpt(ids.front()), excerpt(id));
     entry = block.entry;
-    faces.insert(faces.end(), block.faces.begin(), block.faces.end());
+    for (const Halfedge top : block.rectangle.tops)
+      faces.push_back(meshes.mesh(block.entry).face(top));
   }
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -198,12 +204,12 @@ EditReport refine(Document& document, const std::string& id, const RefineOptions
   if (!options.rows && !options.columns)
     throw std::invalid_argument("patches are split into rows, columns or both.");
   SvgMeshes& meshes = svg(document);
-  const Rectangle chosen = meshes.rectangle(id);
+  const ChosenPatches chosen = meshes.rectangle(id);
   Mesh mesh = meshes.mesh(chosen.entry);
   const int before = mesh.face_count();
   Journal journal(mesh);
   try {
-    Refiner(journal, chosen, options).run();
+    Refiner(journal, chosen.rectangle, options).run();
   } catch (const InputError& error) {
     throw InputError("{0}: {1}: {2}", document.name(), excerpt(id), error.message());
   }

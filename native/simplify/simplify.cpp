@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/parallel.h"
-#include "mesh/grid.h"
+#include "mesh/rectangle.h"
 #include "methods/best.h"
 #include "methods/gqe.h"
 #include "raster/painting.h"
@@ -125,7 +125,6 @@ class Run {
   Run(Mesh& mesh, const RunOptions& options)
       : options_((check(options), options)),
         method_(method_named(options.method)),
-        method_options_{options.seed, options.omega, options.kappa, options.edges},
         watch_(options.time_budget, options.progress),
         mesh_(mesh),
         original_(options.original ? *options.original : mesh),
@@ -200,7 +199,7 @@ class Run {
     for (bool goes_on = true; goes_on;) {
       const std::size_t depth = trial_.depth();
       PriceTable afresh{analysis_.key, {}};
-      method_.run({trial_, depth == 0 ? analysis_ : afresh, method_options_, watch_});
+      method_.run({trial_, depth == 0 ? analysis_ : afresh, options_, watch_});
       if (trial_.depth() == 0 || keeps_as_written(mesh_, result)) break;
       trial_.lower_epsilon(options_.epsilon - (result.error - trial_.error()));
       take_back(trial_, method_, options_, result);
@@ -239,7 +238,6 @@ class Run {
 
   const RunOptions& options_;
   const Method& method_;
-  const MethodOptions method_options_;
   StopWatch watch_;
   Mesh& mesh_;
   const Mesh& original_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,9 +20,10 @@
 
 namespace gradmesh {
 
-/// What a person may ask for.
-struct SimplifyOptions {
-  /// By its name (methods/method.h).
+/// What a person may ask for. With the options of the methods, of which the chosen one heeds those
+/// that Method::options names.
+struct SimplifyOptions : MethodOptions {
+  /// The name of a method (methods/method.h).
   std::string method = default_method;
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
@@ -36,14 +36,6 @@ struct SimplifyOptions {
   std::optional<double> ratio;
   /// Pixels along the longer side of the frame, as of check_resolution.
   int resolution = 700;
-  /// Of random, grid, dual-grid and motorcycle.
-  std::uint64_t seed = 0;
-  /// gqe and gqe1: weight of a region's size against its error (Eq. 7), 0..1.
-  double omega = 0.75;
-  /// motorcycle: edges that cost more than this share of epsilon bound the parts (6.2), 0 or more.
-  double kappa = 0.05;
-  /// manual: the edges to merge, in this order, by either of their half-edges.
-  std::vector<int> edges;
   /// In which colour model a document's mesh is merged, by default its own (Document::simplify).
   /// simplify() itself takes the mesh's.
   std::optional<ColorModel> color_model;
