@@ -1,5 +1,7 @@
 #include "mesh/rectangle.h"
 
+#include <algorithm>
+
 #include "mesh/region.h"
 
 namespace gradmesh {
@@ -26,11 +28,16 @@ Halfedge side_from(const Mesh& mesh, Halfedge top, int side) {
 }
 
 Patch patch_from(const Mesh& mesh, Halfedge top) {
+  const Face face = mesh.face(top);
+  const Patch patch = mesh.patch(face);
+  const std::array<Halfedge, 4> own = mesh.sides(face);
+  const int first = int(std::ranges::find(own, top) - own.begin());
+  if (first == 0) return patch;
   std::array<Cubic<Value>, 4> sides;
   std::array<Value, 4> twists;
-  for (int k = 0; k < 4; ++k, top = mesh.next(top)) {
-    sides[k] = mesh.side_of(top);
-    twists[k] = mesh[top].twist;
+  for (int k = 0; k < 4; ++k) {
+    sides[k] = patch.side((first + k) % 4);
+    twists[k] = patch.twist((first + k) % 4);
   }
   return patch_from_sides(sides, twists);
 }
