@@ -4,14 +4,13 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
 import pytest
 
 import inkscape_harness
+from built import SAMPLES
 from inkscape_harness import Inkscape
 
-SAMPLES = Path(__file__).resolve().parents[2] / "samples"
 # The objects that a mesh paints, and the number of patches of each mesh.
 PAINTED = {
     "fruit": {"pear": 132},
