@@ -17,7 +17,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT / "tests" / "python"), str(ROOT / "build" / "python")]
+sys.path[:0] = [str(ROOT / "tests" / "python" / "helpers"), str(ROOT / "build" / "python")]
 
 import gradmesh  # noqa: E402
 from inkscape_harness import Inkscape, Timeout  # noqa: E402

@@ -29,7 +29,7 @@ void expect_box(std::string_view path, glm::dvec2 low, glm::dvec2 high, double t
   expect_near(box->high(), high, tolerance);
 }
 
-// tests/python/test_inkscape_reads.py holds them to what Inkscape paints.
+// tests/python/inkscape/test_inkscape_reads.py holds them to what Inkscape paints.
 TEST(SvgColor, all_forms) {
   const glm::dvec3 orange(1, 165 / 255.0, 0);
   for (const std::string_view text :

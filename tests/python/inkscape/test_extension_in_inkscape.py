@@ -18,9 +18,9 @@ pytest.importorskip("numpy")
 pytest.importorskip("PIL.Image")
 
 import svg_meshes
+from edited_blocks import Group
 from pictures import difference, export, flip, info, write_bare_mesh
 from test_pictures import SAME
-from test_update import Group
 
 import gradmesh
 

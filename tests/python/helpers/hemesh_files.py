@@ -1,8 +1,8 @@
 """Writes .hemesh files of our own: grids that are exact parts of one bicubic patch."""
 
-from pathlib import Path
+from built import ROOT
 
-SHARED = Path(__file__).resolve().parents[3] / "shared" / "meshes"
+SHARED = ROOT.parent / "shared" / "meshes"
 
 
 class Surface:

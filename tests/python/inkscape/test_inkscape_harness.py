@@ -3,14 +3,13 @@
 import os
 import subprocess
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
 import pytest
 
 import inkscape_harness
+from built import SAMPLES
 from inkscape_harness import Inkscape, Timeout
 
-SAMPLES = Path(__file__).resolve().parents[2] / "samples"
 RAW_ID = "org.gradmesh.test_opacity"
 INX = f"""<inkscape-extension xmlns="http://www.inkscape.org/namespace/inkscape/extension">
 <name>Test</name><id>{RAW_ID}</id>

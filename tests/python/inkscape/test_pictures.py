@@ -11,7 +11,7 @@ import pictures
 import svg_meshes
 from built import PROGRAM, SAMPLES
 from pictures import difference, export, flip, gradmesh, info
-from test_samples import OBJECTS, PAINTED
+from sample_meshes import OBJECTS, PAINTED
 
 REASON = inkscape_harness.missing()
 if not REASON and not PROGRAM.exists():

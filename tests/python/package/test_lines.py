@@ -10,7 +10,7 @@ import pytest
 import inkscape_harness
 import svg_meshes
 from built import PROGRAM, SAMPLES, gradmesh as run
-from test_samples import OBJECTS, PAINTED, mesh_of
+from sample_meshes import OBJECTS, PAINTED, mesh_of
 
 import gradmesh
 

@@ -1,15 +1,16 @@
 """Whatever the document is: a result, or one plain sentence. Property tests with fixed seeds."""
 
 import random
-from pathlib import Path
 
 import pytest
 
-gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not on PYTHONPATH")
+import built
+
+gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not there")
 hypothesis = pytest.importorskip("hypothesis", reason="Debian package python3-hypothesis is absent")
 from hypothesis import given, settings, strategies as st  # noqa: E402
 
-SAMPLES = sorted((Path(__file__).resolve().parents[2] / "samples").glob("*.svg"))
+SAMPLES = sorted(built.SAMPLES.glob("*.svg"))
 
 thoroughly = settings(max_examples=500, deadline=None, derandomize=True)
 moderately = settings(max_examples=120, deadline=None, derandomize=True)

@@ -7,12 +7,12 @@ from typing import NamedTuple, Optional
 import pytest
 
 import inkscape_harness
-from built import gradmesh
+from built import ROOT, gradmesh
 
 etree = pytest.importorskip("lxml.etree")
 Image = pytest.importorskip("PIL.Image")
 
-REAL = Path(__file__).resolve().parents[3] / "shared" / "real"
+REAL = ROOT.parent / "shared" / "real"
 DOCUMENTS = sorted(REAL.glob("*.svg"))
 #: Balanced in Inkscape's dialog.
 BALANCED = {"--epsilon": "0.01", "--max-local-error": "0.1"}

@@ -3,11 +3,11 @@
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+from built import ROOT
+
 CORE = sorted(p for folder in ("native", "tests", "benchmarks") for p in (ROOT / folder).rglob("*.[ch]*"))
 PYTHON = [ROOT / folder for folder in ("python", "extension", "tests/python", "samples", "scripts", "setup.py")]
 

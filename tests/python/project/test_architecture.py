@@ -5,7 +5,9 @@ from pathlib import Path
 
 import pytest
 
-NATIVE = Path(__file__).resolve().parents[2] / "native"
+from built import ROOT
+
+NATIVE = ROOT / "native"
 
 RANK = {
     "base": 0,

@@ -5,7 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 SAMPLES = ROOT / "samples"
 BUILD = Path(os.environ.get("GRADMESH_BUILD", ROOT / "build")).resolve()
 PROGRAM = BUILD / "gradmesh"

@@ -3,7 +3,7 @@
 import pytest
 
 import built
-from test_samples import OBJECTS
+from sample_meshes import OBJECTS
 
 gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not there")
 
