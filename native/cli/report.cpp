@@ -6,9 +6,9 @@
 #include <algorithm>
 #include "app/common_frames.h"
 #include "app/devices.h"
+#include "app/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
 #include "files/atomic_file.h"
 #include "raster/hidden.h"

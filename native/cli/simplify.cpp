@@ -2,10 +2,10 @@
 
 #include "app/convert.h"
 #include "app/devices.h"
+#include "app/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/json_output.h"
-#include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
 #include "files/atomic_file.h"
 
