@@ -11,6 +11,7 @@
 #include "app/draw_document.h"
 #include "app/edits.h"
 #include "app/info.h"
+#include "app/one_mesh.h"
 #include "base/error.h"
 #include "mesh/mesh.h"
 
@@ -170,15 +171,26 @@ py::list to_one_mesh_document(Document& document, const std::vector<std::string>
   return list;
 }
 
+/// Returns the mesh of the object with this id, its fill if fill and stroke are meshes. If there is
+/// no id, or if it is that of an element around meshes, returns the only one there. Throws
+/// InputError if there are several.
+MeshEntry one_mesh(const Document& document, const std::optional<std::string>& id) {
+  const std::vector<std::string> ids = id ? std::vector{*id} : std::vector<std::string>{};
+  for (const MeshEntry& entry : document.selected(ids))
+    if (entry.id == id) return entry;
+  return one_mesh(document, ids, "its id");
+}
+
 DocumentKind kind_named(const std::string& name) {
   if (name == "svg") return DocumentKind::svg;
   if (name == "hemesh") return DocumentKind::hemesh;
   throw std::invalid_argument("documents are of the kind svg or hemesh, not '" + name + "'.");
 }
 
-py::dict convert_document(const Document& document, const std::string& kind, const std::string& id,
-                          std::optional<int> subdivide, std::optional<double> epsilon,
-                          const std::string& metric, int resolution) {
+py::dict convert_document(const Document& document, const std::string& kind,
+                          const std::optional<std::string>& id, std::optional<int> subdivide,
+                          std::optional<double> epsilon, const std::string& metric,
+                          int resolution) {
   ConvertOptions options;
   options.epsilon = epsilon.value_or(options.epsilon);
   options.must_keep_epsilon = epsilon.has_value();
@@ -189,7 +201,7 @@ py::dict convert_document(const Document& document, const std::string& kind, con
   Conversion conversion;
   {
     const py::gil_scoped_release release;
-    conversion = convert(document, document.selected({id}).front(), to, options);
+    conversion = convert(document, one_mesh(document, id), to, options);
   }
   const Document& made = *conversion.document;
   const int patches = made.mesh(made.meshes().front()).face_count();
@@ -198,16 +210,16 @@ py::dict convert_document(const Document& document, const std::string& kind, con
                   py::arg("lost_opacity") = conversion.lost_opacity);
 }
 
-std::string draw_document(const Document& document, const std::string& id, const std::string& show,
-                          bool picture, const RunOptions& simplify, const AnalysisPaths& analyses,
-                          const py::object& progress) {
+std::string draw_document(const Document& document, const std::optional<std::string>& id,
+                          const std::string& show, bool picture, const RunOptions& simplify,
+                          const AnalysisPaths& analyses, const py::object& progress) {
   DrawOptions options;
   options.show = show_named(show);
   options.picture = picture;
   options.simplify = simplify;
   options.simplify.progress = progress_callback(progress);
   const py::gil_scoped_release release;
-  return draw(document, document.selected({id}).front(), options, analyses);
+  return draw(document, one_mesh(document, id), options, analyses);
 }
 
 py::tuple message_tuple(const Message& message);
@@ -288,9 +300,9 @@ void bind_options(py::module_& m) {
            py::arg("load"), py::arg("save"), py::arg("cache"));
 }
 
-py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution,
-                                 bool like_inkscape, const Document* framed_as) {
-  const MeshEntry entry = document.selected({id}).front();
+py::array_t<std::uint8_t> render(const Document& document, const std::optional<std::string>& id,
+                                 int resolution, bool like_inkscape, const Document* framed_as) {
+  const MeshEntry entry = one_mesh(document, id);
   const Image image =
       like_inkscape ? document.render_like_inkscape(entry, resolution, framed_as)
                     : document.render(entry, resolution, *make_software_rasterizer(), framed_as);

@@ -386,14 +386,15 @@ def render(
 ) -> "numpy.ndarray":
     """Paints one mesh, on white: uint8 array of shape (height, width, 3), sRGB.
 
-    `id` may be left out where the document has one mesh only.
+    id: of the object that the mesh paints; it may be left out where the document has one mesh only,
+    and elsewhere InputError says so.
     like_inkscape: takes Inkscape's point of each pixel instead of the centre; InputError for a
     .hemesh file, whose colours Inkscape cannot paint.
     framed_as: paints the mesh where the other document's, of the same id or the only one, would be
     painted, so that the two pictures can be laid on each other.
     """
     other = framed_as and framed_as._core
-    return document._core.render(_one_id(document, id), _pixels(resolution), like_inkscape, other)
+    return document._core.render(id, _pixels(resolution), like_inkscape, other)
 
 
 def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: str = "flip") -> float:
@@ -429,7 +430,7 @@ def draw(
     options = _options(metric, epsilon, resolution, None, threads)
     options.kappa = kappa
     return document._core.draw(
-        id=_one_id(document, id),
+        id=id,
         show=show,
         picture=picture,
         options=options,
@@ -458,7 +459,7 @@ def convert(
     """
     made = document._core.convert(
         kind=kind,
-        id=_one_id(document, id),
+        id=id,
         subdivide=subdivide,
         epsilon=epsilon,
         metric=metric,
@@ -470,16 +471,6 @@ def convert(
 def _pixels(resolution: int) -> int:
     _core.check_resolution(resolution)
     return resolution
-
-
-def _one_id(document: Document, id: Optional[str]) -> str:
-    if id is None:
-        meshes = document.meshes
-        meshes = [mesh for mesh in meshes if not mesh.refused] or meshes
-        if len(meshes) > 1:
-            raise ValueError(f"the document has {len(meshes)} meshes: say which one by its id")
-        id = meshes[0].id
-    return id
 
 
 def save(document: Document, path: Path) -> None:

@@ -225,6 +225,8 @@ def test_python(shape, tmp_path):
     assert not made.lost_opacity
     assert [mesh.id for mesh in made.document.meshes] == ["mesh"]
     assert gradmesh.convert(gradmesh.load(leaf), "svg", subdivide=2).patches == 12
+    with pytest.raises(gradmesh.InputError, match="2 meshes"):
+        gradmesh.convert(gradmesh.load(SAMPLES / "two.svg"), "hemesh")
     bubble = gradmesh.convert(gradmesh.load(SAMPLES / "opacity.svg"), "hemesh", "bubble")
     assert bubble.lost_opacity
     (result,) = gradmesh.simplify(bubble.document, method="grid")
@@ -235,7 +237,6 @@ def test_python(shape, tmp_path):
     "kind, options, words",
     [
         ("png", {"id": "cap"}, "'png'"),
-        ("hemesh", {}, "2 meshes"),
         ("hemesh", {"id": "cap", "subdivide": 0}, "1 to 32"),
         ("hemesh", {"id": "cap", "metric": "taste"}, "'taste'"),
         ("hemesh", {"id": "cap", "resolution": 3}, "resolution"),
