@@ -12,8 +12,11 @@
 #include "app/edits.h"
 #include "app/info.h"
 #include "app/one_mesh.h"
+#include "app/report_on_mesh.h"
 #include "base/error.h"
+#include "files/atomic_file.h"
 #include "mesh/mesh.h"
+#include "report/report.h"
 
 namespace py = pybind11;
 
@@ -222,6 +225,16 @@ std::string draw_document(const Document& document, const std::optional<std::str
   return draw(document, one_mesh(document, id), options, analyses);
 }
 
+void write_report(Document& before, const Document& after, const std::string& path,
+                  const std::optional<std::string>& id, ReportOptions options,
+                  const py::object& progress, const Document* original) {
+  options.pricing.progress = progress_callback(progress);
+  const MeasuredAgainst measured(before, original);
+  const py::gil_scoped_release release;
+  write_bytes(path, report_html(report_on_mesh(before, one_mesh(before, id), after,
+                                               one_mesh(after, id), options)));
+}
+
 py::tuple message_tuple(const Message& message);
 
 py::object argument(const Message::Argument& argument) {
@@ -298,6 +311,16 @@ void bind_options(py::module_& m) {
              return AnalysisPaths{load, save, cache};
            }),
            py::arg("load"), py::arg("save"), py::arg("cache"));
+  py::class_<ReportOptions>(m, "ReportOptions")
+      .def(py::init([](const RunOptions& pricing, const AnalysisPaths& analyses,
+                       const std::string& run, const std::optional<std::string>& metric,
+                       std::optional<double> epsilon, std::optional<int> resolution) {
+             ReportOptions options{run, std::nullopt, epsilon, resolution, pricing, analyses};
+             if (metric) options.metric = metric_named(*metric);
+             return options;
+           }),
+           py::kw_only(), py::arg("pricing"), py::arg("analyses"), py::arg("run"),
+           py::arg("metric"), py::arg("epsilon"), py::arg("resolution"));
 }
 
 py::array_t<std::uint8_t> render(const Document& document, const std::optional<std::string>& id,
@@ -360,6 +383,8 @@ PYBIND11_MODULE(_core, m) {
       .def("update", &update_document, py::arg("ids"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"), py::arg("original"))
+      .def("report", &write_report, py::kw_only(), py::arg("after"), py::arg("path"), py::arg("id"),
+           py::arg("options"), py::arg("progress"), py::arg("original"))
       .def("merge", &merge_document, py::kw_only(), py::arg("ids"), py::arg("metric"),
            py::arg("resolution"))
       .def("refine", &refine_document, py::kw_only(), py::arg("id"), py::arg("rows"),

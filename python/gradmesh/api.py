@@ -439,6 +439,59 @@ def draw(
     )
 
 
+def report(
+    before: Document,
+    after: Document,
+    path: Path,
+    id: Optional[str] = None,
+    *,
+    run: Optional[Path] = None,
+    metric: Optional[str] = None,
+    epsilon: Optional[float] = None,
+    resolution: Optional[int] = None,
+    color_model: Optional[str] = None,
+    visible_only: bool = True,
+    threads: int = 0,
+    renderer: str = "auto",
+    device_lost: Optional[DeviceLost] = None,
+    original: Optional[Document] = None,
+    load_analysis: Optional[Path] = None,
+    save_analysis: Optional[Path] = None,
+    progress: Optional[Progress] = None,
+) -> None:
+    """Writes a page of HTML that shows one mesh before and after its simplification.
+
+    The page needs no other files: it has both pictures, the map of the error, the patches, what merging
+    single edges costs, and the regions that can be merged within epsilon.
+    id: of the mesh, in both documents; it may be left out where each has one mesh only.
+    run: the file that `gradmesh simplify --report` has written; the page shows the run's options.
+    metric, epsilon, resolution, color_model: None for those of the run or, without it, "flip", 0.01, 700
+    and the colour model of the mesh.
+    progress: as of simplify(); where it returns False the page shows what was priced until then.
+    Other options and errors as of simplify(); where this raises no page is written.
+    """
+    pricing = _core.SimplifyOptions()
+    pricing.color_model = color_model
+    pricing.visible_only = visible_only
+    pricing.threads = threads
+    pricing.use_renderer(renderer, device_lost or _warn_without_device)
+    before._core.report(
+        after=after._core,
+        path=os.fspath(path),
+        id=id,
+        options=_core.ReportOptions(
+            pricing=pricing,
+            analyses=_analyses(load_analysis, save_analysis),
+            run="" if run is None else os.fspath(run),
+            metric=metric,
+            epsilon=epsilon,
+            resolution=None if resolution is None else _pixels(resolution),
+        ),
+        progress=progress,
+        original=original and original._core,
+    )
+
+
 def convert(
     document: Document,
     kind: str,
