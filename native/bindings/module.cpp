@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "app/convert.h"
+#include "app/convert_for_run.h"
 #include "app/devices.h"
 #include "app/document.h"
 #include "app/draw_document.h"
@@ -132,6 +133,25 @@ py::list simplify_document(Document& document, const std::vector<std::string>& i
   return report_list(reports);
 }
 
+DocumentKind kind_named(const std::string& name) {
+  if (name == "svg") return DocumentKind::svg;
+  if (name == "hemesh") return DocumentKind::hemesh;
+  throw std::invalid_argument("documents are of the kind svg or hemesh, not '" + name + "'.");
+}
+
+py::tuple convert_for_run_of(Document& document, const std::string& kind,
+                             const std::vector<std::string>& ids, const RunOptions& options,
+                             const Document* original) {
+  const MeasuredAgainst measured(document, original);
+  const DocumentKind to = kind_named(kind);
+  ConvertedRun run;
+  {
+    const py::gil_scoped_release release;
+    run = convert_for_run(document, one_mesh(document, ids, "its id"), to, options);
+  }
+  return py::make_tuple(std::move(run.document), std::move(run.options));
+}
+
 py::list update_document(Document& document, const std::vector<std::string>& ids) {
   py::list list;
   for (const UpdateReport& report : document.update(ids))
@@ -182,12 +202,6 @@ MeshEntry one_mesh(const Document& document, const std::optional<std::string>& i
   for (const MeshEntry& entry : document.selected(ids))
     if (entry.id == id) return entry;
   return one_mesh(document, ids, "its id");
-}
-
-DocumentKind kind_named(const std::string& name) {
-  if (name == "svg") return DocumentKind::svg;
-  if (name == "hemesh") return DocumentKind::hemesh;
-  throw std::invalid_argument("documents are of the kind svg or hemesh, not '" + name + "'.");
 }
 
 py::dict convert_document(const Document& document, const std::string& kind,
@@ -374,12 +388,17 @@ PYBIND11_MODULE(_core, m) {
                     return Document::parse(std::string(bytes), name);
                   })
       .def_property_readonly("name", &Document::name)
+      .def_property_readonly(
+          "kind",
+          [](const Document& d) { return d.kind() == DocumentKind::svg ? "svg" : "hemesh"; })
       .def("set_translation", &Document::set_translation)
       .def("ids", &ids)
       .def("meshes", &meshes)
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("remember_original"), py::arg("keep_original"),
            py::arg("preview"), py::arg("progress"), py::arg("original"))
+      .def("convert_for_run", &convert_for_run_of, py::kw_only(), py::arg("kind"), py::arg("ids"),
+           py::arg("options"), py::arg("original"))
       .def("update", &update_document, py::arg("ids"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"), py::arg("original"))

@@ -153,6 +153,7 @@ def simplify(
     remember_original: bool = True,
     keep_original: bool = False,
     original: Optional[Document] = None,
+    kind: Optional[str] = None,
     preview: bool = False,
     load_analysis: Optional[Path] = None,
     save_analysis: Optional[Path] = None,
@@ -194,6 +195,11 @@ def simplify(
     original: a document whose meshes those here are measured against, whatever they remember: the only
     mesh in each, or those with the same ids. Two SVG documents share their coordinates, as do two
     .hemesh files; of two kinds, one mesh is laid on the other. It is remembered instead.
+    kind: "svg" or "hemesh", the kind of document that this one becomes. If that is not its kind, it holds
+    one mesh afterwards, which `ids` names where there are several: that is converted first, towards SVG
+    with a part of epsilon where there is no target, and what the conversion costs counts towards the
+    error. InputError where epsilon cannot be kept so, or where a .hemesh file would lose opacities. Its
+    colours are then bilinear unless color_model says otherwise.
     preview: only say what would become of each; the document stays as it is. With "manual" the
     error is told even where it is too large.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe", "gqe1" and "best"
@@ -220,16 +226,23 @@ def simplify(
     options.kappa = kappa
     options.edges = edges
     options.time_budget = time_budget
-    results = document._core.simplify(
-        ids=[ids] if isinstance(ids, str) else list(ids),
+    core, ids = document._core, [ids] if isinstance(ids, str) else list(ids)
+    original = original and original._core
+    if kind not in (None, core.kind):
+        core, options = core.convert_for_run(kind=kind, ids=ids, options=options, original=original)
+        ids, original = [], None  # the options name what to measure against
+    results = core.simplify(
+        ids=ids,
         options=options,
         analyses=_analyses(load_analysis, save_analysis, analysis_cache),
         remember_original=remember_original,
         keep_original=keep_original,
         preview=preview,
         progress=progress,
-        original=original and original._core,
+        original=original,
     )
+    if not preview:
+        document._core = core
     return [Result(**result) for result in results]
 
 
