@@ -6,13 +6,18 @@
 #include <cstring>
 
 #include "app/convert.h"
+#include "app/convert_for_run.h"
 #include "app/devices.h"
 #include "app/document.h"
 #include "app/draw_document.h"
 #include "app/edits.h"
 #include "app/info.h"
+#include "app/one_mesh.h"
+#include "app/report_on_mesh.h"
 #include "base/error.h"
+#include "files/atomic_file.h"
 #include "mesh/mesh.h"
+#include "report/report.h"
 
 namespace py = pybind11;
 
@@ -128,6 +133,25 @@ py::list simplify_document(Document& document, const std::vector<std::string>& i
   return report_list(reports);
 }
 
+DocumentKind kind_named(const std::string& name) {
+  if (name == "svg") return DocumentKind::svg;
+  if (name == "hemesh") return DocumentKind::hemesh;
+  throw std::invalid_argument("documents are of the kind svg or hemesh, not '" + name + "'.");
+}
+
+py::tuple convert_for_run_of(Document& document, const std::string& kind,
+                             const std::vector<std::string>& ids, const RunOptions& options,
+                             const Document* original) {
+  const MeasuredAgainst measured(document, original);
+  const DocumentKind to = kind_named(kind);
+  ConvertedRun run;
+  {
+    const py::gil_scoped_release release;
+    run = convert_for_run(document, one_mesh(document, ids, "its id"), to, options);
+  }
+  return py::make_tuple(std::move(run.document), std::move(run.options));
+}
+
 py::list update_document(Document& document, const std::vector<std::string>& ids) {
   py::list list;
   for (const UpdateReport& report : document.update(ids))
@@ -170,15 +194,20 @@ py::list to_one_mesh_document(Document& document, const std::vector<std::string>
   return list;
 }
 
-DocumentKind kind_named(const std::string& name) {
-  if (name == "svg") return DocumentKind::svg;
-  if (name == "hemesh") return DocumentKind::hemesh;
-  throw std::invalid_argument("documents are of the kind svg or hemesh, not '" + name + "'.");
+/// Returns the mesh of the object with this id, its fill if fill and stroke are meshes. If there is
+/// no id, or if it is that of an element around meshes, returns the only one there. Throws
+/// InputError if there are several.
+MeshEntry one_mesh(const Document& document, const std::optional<std::string>& id) {
+  const std::vector<std::string> ids = id ? std::vector{*id} : std::vector<std::string>{};
+  for (const MeshEntry& entry : document.selected(ids))
+    if (entry.id == id) return entry;
+  return one_mesh(document, ids, "its id");
 }
 
-py::dict convert_document(const Document& document, const std::string& kind, const std::string& id,
-                          std::optional<int> subdivide, std::optional<double> epsilon,
-                          const std::string& metric, int resolution) {
+py::dict convert_document(const Document& document, const std::string& kind,
+                          const std::optional<std::string>& id, std::optional<int> subdivide,
+                          std::optional<double> epsilon, const std::string& metric,
+                          int resolution) {
   ConvertOptions options;
   options.epsilon = epsilon.value_or(options.epsilon);
   options.must_keep_epsilon = epsilon.has_value();
@@ -189,7 +218,7 @@ py::dict convert_document(const Document& document, const std::string& kind, con
   Conversion conversion;
   {
     const py::gil_scoped_release release;
-    conversion = convert(document, document.selected({id}).front(), to, options);
+    conversion = convert(document, one_mesh(document, id), to, options);
   }
   const Document& made = *conversion.document;
   const int patches = made.mesh(made.meshes().front()).face_count();
@@ -198,16 +227,26 @@ py::dict convert_document(const Document& document, const std::string& kind, con
                   py::arg("lost_opacity") = conversion.lost_opacity);
 }
 
-std::string draw_document(const Document& document, const std::string& id, const std::string& show,
-                          bool picture, const RunOptions& simplify, const AnalysisPaths& analyses,
-                          const py::object& progress) {
+std::string draw_document(const Document& document, const std::optional<std::string>& id,
+                          const std::string& show, bool picture, const RunOptions& simplify,
+                          const AnalysisPaths& analyses, const py::object& progress) {
   DrawOptions options;
   options.show = show_named(show);
   options.picture = picture;
   options.simplify = simplify;
   options.simplify.progress = progress_callback(progress);
   const py::gil_scoped_release release;
-  return draw(document, document.selected({id}).front(), options, analyses);
+  return draw(document, one_mesh(document, id), options, analyses);
+}
+
+void write_report(Document& before, const Document& after, const std::string& path,
+                  const std::optional<std::string>& id, ReportOptions options,
+                  const py::object& progress, const Document* original) {
+  options.pricing.progress = progress_callback(progress);
+  const MeasuredAgainst measured(before, original);
+  const py::gil_scoped_release release;
+  write_bytes(path, report_html(report_on_mesh(before, one_mesh(before, id), after,
+                                               one_mesh(after, id), options)));
 }
 
 py::tuple message_tuple(const Message& message);
@@ -286,11 +325,21 @@ void bind_options(py::module_& m) {
              return AnalysisPaths{load, save, cache};
            }),
            py::arg("load"), py::arg("save"), py::arg("cache"));
+  py::class_<ReportOptions>(m, "ReportOptions")
+      .def(py::init([](const RunOptions& pricing, const AnalysisPaths& analyses,
+                       const std::string& run, const std::optional<std::string>& metric,
+                       std::optional<double> epsilon, std::optional<int> resolution) {
+             ReportOptions options{run, std::nullopt, epsilon, resolution, pricing, analyses};
+             if (metric) options.metric = metric_named(*metric);
+             return options;
+           }),
+           py::kw_only(), py::arg("pricing"), py::arg("analyses"), py::arg("run"),
+           py::arg("metric"), py::arg("epsilon"), py::arg("resolution"));
 }
 
-py::array_t<std::uint8_t> render(const Document& document, const std::string& id, int resolution,
-                                 bool like_inkscape, const Document* framed_as) {
-  const MeshEntry entry = document.selected({id}).front();
+py::array_t<std::uint8_t> render(const Document& document, const std::optional<std::string>& id,
+                                 int resolution, bool like_inkscape, const Document* framed_as) {
+  const MeshEntry entry = one_mesh(document, id);
   const Image image =
       like_inkscape ? document.render_like_inkscape(entry, resolution, framed_as)
                     : document.render(entry, resolution, *make_software_rasterizer(), framed_as);
@@ -339,15 +388,22 @@ PYBIND11_MODULE(_core, m) {
                     return Document::parse(std::string(bytes), name);
                   })
       .def_property_readonly("name", &Document::name)
+      .def_property_readonly(
+          "kind",
+          [](const Document& d) { return d.kind() == DocumentKind::svg ? "svg" : "hemesh"; })
       .def("set_translation", &Document::set_translation)
       .def("ids", &ids)
       .def("meshes", &meshes)
       .def("simplify", &simplify_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("remember_original"), py::arg("keep_original"),
            py::arg("preview"), py::arg("progress"), py::arg("original"))
+      .def("convert_for_run", &convert_for_run_of, py::kw_only(), py::arg("kind"), py::arg("ids"),
+           py::arg("options"), py::arg("original"))
       .def("update", &update_document, py::arg("ids"))
       .def("analyze", &analyze_document, py::kw_only(), py::arg("ids"), py::arg("options"),
            py::arg("analyses"), py::arg("progress"), py::arg("original"))
+      .def("report", &write_report, py::kw_only(), py::arg("after"), py::arg("path"), py::arg("id"),
+           py::arg("options"), py::arg("progress"), py::arg("original"))
       .def("merge", &merge_document, py::kw_only(), py::arg("ids"), py::arg("metric"),
            py::arg("resolution"))
       .def("refine", &refine_document, py::kw_only(), py::arg("id"), py::arg("rows"),

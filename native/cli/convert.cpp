@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
+#include "app/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "cli/one_mesh.h"
 
 namespace gradmesh {
 namespace {

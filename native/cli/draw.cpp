@@ -1,7 +1,7 @@
 #include "app/draw_document.h"
+#include "app/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
 #include "files/atomic_file.h"
 

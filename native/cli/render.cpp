@@ -1,7 +1,7 @@
 #include "app/devices.h"
+#include "app/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "cli/one_mesh.h"
 #include "device/egl_rasterizer.h"
 #include "files/image_file.h"
 

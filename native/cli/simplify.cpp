@@ -1,11 +1,11 @@
 #include <cstdio>
 
-#include "app/convert.h"
+#include "app/convert_for_run.h"
 #include "app/devices.h"
+#include "app/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/json_output.h"
-#include "cli/one_mesh.h"
 #include "cli/progress_bar.h"
 #include "files/atomic_file.h"
 
@@ -31,38 +31,15 @@ std::string heeding(const std::string& option) {
   return names + ": ";
 }
 
-constexpr double for_splitting = 0.9;
-
-/// Returns IN converted to the kind of OUT. The error is still measured against IN.
-std::unique_ptr<Document> converted(const Document& in, DocumentKind kind, SimplifyArguments& a) {
-  const MeshEntry entry = one_mesh(in, a.ids);
-  const bool has_target = a.options.patches || a.options.ratio;
-  ConvertOptions options;
-  options.original = in.given_original(entry);
-  options.metric = a.options.metric;
-  options.resolution = a.options.resolution;
-  // What is left of epsilon is for merging.
-  if (!has_target) options.epsilon = for_splitting * a.options.epsilon;
-  Conversion conversion = convert(in, entry, kind, options);
-  if (kind == DocumentKind::svg && !has_target && conversion.error > a.options.epsilon)
-    throw InputError("{0}: written as SVG its error is {1} at least, above epsilon.", a.in,
-                     std::to_string(conversion.error));
-  if (conversion.lost_opacity)
-    throw InputError(
-        "{0}: the mesh {1} has opacities, which .hemesh cannot hold; gradmesh convert shows what "
-        "is lost.",
-        a.in, entry.id);
-  a.ids.clear();
-  a.options.original = std::make_shared<const Mesh>(std::move(conversion.original));
-  return std::move(conversion.document);
-}
-
-/// Returns the document that will be written to OUT.
+/// Returns the document that will be written to OUT, which is IN converted if it is of another
+/// kind.
 std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyArguments& a) {
   const DocumentKind kind = a.preview ? in->kind() : kind_of(a.out).value_or(in->kind());
   if (kind == in->kind()) return in;
-  if (!a.options.color_model) a.options.color_model = ColorModel::bilinear;
-  return converted(*in, kind, a);
+  ConvertedRun run = convert_for_run(*in, one_mesh(*in, a.ids), kind, a.options);
+  a.options = std::move(run.options);
+  a.ids.clear();
+  return std::move(run.document);
 }
 
 void print_results(const std::vector<MeshReport>& reports, const RunOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ struct Report {
   std::string id;
   ReportedMesh before, after;
   /// The mesh whose picture counts, in the frame of `before`; null if it is `before` itself.
-  const Mesh* original = nullptr;
+  std::shared_ptr<const Mesh> original;
   MetricKind metric = MetricKind::flip;
   /// Prices of the mesh before.
   std::vector<EdgePrice> edges;

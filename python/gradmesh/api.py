@@ -153,6 +153,7 @@ def simplify(
     remember_original: bool = True,
     keep_original: bool = False,
     original: Optional[Document] = None,
+    kind: Optional[str] = None,
     preview: bool = False,
     load_analysis: Optional[Path] = None,
     save_analysis: Optional[Path] = None,
@@ -194,6 +195,11 @@ def simplify(
     original: a document whose meshes those here are measured against, whatever they remember: the only
     mesh in each, or those with the same ids. Two SVG documents share their coordinates, as do two
     .hemesh files; of two kinds, one mesh is laid on the other. It is remembered instead.
+    kind: "svg" or "hemesh", the kind of document that this one becomes. If that is not its kind, it holds
+    one mesh afterwards, which `ids` names where there are several: that is converted first, towards SVG
+    with a part of epsilon where there is no target, and what the conversion costs counts towards the
+    error. InputError where epsilon cannot be kept so, or where a .hemesh file would lose opacities. Its
+    colours are then bilinear unless color_model says otherwise.
     preview: only say what would become of each; the document stays as it is. With "manual" the
     error is told even where it is too large.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe", "gqe1" and "best"
@@ -220,16 +226,23 @@ def simplify(
     options.kappa = kappa
     options.edges = edges
     options.time_budget = time_budget
-    results = document._core.simplify(
-        ids=[ids] if isinstance(ids, str) else list(ids),
+    core, ids = document._core, [ids] if isinstance(ids, str) else list(ids)
+    original = original and original._core
+    if kind not in (None, core.kind):
+        core, options = core.convert_for_run(kind=kind, ids=ids, options=options, original=original)
+        ids, original = [], None  # the options name what to measure against
+    results = core.simplify(
+        ids=ids,
         options=options,
         analyses=_analyses(load_analysis, save_analysis, analysis_cache),
         remember_original=remember_original,
         keep_original=keep_original,
         preview=preview,
         progress=progress,
-        original=original and original._core,
+        original=original,
     )
+    if not preview:
+        document._core = core
     return [Result(**result) for result in results]
 
 
@@ -386,14 +399,15 @@ def render(
 ) -> "numpy.ndarray":
     """Paints one mesh, on white: uint8 array of shape (height, width, 3), sRGB.
 
-    `id` may be left out where the document has one mesh only.
+    id: of the object that the mesh paints; it may be left out where the document has one mesh only,
+    and elsewhere InputError says so.
     like_inkscape: takes Inkscape's point of each pixel instead of the centre; InputError for a
     .hemesh file, whose colours Inkscape cannot paint.
     framed_as: paints the mesh where the other document's, of the same id or the only one, would be
     painted, so that the two pictures can be laid on each other.
     """
     other = framed_as and framed_as._core
-    return document._core.render(_one_id(document, id), _pixels(resolution), like_inkscape, other)
+    return document._core.render(id, _pixels(resolution), like_inkscape, other)
 
 
 def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: str = "flip") -> float:
@@ -429,12 +443,65 @@ def draw(
     options = _options(metric, epsilon, resolution, None, threads)
     options.kappa = kappa
     return document._core.draw(
-        id=_one_id(document, id),
+        id=id,
         show=show,
         picture=picture,
         options=options,
         analyses=_analyses(None, None, analysis_cache),
         progress=progress,
+    )
+
+
+def report(
+    before: Document,
+    after: Document,
+    path: Path,
+    id: Optional[str] = None,
+    *,
+    run: Optional[Path] = None,
+    metric: Optional[str] = None,
+    epsilon: Optional[float] = None,
+    resolution: Optional[int] = None,
+    color_model: Optional[str] = None,
+    visible_only: bool = True,
+    threads: int = 0,
+    renderer: str = "auto",
+    device_lost: Optional[DeviceLost] = None,
+    original: Optional[Document] = None,
+    load_analysis: Optional[Path] = None,
+    save_analysis: Optional[Path] = None,
+    progress: Optional[Progress] = None,
+) -> None:
+    """Writes a page of HTML that shows one mesh before and after its simplification.
+
+    The page needs no other files: it has both pictures, the map of the error, the patches, what merging
+    single edges costs, and the regions that can be merged within epsilon.
+    id: of the mesh, in both documents; it may be left out where each has one mesh only.
+    run: the file that `gradmesh simplify --report` has written; the page shows the run's options.
+    metric, epsilon, resolution, color_model: None for those of the run or, without it, "flip", 0.01, 700
+    and the colour model of the mesh.
+    progress: as of simplify(); where it returns False the page shows what was priced until then.
+    Other options and errors as of simplify(); where this raises no page is written.
+    """
+    pricing = _core.SimplifyOptions()
+    pricing.color_model = color_model
+    pricing.visible_only = visible_only
+    pricing.threads = threads
+    pricing.use_renderer(renderer, device_lost or _warn_without_device)
+    before._core.report(
+        after=after._core,
+        path=os.fspath(path),
+        id=id,
+        options=_core.ReportOptions(
+            pricing=pricing,
+            analyses=_analyses(load_analysis, save_analysis),
+            run="" if run is None else os.fspath(run),
+            metric=metric,
+            epsilon=epsilon,
+            resolution=None if resolution is None else _pixels(resolution),
+        ),
+        progress=progress,
+        original=original and original._core,
     )
 
 
@@ -458,7 +525,7 @@ def convert(
     """
     made = document._core.convert(
         kind=kind,
-        id=_one_id(document, id),
+        id=id,
         subdivide=subdivide,
         epsilon=epsilon,
         metric=metric,
@@ -470,16 +537,6 @@ def convert(
 def _pixels(resolution: int) -> int:
     _core.check_resolution(resolution)
     return resolution
-
-
-def _one_id(document: Document, id: Optional[str]) -> str:
-    if id is None:
-        meshes = document.meshes
-        meshes = [mesh for mesh in meshes if not mesh.refused] or meshes
-        if len(meshes) > 1:
-            raise ValueError(f"the document has {len(meshes)} meshes: say which one by its id")
-        id = meshes[0].id
-    return id
 
 
 def save(document: Document, path: Path) -> None:

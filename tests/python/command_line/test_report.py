@@ -9,6 +9,8 @@ import browser as browsers
 from built import SAMPLES, gradmesh as run
 from hemesh_files import grid
 
+import gradmesh
+
 FRUIT = SAMPLES / "fruit.svg"
 COARSE = ("--resolution", 150)
 
@@ -95,6 +97,44 @@ def test_the_same_page_again(fruit, tmp_path):
     alone = tmp_path / "alone.html"
     made("report", FRUIT, fruit.after, "-o", alone, *COARSE)
     assert page_data(alone) == {**fruit.data, "run": None}
+
+
+def test_python_writes_the_same_page(fruit, tmp_path):
+    before, after = gradmesh.load(FRUIT), gradmesh.load(fruit.after)
+    page = tmp_path / "page.html"
+    gradmesh.report(before, after, page, run=fruit.run, load_analysis=fruit.prices)
+    assert page.read_bytes() == fruit.page.read_bytes()
+    # What is given counts more than what the run says.
+    gradmesh.report(before, after, page, "pear", run=fruit.run, metric="ssim", epsilon=0.004, resolution=100)
+    data = page_data(page)
+    assert (data["metric"], data["epsilon"], data["height"]) == ("1 - SSIM", 0.004, 100)
+    assert data["run"] == fruit.told
+
+
+def test_python_may_end_the_pricing(fruit, tmp_path):
+    page = tmp_path / "page.html"
+    before, after = gradmesh.load(FRUIT), gradmesh.load(fruit.after)
+    gradmesh.report(before, after, page, resolution=150, progress=lambda *_: False)
+    data = page_data(page)
+    assert data["run"] is None and data["before"]["regions"] == []
+    assert data["error"] == pytest.approx(fruit.data["error"])
+
+
+def test_python_refuses_as_the_command_line_does(fruit, tmp_path):
+    page = tmp_path / "page.html"
+    one, two = gradmesh.load(FRUIT), gradmesh.load(SAMPLES / "two.svg")
+    with pytest.raises(gradmesh.InputError, match="2 meshes, choose one with its id"):
+        gradmesh.report(two, two, page)
+    with pytest.raises(gradmesh.InputError, match="no report of gradmesh simplify"):
+        gradmesh.report(one, one, page, run=fruit.prices)
+    for options, words in [
+        ({"metric": "taste"}, "metric"),
+        ({"resolution": 3}, "resolution"),
+        ({"epsilon": -1}, "epsilon"),
+    ]:
+        with pytest.raises(ValueError, match=words):
+            gradmesh.report(one, one, page, **options)
+    assert not page.exists()
 
 
 def test_meshes_of_both_kinds(tmp_path):

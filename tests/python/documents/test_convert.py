@@ -225,6 +225,8 @@ def test_python(shape, tmp_path):
     assert not made.lost_opacity
     assert [mesh.id for mesh in made.document.meshes] == ["mesh"]
     assert gradmesh.convert(gradmesh.load(leaf), "svg", subdivide=2).patches == 12
+    with pytest.raises(gradmesh.InputError, match="2 meshes"):
+        gradmesh.convert(gradmesh.load(SAMPLES / "two.svg"), "hemesh")
     bubble = gradmesh.convert(gradmesh.load(SAMPLES / "opacity.svg"), "hemesh", "bubble")
     assert bubble.lost_opacity
     (result,) = gradmesh.simplify(bubble.document, method="grid")
@@ -235,7 +237,6 @@ def test_python(shape, tmp_path):
     "kind, options, words",
     [
         ("png", {"id": "cap"}, "'png'"),
-        ("hemesh", {}, "2 meshes"),
         ("hemesh", {"id": "cap", "subdivide": 0}, "1 to 32"),
         ("hemesh", {"id": "cap", "metric": "taste"}, "'taste'"),
         ("hemesh", {"id": "cap", "resolution": 3}, "resolution"),
@@ -379,6 +380,48 @@ def test_hemesh_may_be_simplified_to_svg(shape, tmp_path):
     # What the conversion costs is in it.
     assert told <= 0.05
     assert error(ring, out) == pytest.approx(told, abs=1e-3)
+
+
+def test_python_simplifies_to_the_other_kind(shape, tmp_path):
+    ring, out = shape("ring"), tmp_path / "out.svg"
+    printed("simplify", ring, "-o", out, "--epsilon", 0.05, "--method", "gqe", "--resolution", 200)
+    document = gradmesh.load(ring)
+    options = {"epsilon": 0.05, "method": "gqe", "resolution": 200}
+    (told,) = gradmesh.simplify(document, kind="svg", preview=True, **options)
+    assert document.to_bytes() == ring.read_bytes()
+    (result,) = gradmesh.simplify(document, kind="svg", **options)
+    assert document.to_bytes() == out.read_bytes()
+    assert (result.patches_after, result.error) == (told.patches_after, told.error)
+    # It is of that kind now, so there is nothing to convert.
+    (again,) = gradmesh.simplify(document, kind="svg", **options)
+    assert again.patches_before == result.patches_after
+
+
+def test_python_measures_against_the_original_through_a_conversion(tmp_path):
+    out, options = tmp_path / "out.hemesh", {"method": "gqe", "resolution": 150}
+    args = [f"--{name}={value}" for name, value in options.items()]
+    small = tmp_path / "small.svg"
+    printed("simplify", FRUIT, "-o", small, "--epsilon", 0.01, "--forget-original", *args)
+    printed("simplify", small, "-o", out, "--epsilon", 0.02, "--original", FRUIT, *args)
+    document = gradmesh.load(small)
+    gradmesh.simplify(document, "pear", kind="hemesh", epsilon=0.02, original=gradmesh.load(FRUIT), **options)
+    assert document.to_bytes() == out.read_bytes()
+
+
+@pytest.mark.parametrize(
+    "name, kind, words",
+    [
+        ("two", "hemesh", "there are 2 meshes, choose one with its id"),
+        ("opacity", "hemesh", "has opacities, which .hemesh cannot hold"),
+        ("fruit", "png", "of the kind svg or hemesh"),
+    ],
+)
+def test_python_leaves_what_cannot_become_the_other_kind(name, kind, words):
+    path = SAMPLES / f"{name}.svg"
+    document = gradmesh.load(path)
+    with pytest.raises(ValueError, match=words):
+        gradmesh.simplify(document, kind=kind)
+    assert document.to_bytes() == path.read_bytes()
 
 
 @pytest.mark.skipif(bool(inkscape_harness.missing()), reason=inkscape_harness.missing() or "none")

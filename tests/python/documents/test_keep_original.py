@@ -99,6 +99,9 @@ def test_fill_and_stroke_have_one_copy(tmp_path):
     gradient = fill[fill.index("url(") : fill.index(")") + 1]
     document = gradmesh.loads(text.replace(fill, f"{fill};stroke:{gradient};stroke-width:9"))
     assert len(document.meshes) == 2
+    assert gradmesh.render(document, "pear", 64).any()  # the fill is meant
+    with pytest.raises(gradmesh.InputError, match="2 meshes"):
+        gradmesh.render(document)
     kept(document)
     by_id, _ = elements(document, tmp_path / "out.svg")
     assert [name for name in by_id if "-original" in name] == ["pear-original"]

@@ -242,8 +242,9 @@ def test_compare():
 
 def test_render_needs_to_know_which_mesh_and_how_large(fruit):
     two = gradmesh.load(SAMPLES / "two.svg")
-    with pytest.raises(ValueError, match="2 meshes"):
-        gradmesh.render(two)
+    for id in (None, "svg1"):
+        with pytest.raises(gradmesh.InputError, match="there are 2 meshes, choose one with its id"):
+            gradmesh.render(two, id)
     assert gradmesh.render(two, "cap", 64).shape != gradmesh.render(two, "stalk", 64).shape
     with pytest.raises(ValueError, match="resolution"):
         gradmesh.render(fruit, resolution=15)

@@ -26,10 +26,10 @@ RANK = {
     "methods": 8,
     "draw": 9,
     "simplify": 9,
-    "app": 10,
     "report": 10,
-    "bindings": 11,
-    "cli": 11,
+    "app": 11,
+    "bindings": 12,
+    "cli": 12,
 }
 
 #: Folders inside of others; those that are not named come before all of these.

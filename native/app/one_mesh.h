@@ -8,8 +8,9 @@
 namespace gradmesh {
 
 /// Returns the mesh that `ids` name or, if there are no ids, the only one of the document. Throws
-/// InputError if there are several.
-MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids);
+/// InputError if there are several; the message says that one is chosen with `option`.
+MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids,
+                   const std::string& option = "--id");
 /// Does the same with one id, or with none if it is empty.
 MeshEntry one_mesh(const Document& document, const std::string& id);
 

@@ -1,12 +1,13 @@
-#include "cli/one_mesh.h"
+#include "app/one_mesh.h"
 
 namespace gradmesh {
 
-MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids) {
+MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids,
+                   const std::string& option) {
   const auto found = document.selected(ids);
   if (found.size() > 1)
-    throw InputError("{0}: there are {1} meshes, choose one with --id.", document.name(),
-                     found.size());
+    throw InputError("{0}: there are {1} meshes, choose one with {2}.", document.name(),
+                     found.size(), option);
   return found.front();
 }
 

@@ -1,0 +1,36 @@
+#include "app/convert_for_run.h"
+
+#include "app/convert.h"
+
+namespace gradmesh {
+namespace {
+
+/// The share of epsilon up to which patches are split; what is left is for merging.
+constexpr double for_splitting = 0.9;
+
+}  // namespace
+
+ConvertedRun convert_for_run(const Document& from, const MeshEntry& entry, DocumentKind kind,
+                             RunOptions options) {
+  const bool has_target = options.patches || options.ratio;
+  ConvertOptions how;
+  how.original = from.given_original(entry);
+  how.metric = options.metric;
+  how.resolution = options.resolution;
+  if (!has_target) how.epsilon = for_splitting * options.epsilon;
+  Conversion conversion = convert(from, entry, kind, how);
+  if (kind == DocumentKind::svg && !has_target && conversion.error > options.epsilon)
+    throw InputError("{0}: written as SVG its error is {1} at least, above epsilon.", from.name(),
+                     std::to_string(conversion.error));
+  if (conversion.lost_opacity)
+    throw InputError(
+        "{0}: the mesh {1} has opacities, which .hemesh cannot hold; gradmesh convert shows what "
+        "is lost.",
+        from.name(), entry.id);
+  conversion.document->set_translation(from.translation());
+  options.original = std::make_shared<const Mesh>(std::move(conversion.original));
+  if (!options.color_model) options.color_model = ColorModel::bilinear;
+  return {std::move(conversion.document), std::move(options)};
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,103 @@
+#include "app/report_on_mesh.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "app/common_frames.h"
+#include "files/atomic_file.h"
+#include "raster/hidden.h"
+
+namespace gradmesh {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Returns what a report of `simplify` says of one mesh. Throws InputError if it says nothing.
+ordered_json read_run(const std::filesystem::path& path, const std::string& id) {
+  const ordered_json report = ordered_json::parse(read_bytes(path), nullptr, false);
+  if (!report.is_object() || !report.contains("meshes") || !report["meshes"].is_array())
+    throw InputError("{0}: this is no report of gradmesh simplify.", path.string());
+  for (const ordered_json& mesh : report["meshes"])
+    if (mesh.is_object() && mesh.value("id", "") == id) return mesh;
+  throw InputError("{0}: this report says nothing of the mesh {1}.", path.string(), id);
+}
+
+/// Sets `value` to that of the run if there is one.
+template <class Value>
+void take(const ordered_json& run, const char* key, Value& value) {
+  if (run.contains(key)) run[key].get_to(value);
+}
+
+/// Returns the options for pricing: those that were given, otherwise those of the run.
+RunOptions pricing_options(const ordered_json& run, const ReportOptions& given) {
+  RunOptions options = given.pricing;
+  std::string metric = name(given.metric.value_or(options.metric));
+  options.epsilon = given.epsilon.value_or(options.epsilon);
+  options.resolution = given.resolution.value_or(options.resolution);
+  try {
+    if (!given.metric) take(run, "metric", metric);
+    if (!given.epsilon) take(run, "epsilon", options.epsilon);
+    if (!given.resolution) take(run, "resolution", options.resolution);
+    if (!options.color_model && run.contains("color_model"))
+      options.color_model = color_model_named(run["color_model"].get<std::string>());
+    options.metric = metric_named(metric);
+  } catch (const ordered_json::exception&) {
+    throw InputError("{0}: this is no report of gradmesh simplify.", given.run.string());
+  } catch (const std::invalid_argument& error) {
+    throw InputError("{0}: {1}", given.run.string(), error.what());
+  }
+  return options;
+}
+
+/// Returns true if the method of the run fits what it merges.
+bool fits(const ordered_json& run) {
+  if (!run.is_object()) return false;
+  const std::string method = run.value("method", "");
+  return std::ranges::any_of(all_methods(),
+                             [&](const Method& m) { return m.name == method && m.fits; });
+}
+
+/// Prices the edges and regions of the mesh before.
+void price(Report& report, const RunOptions& options) {
+  const Mesh& mesh = report.before.mesh;
+  // Single edges and regions of a smooth mesh cannot be merged, so they have no prices.
+  if (mesh.is_smooth()) return;
+  report.edges = analyze_edges(mesh, options);
+  report.regions = analyze_regions(mesh, options);
+  // Takes longer than all the rest, and no other method fits.
+  if (fits(report.run)) report.fitted = analyze_fits(mesh, options, report.regions);
+}
+
+std::filesystem::path path_of(const Document& document) { return document.name(); }
+
+}  // namespace
+
+Report report_on_mesh(const Document& before, const MeshEntry& entry, const Document& after,
+                      const MeshEntry& entry_after, const ReportOptions& options) {
+  Report report;
+  if (!options.run.empty()) report.run = read_run(options.run, entry.id);
+  AnalysisFiles files(options.analyses);
+  const Document::Start start = before.start(entry, pricing_options(report.run, options), files);
+  report.before = {path_of(before).filename().string(), start.mesh, {}};
+  price(report, start.options);
+  files.save();
+
+  report.after = {path_of(after).filename().string(), after.mesh(entry_after), {}};
+  Frame &first = report.before.frame, &second = report.after.frame;
+  std::tie(first, second) =
+      common_frames({&before, entry, start.mesh}, {&after, entry_after, report.after.mesh},
+                    start.options.resolution);
+  // What the run did not count is not shown either.
+  if (start.options.visible && before.kind() == after.kind())
+    for (Frame* frame : {&first, &second})
+      frame->hidden = std::make_shared<HiddenPixels>(*start.options.visible, *frame);
+  // The mesh of a .hemesh file has no name but the file's.
+  report.id = before.kind() == DocumentKind::svg ? entry.id : path_of(before).stem().string();
+  report.original = start.options.original;
+  report.metric = start.options.metric;
+  report.epsilon = start.options.epsilon;
+  return report;
+}
+
+}  // namespace gradmesh

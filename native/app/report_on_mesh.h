@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/document.h"
+#include "report/report.h"
+
+namespace gradmesh {
+
+/// How a report on a mesh is made.
+struct ReportOptions {
+  /// What `simplify --report` has written of the run; empty if there is no such file. Its metric,
+  /// epsilon, resolution and colour model count where none are given here.
+  std::filesystem::path run;
+  std::optional<MetricKind> metric;
+  std::optional<double> epsilon;
+  std::optional<int> resolution;
+  /// How the mesh before is priced, and in which colour model; the three options above are set in
+  /// it.
+  RunOptions pricing;
+  /// Where known prices are read from, and those that were found are written to.
+  AnalysisPaths analyses;
+};
+
+/// Returns what a report says of a mesh before and after its simplification. The mesh before is
+/// priced, unless it is smooth, with the fits of its regions if the run's method fits what it
+/// merges; with fewer prices if the caller cancels. Throws InputError naming the file if the run's
+/// report cannot be read, is none, or says nothing of the mesh.
+Report report_on_mesh(const Document& before, const MeshEntry& entry, const Document& after,
+                      const MeshEntry& entry_after, const ReportOptions& options);
+
+}  // namespace gradmesh
