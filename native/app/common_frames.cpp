@@ -39,14 +39,14 @@ MeshEntry counterpart(const Document& document, const MeshEntry& entry, const Do
 }
 
 Affine onto(const SeenMesh& a, const SeenMesh& b) {
-  const bool same_kind = a.document->kind() == b.document->kind();
-  return a.view().inverse() * (same_kind ? b.view() : aligned(a, b) * b.view());
+  const bool same_format = a.document->format() == b.document->format();
+  return a.view().inverse() * (same_format ? b.view() : aligned(a, b) * b.view());
 }
 
 std::pair<Frame, Frame> common_frames(const SeenMesh& a, const SeenMesh& b, int resolution) {
-  const bool same_kind = a.document->kind() == b.document->kind();
-  const Frame first = same_kind ? a.document->frame(a.entry, a.mesh, resolution)
-                                : fit_frame(a.mesh, a.view(), resolution);
+  const bool same_format = a.document->format() == b.document->format();
+  const Frame first = same_format ? a.document->frame(a.entry, a.mesh, resolution)
+                                  : fit_frame(a.mesh, a.view(), resolution);
   return {first, moved(first, onto(a, b))};
 }
 

@@ -20,8 +20,9 @@ struct SeenMesh {
 MeshEntry counterpart(const Document& document, const MeshEntry& entry, const Document& other,
                       bool only);
 
-/// Returns the map from the units of the mesh `b` to those of `a`. Two documents of one kind share
-/// their coordinates. If the kinds differ, one mesh is laid on the other by the boxes around them.
+/// Returns the map from the units of the mesh `b` to those of `a`. Two documents of one format
+/// share their coordinates. If the formats differ, one mesh is laid on the other by the boxes
+/// around them.
 Affine onto(const SeenMesh& a, const SeenMesh& b);
 
 /// Returns frames of one size in which two meshes are painted to be compared, `resolution` pixels

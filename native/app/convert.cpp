@@ -5,13 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "app/hemesh_document.h"
-#include "app/svg_meshes.h"
-#include "app/svg_rules.h"
 #include "form/smooth_colors.h"
-#include "formats/hemesh/write_hemesh.h"
-#include "formats/svg/write/mesh_outline.h"
-#include "formats/svg/write/write_new.h"
 #include "mesh/boundary.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
@@ -50,7 +44,7 @@ void join_colors(MeshParts& parts) {
   }
 }
 
-/// Returns the map between the coordinates of SVG and .hemesh under which the longer side of `box`
+/// Returns the map between the coordinates of two formats under which the longer side of `box`
 /// has `length` units and its middle lies at `middle`.
 Affine fitted(const Box& box, double length, glm::dvec2 middle) {
   const double scale = length / std::max(box.size().x, box.size().y);
@@ -61,45 +55,40 @@ Affine fitted(const Box& box, double length, glm::dvec2 middle) {
 
 class Converter {
  public:
-  Converter(const Document& from, const MeshEntry& entry, const ConvertOptions& options)
+  Converter(const Document& from, const MeshEntry& entry, const Format& to,
+            const ConvertOptions& options)
       : from_(from),
         entry_(entry),
+        to_(to),
         options_(options),
         read_(from.mesh(entry)),
         source_(read_.is_smooth() ? build_mesh(with_smooth_colors(read_)) : read_) {
     from.frame(entry, source_, options.resolution);  // Throws where the mesh has no size.
   }
 
-  Conversion to_svg() {
-    constexpr double length = 600, margin = 20;
-    const Box box = bounding_box(source_, from_.view(entry_));
-    const glm::dvec2 size = box.size() * (length / std::max(box.size().x, box.size().y));
-    const SvgPage page{size.x + 2 * margin, size.y + 2 * margin};
-    place_ = fitted(box, length, {page.width / 2, page.height / 2}) * from_.view(entry_);
-    Conversion conversion = start(DocumentKind::svg);
-    const Mesh mesh = bilinear_mesh(page, conversion);
-    write_svg(page, mesh, conversion);
-    if (options_.must_keep_epsilon && conversion.error > options_.epsilon)
+  Conversion run() {
+    if (to_ != from_.format()) place();
+    Conversion conversion = start();
+    conversion.lost_opacity = !to_.holds_opacity && is_translucent(source_);
+    const bool is_exact = to_.holds(ColorModel::bicubic);
+    const Mesh mesh = is_exact ? exact_mesh() : bilinear_mesh(conversion);
+    write(mesh, conversion);
+    if (!is_exact && options_.must_keep_epsilon && conversion.error > options_.epsilon)
       throw InputError(
-          "{0}: in SVG its error is {1} at least, with {2} patches, which is above epsilon.",
-          from_.name(), std::to_string(conversion.error), mesh.face_count());
-    return conversion;
-  }
-
-  Conversion to_hemesh() {
-    if (from_.kind() == DocumentKind::svg)
-      place_ =
-          fitted(bounding_box(source_, from_.view(entry_)), 2, glm::dvec2(0)) * from_.view(entry_);
-    Conversion conversion = start(DocumentKind::hemesh);
-    conversion.lost_opacity = is_translucent(source_);
-    MeshParts patches = parts(options_.subdivide.value_or(1));
-    if (patches.color_model == ColorModel::bilinear) patches = as_bicubic(std::move(patches));
-    const Mesh mesh = build_mesh(patches);
-    measure(conversion, std::make_unique<HemeshDocument>(write_hemesh(mesh), from_.name()));
+          "{0}: in {1} its error is {2} at least, with {3} patches, which is above epsilon.",
+          from_.name(), to_.label, std::to_string(conversion.error), mesh.face_count());
     return conversion;
   }
 
  private:
+  /// Places the mesh as documents of the new format have it.
+  void place() {
+    const Box box = bounding_box(source_, from_.view(entry_));
+    const glm::dvec2 size = box.size() * (to_.length / std::max(box.size().x, box.size().y));
+    if (to_.margin) page_ = size + 2 * *to_.margin;
+    place_ = fitted(box, to_.length, 0.5 * page_) * from_.view(entry_);
+  }
+
   /// Returns the mesh subdivided, in the new coordinates.
   MeshParts parts(int subdivide) const { return parts(source_, subdivide); }
   MeshParts parts(const Mesh& mesh, int subdivide) const {
@@ -108,20 +97,29 @@ class Converter {
     return result;
   }
 
-  Conversion start(DocumentKind to) {
+  Conversion start() {
     Conversion conversion;
     conversion.original = build_derived_mesh(parts(options_.original   ? *options_.original
                                                    : read_.is_smooth() ? painted_mesh(read_)
                                                                        : read_,
                                                    1));
     frame_ = fit_frame(conversion.original, {}, options_.resolution,
-                       to == from_.kind() ? from_.padding() : FramePadding{});
+                       to_ == from_.format() ? from_.padding() : FramePadding{});
     metric_ = make_metric(options_.metric, rasterizer_->paint(conversion.original, frame_));
     return conversion;
   }
 
+  /// Returns the mesh in the colour model of the new format, with the same picture.
+  Mesh exact_mesh() const {
+    MeshParts patches = parts(options_.subdivide.value_or(1));
+    const bool becomes_bicubic = to_.color_models.front() == ColorModel::bicubic;
+    if (becomes_bicubic && patches.color_model == ColorModel::bilinear)
+      patches = as_bicubic(std::move(patches));
+    return build_mesh(patches);
+  }
+
   /// Returns the mesh in the colour model `bilinear`, with patches as small as the options require.
-  Mesh bilinear_mesh(const SvgPage& page, const Conversion& conversion) const {
+  Mesh bilinear_mesh(const Conversion& conversion) const {
     if (options_.subdivide) {
       MeshParts patches = as_bilinear(parts(*options_.subdivide));
       join_colors(patches);
@@ -131,7 +129,7 @@ class Converter {
     const auto error_of = [&](const Mesh& mesh) {
       Conversion trial;
       trial.original = *original;
-      write_svg(page, mesh, trial);
+      write(mesh, trial);
       return trial.error;
     };
     return adapted(build_mesh(parts(1)),
@@ -139,29 +137,25 @@ class Converter {
         .mesh;
   }
 
-  void write_svg(const SvgPage& page, const Mesh& mesh, Conversion& conversion) const {
-    const std::string outline = outline_path(conversion.original);
-    const std::string label = mesh_label(mesh.face_count()).in(from_.translation());
-    const WrittenForm form = block_rules()->form(mesh, frame_);
-    const SvgDocument svg = new_svg(page, outline, {mesh, *form.blocks, label, mesh.face_count()});
-    measure(conversion, std::make_unique<SvgMeshes>(svg.serialize(), from_.name()));
-  }
-
-  /// Puts the document into the conversion and measures its error.
-  void measure(Conversion& conversion, std::unique_ptr<Document> document) const {
-    const Mesh mesh = document->mesh(document->meshes().front());
-    conversion.error = mean(metric_->map(rasterizer_->paint(mesh, frame_)));
-    conversion.document = std::move(document);
+  /// Puts a document of the mesh into the conversion and measures its error.
+  void write(const Mesh& mesh, Conversion& conversion) const {
+    const std::string text =
+        to_.write({mesh, conversion.original, frame_, page_, from_.translation()});
+    conversion.document = to_.read(text, from_.name());
+    const Mesh read = conversion.document->mesh(conversion.document->meshes().front());
+    conversion.error = mean(metric_->map(rasterizer_->paint(read, frame_)));
   }
 
   const Document& from_;
   const MeshEntry& entry_;
+  const Format& to_;
   const ConvertOptions& options_;
   const Mesh read_;
-  /// The mesh with colours that both kinds of documents can hold.
+  /// The mesh with colours that do not follow those of the neighbours.
   const Mesh source_;
-  /// The map from the old mesh's coordinates to the new document's.
+  /// The map from the old mesh's coordinates to the new document's, and the size of its page.
   Affine place_;
+  glm::dvec2 page_{0.0};
   /// How the error is measured.
   const std::unique_ptr<Rasterizer> rasterizer_ = make_software_rasterizer();
   Frame frame_;
@@ -170,13 +164,11 @@ class Converter {
 
 }  // namespace
 
-Conversion convert(const Document& from, const MeshEntry& entry, DocumentKind to,
+Conversion convert(const Document& from, const MeshEntry& entry, const Format& to,
                    const ConvertOptions& options) {
   check(options);
-  if (to == DocumentKind::hemesh) return Converter(from, entry, options).to_hemesh();
-  if (from.kind() == DocumentKind::svg)
-    throw InputError("{0} is an SVG document already.", from.name());
-  return Converter(from, entry, options).to_svg();
+  from.check_conversion(to);
+  return Converter(from, entry, to, options).run();
 }
 
 }  // namespace gradmesh

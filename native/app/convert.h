@@ -8,8 +8,9 @@
 namespace gradmesh {
 
 struct ConvertOptions {
-  /// Largest error of a conversion to SVG, which has no colours but the bilinear mixtures of four:
-  /// patches are split where that is needed for an error of at most epsilon (simplify/adapt.h).
+  /// Largest error of a conversion to a format that has no colours but the bilinear mixtures of
+  /// four, such as SVG: patches are split where that is needed for an error of at most epsilon
+  /// (simplify/adapt.h).
   double epsilon = 0.02;
   /// True if the conversion is refused where epsilon cannot be kept; otherwise the mesh with the
   /// least error that was found is taken.
@@ -32,15 +33,14 @@ struct Conversion {
   Mesh original;
   /// Error of the new document's mesh against the original, 0..1.
   double error = 0;
-  /// True if the mesh had opacities, which a .hemesh file cannot hold.
+  /// True if the mesh had opacities, which the new document's format cannot hold.
   bool lost_opacity = false;
 };
 
-/// Makes a document of the other kind, or a .hemesh file of a .hemesh file, that holds one mesh of
-/// `from`. From .hemesh to SVG the mesh's longer side becomes 600 pixels, from SVG to .hemesh 2
-/// units. Throws InputError if that cannot be done, std::invalid_argument if an option is out of
-/// range.
-Conversion convert(const Document& from, const MeshEntry& entry, DocumentKind to,
+/// Makes a document of the format `to` that holds one mesh of `from`. If the formats differ, the
+/// mesh is placed as Format::length and Format::margin say. Throws InputError if that cannot be
+/// done, std::invalid_argument if an option is out of range.
+Conversion convert(const Document& from, const MeshEntry& entry, const Format& to,
                    const ConvertOptions& options);
 
 }  // namespace gradmesh

@@ -10,7 +10,7 @@ constexpr double for_splitting = 0.9;
 
 }  // namespace
 
-ConvertedRun convert_for_run(const Document& from, const MeshEntry& entry, DocumentKind kind,
+ConvertedRun convert_for_run(const Document& from, const MeshEntry& entry, const Format& to,
                              RunOptions options) {
   const bool has_target = options.patches || options.ratio;
   ConvertOptions how;
@@ -18,15 +18,15 @@ ConvertedRun convert_for_run(const Document& from, const MeshEntry& entry, Docum
   how.metric = options.metric;
   how.resolution = options.resolution;
   if (!has_target) how.epsilon = for_splitting * options.epsilon;
-  Conversion conversion = convert(from, entry, kind, how);
-  if (kind == DocumentKind::svg && !has_target && conversion.error > options.epsilon)
-    throw InputError("{0}: written as SVG its error is {1} at least, above epsilon.", from.name(),
-                     std::to_string(conversion.error));
+  Conversion conversion = convert(from, entry, to, how);
   if (conversion.lost_opacity)
     throw InputError(
-        "{0}: the mesh {1} has opacities, which .hemesh cannot hold; gradmesh convert shows what "
-        "is lost.",
-        from.name(), entry.id);
+        "{0}: the mesh {1} has opacities, which {2} cannot hold; gradmesh convert shows what is "
+        "lost.",
+        from.name(), entry.id, to.label);
+  if (!to.holds(ColorModel::bicubic) && !has_target && conversion.error > options.epsilon)
+    throw InputError("{0}: written as {1} its error is {2} at least, above epsilon.", from.name(),
+                     to.label, std::to_string(conversion.error));
   conversion.document->set_translation(from.translation());
   options.original = std::make_shared<const Mesh>(std::move(conversion.original));
   if (!options.color_model) options.color_model = ColorModel::bilinear;

@@ -5,13 +5,10 @@
 
 #include "app/common_frames.h"
 #include "app/devices.h"
-#include "app/hemesh_document.h"
-#include "app/svg_meshes.h"
 #include "base/limits.h"
 #include "files/atomic_file.h"
 #include "files/zip.h"
 #include "form/smooth_colors.h"
-#include "formats/text/scanner.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "mesh/rectangle.h"
@@ -46,14 +43,6 @@ RunOptions in_color_model(RunOptions options, Mesh& mesh) {
   return options;
 }
 
-constexpr const char* compressed_extension = ".svgz";
-
-/// Where the content is no XML either, the name says as what it is to be refused.
-bool is_hemesh(std::string_view bytes, const std::string& name) {
-  const bool xml = trimmed(bytes).starts_with('<');
-  return bytes.starts_with("HEMESH") || (!xml && kind_of(name) == DocumentKind::hemesh);
-}
-
 /// What gzip has compressed. The limit on documents is one on what it unpacks to.
 std::string unpacked(std::string_view bytes, const std::string& name) {
   const std::uint64_t most = limits().document, needed = gunzipped_size(bytes);
@@ -67,13 +56,6 @@ std::string unpacked(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-std::optional<DocumentKind> kind_of(const std::filesystem::path& path) {
-  if (path.extension() == ".svg" || path.extension() == compressed_extension)
-    return DocumentKind::svg;
-  if (path.extension() == ".hemesh") return DocumentKind::hemesh;
-  return std::nullopt;
-}
-
 std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path) {
   return parse(read_bytes(path), path.string());
 }
@@ -84,8 +66,7 @@ std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::str
     document->compressed_ = bytes;
     return document;
   }
-  if (is_hemesh(bytes, name)) return std::make_unique<HemeshDocument>(bytes, name);
-  return std::make_unique<SvgMeshes>(bytes, name);
+  return format_of_content(bytes, name).read(bytes, name);
 }
 
 Frame Document::frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const {
@@ -129,7 +110,7 @@ std::shared_ptr<const Mesh> Document::given_original(const MeshEntry& entry) con
   const MeshEntry match = counterpart(*this, entry, *originals_, selected({}).size() == 1);
   const SeenMesh here{this, entry, mesh(entry)};
   const SeenMesh there{originals_, match, originals_->mesh(match)};
-  if (here.document->kind() == there.document->kind() && here.view() == there.view())
+  if (format() == originals_->format() && here.view() == there.view())
     return std::make_shared<const Mesh>(there.mesh);
   // Smooth colours depend on distances in the units of their own mesh.
   MeshParts parts = subdivided(there.mesh.is_smooth() ? painted_mesh(there.mesh) : there.mesh, 1);
@@ -160,11 +141,13 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
 }
 
 void Document::check_color_model(const RunOptions& options) const {
-  if (kind() == DocumentKind::svg && options.color_model == ColorModel::bicubic)
-    throw InputError(
-        "{0}: an SVG document cannot hold bicubic colours; gradmesh convert makes a .hemesh file "
-        "of it, which can.",
-        name_);
+  if (options.color_model && !format().holds(*options.color_model))
+    throw InputError(why_not(*options.color_model));
+}
+
+Message Document::why_not(ColorModel model) const {
+  return Message("{0}: {1} cannot hold colours of the model {2}.", name_, format().label,
+                 gradmesh::name(model));
 }
 
 void Document::check_start(const SimplifiedMesh& m, const RunOptions& options) const {
@@ -240,9 +223,7 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
 std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
                                            const RunOptions& options, const AnalysisPaths& analyses,
                                            const WriteOptions& writing) {
-  if (writing.keep_original && kind() == DocumentKind::hemesh)
-    throw InputError("{0}: a .hemesh file holds one mesh, so no original can be kept in it.",
-                     name_);
+  check_writing(writing);
   std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
   const std::vector<MeshReport> reports = reports_of(meshes, refused(ids));
   std::erase_if(meshes, [](const SimplifiedMesh& m) {
@@ -270,6 +251,11 @@ std::vector<UpdateReport> Document::update(const std::vector<std::string>& ids) 
   return reports;
 }
 
+std::vector<UpdateReport> Document::update_edited(const std::vector<MeshEntry>&) {
+  throw InputError("{0}: only meshes that were simplified in an SVG document can be updated.",
+                   name_);
+}
+
 std::size_t Document::analyze(const std::vector<std::string>& ids, const RunOptions& options,
                               const AnalysisPaths& analyses) const {
   AnalysisFiles files(analyses);
@@ -284,7 +270,8 @@ std::size_t Document::analyze(const std::vector<std::string>& ids, const RunOpti
 }
 
 void Document::check_target(const std::filesystem::path& path) const {
-  if (kind_of(path).value_or(kind()) != kind())
+  const Format* promised = format_of(path);
+  if (promised && *promised != format())
     throw InputError(
         "{0} is not of the kind of {1}: gradmesh convert makes a .hemesh file of an SVG document, "
         "and the reverse.",
@@ -293,7 +280,7 @@ void Document::check_target(const std::filesystem::path& path) const {
 
 void Document::write_file(const std::filesystem::path& path) const {
   check_target(path);
-  if (path.extension() != compressed_extension)
+  if (path.extension().string() != format().compressed_extension)
     write_bytes(path, bytes());
   else
     write_bytes(path, changed_ || compressed_.empty() ? gzip(bytes()) : compressed_);

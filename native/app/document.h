@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/analysis_file.h"
+#include "app/formats.h"
 #include "base/error.h"
 #include "base/image.h"
 #include "formats/svg/read/objects.h"
@@ -16,11 +17,6 @@
 #include "simplify/simplify.h"
 
 namespace gradmesh {
-
-enum class DocumentKind { svg, hemesh };
-
-/// The kind of document that a file's extension promises; nothing for other extensions.
-std::optional<DocumentKind> kind_of(const std::filesystem::path& path);
 
 /// A mesh as its document lists it.
 struct MeshEntry {
@@ -71,22 +67,20 @@ struct WriteOptions {
   bool keep_original = false;
 };
 
-/// An SVG document or a .hemesh file, and the meshes in it: what the command line and the Python
+/// A document of one of the formats, and the meshes in it: what the command line and the Python
 /// package work with. Everything throws InputError with one sentence that names the file and,
 /// where there are several, the element.
 class Document {
  public:
-  /// Which kind it is follows from the content.
+  /// Which format it has follows from the content.
   static std::unique_ptr<Document> read_file(const std::filesystem::path& path);
   static std::unique_ptr<Document> parse(std::string_view bytes, const std::string& name);
   virtual ~Document() = default;
 
   const std::string& name() const { return name_; }
-  virtual DocumentKind kind() const = 0;
-  /// The colour model of its meshes.
-  ColorModel color_model() const {
-    return kind() == DocumentKind::svg ? ColorModel::bilinear : ColorModel::bicubic;
-  }
+  virtual const Format& format() const = 0;
+  /// Returns the colour model of its meshes.
+  ColorModel color_model() const { return format().color_models.front(); }
 
   /// How labels and drawings name things; in English unless said otherwise. Errors carry their
   /// messages.
@@ -106,6 +100,8 @@ class Document {
 
   /// The mesh of an entry, which is read once; until the document is next changed.
   virtual const Mesh& mesh(const MeshEntry& entry) const = 0;
+  /// Returns what reports call a mesh.
+  virtual std::string title(const MeshEntry& entry) const { return entry.id; }
   /// From mesh units to what the person sees (y down), up to scale.
   virtual Affine view(const MeshEntry& entry) const = 0;
   virtual FramePadding padding() const = 0;
@@ -161,7 +157,7 @@ class Document {
   /// edited their blocks (form/reconcile.h), and lets the blocks' paths grow with them. Their
   /// labels say how far they are from the originals that they remember, and the meshes as edited
   /// are what they remember then. Where this throws, the document is as it
-  /// was: where nothing selected is simplified, and for .hemesh files.
+  /// was: where nothing selected is simplified, and where the format holds no blocks.
   std::vector<UpdateReport> update(const std::vector<std::string>& ids);
   /// Prices the selected meshes up to epsilon and saves that; the number of prices.
   std::size_t analyze(const std::vector<std::string>& ids, const RunOptions& options,
@@ -180,9 +176,11 @@ class Document {
 
   /// The document; the very bytes that were read where nothing was changed, unpacked.
   std::string bytes() const { return changed_ ? changed_bytes() : original_; }
-  /// Throws InputError where the path's extension is that of the other kind.
+  /// Throws InputError if a mesh of this document cannot be converted to a document of `to`.
+  virtual void check_conversion(const Format& /*to*/) const {}
+  /// Throws InputError where the path's extension is that of another format.
   void check_target(const std::filesystem::path& path) const;
-  /// Compressed by gzip where the path's extension is .svgz, otherwise as bytes() has it. Throws as
+  /// Compressed by gzip where the path's extension says so, otherwise as bytes() has it. Throws as
   /// check_target does, and where the file cannot be written.
   void write_file(const std::filesystem::path& path) const;
 
@@ -213,8 +211,12 @@ class Document {
   /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
   virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;
-  /// update() for these meshes.
-  virtual std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) = 0;
+  /// Returns why a document cannot hold a colour model that its format does not hold.
+  virtual Message why_not(ColorModel model) const;
+  /// Throws InputError if meshes cannot be written in this way.
+  virtual void check_writing(const WriteOptions&) const {}
+  /// Does what update() does, for these meshes.
+  virtual std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries);
   virtual std::string changed_bytes() const = 0;
 
   void mark_changed() { changed_ = true; }

@@ -22,9 +22,8 @@ namespace gradmesh {
 namespace {
 
 SvgMeshes& svg(Document& document) {
-  if (document.kind() != DocumentKind::svg)
-    throw InputError("{0}: patches are edited in SVG documents only.", document.name());
-  return static_cast<SvgMeshes&>(document);
+  if (auto* const svg = dynamic_cast<SvgMeshes*>(&document)) return *svg;
+  throw InputError("{0}: patches are edited in SVG documents only.", document.name());
 }
 
 EditReport write(SvgMeshes& document, const MeshEntry& entry, int patches_before, const Mesh& mesh,

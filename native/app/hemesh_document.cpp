@@ -36,12 +36,20 @@ HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
   mesh_ = naming(entries_.front(), [&] { return build_mesh(parts); });
 }
 
+std::string HemeshDocument::write_new(const NewDocument& document) {
+  return text_of(document.mesh);
+}
+
 std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& ids) const {
   for (const std::string& id : ids)
     if (id != entries_.front().id)
       throw InputError("{0}: there is no mesh with the id {1}, the only one is called \"mesh\".",
                        name(), excerpt(id));
   return entries_;
+}
+
+std::string HemeshDocument::title(const MeshEntry&) const {
+  return std::filesystem::path(name()).stem().string();
 }
 
 std::shared_ptr<const WritingRules> HemeshDocument::rules(const MeshEntry&, bool) const {
@@ -54,9 +62,10 @@ void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKi
   mesh_ = build_mesh(read_hemesh(text_, name()));
 }
 
-std::vector<UpdateReport> HemeshDocument::update_edited(const std::vector<MeshEntry>&) {
-  throw InputError("{0}: only meshes that were simplified in an SVG document can be updated.",
-                   name());
+void HemeshDocument::check_writing(const WriteOptions& writing) const {
+  if (writing.keep_original)
+    throw InputError("{0}: a .hemesh file holds one mesh, so no original can be kept in it.",
+                     name());
 }
 
 }  // namespace gradmesh

@@ -9,9 +9,14 @@ class HemeshDocument : public Document {
  public:
   HemeshDocument(std::string_view bytes, const std::string& name);
 
-  DocumentKind kind() const override { return DocumentKind::hemesh; }
+  static bool recognises(std::string_view bytes) { return bytes.starts_with("HEMESH"); }
+  static std::string write_new(const NewDocument& document);
+
+  const Format& format() const override { return format_named("hemesh"); }
   std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
   const Mesh& mesh(const MeshEntry&) const override { return mesh_; }
+  /// Returns the name of the file, as the mesh has none.
+  std::string title(const MeshEntry&) const override;
   /// Returns the identity, as y points down in the file already.
   Affine view(const MeshEntry&) const override { return {}; }
   /// Returns the padding that the authors of the paper use.
@@ -22,7 +27,7 @@ class HemeshDocument : public Document {
   std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
-  std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
+  void check_writing(const WriteOptions& writing) const override;
   std::string changed_bytes() const override { return text_; }
 
  private:

@@ -63,7 +63,7 @@ ordered_json info_json(const Document& document) {
   // Says that there is none.
   if (meshes.empty() && unused.empty()) document.selected({});
   return {{"file", document.name()},
-          {"kind", document.kind() == DocumentKind::svg ? "svg" : "hemesh"},
+          {"kind", document.format().name},
           {"meshes", meshes},
           {"unused", unused}};
 }

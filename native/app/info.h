@@ -8,7 +8,7 @@
 namespace gradmesh {
 
 /// Returns the contents of a document:
-///   {"file", "kind": "svg" or "hemesh",
+///   {"file", "kind": "svg" or another format's name,
 ///    "meshes": [{"id", "role": "fill", "stroke" or null, "simplified", "color_model",
 ///                "patches", "points", "t_junctions", "elements"}],
 ///    "unused": [{"id", "patches"}]}

@@ -89,11 +89,10 @@ Report report_on_mesh(const Document& before, const MeshEntry& entry, const Docu
       common_frames({&before, entry, start.mesh}, {&after, entry_after, report.after.mesh},
                     start.options.resolution);
   // What the run did not count is not shown either.
-  if (start.options.visible && before.kind() == after.kind())
+  if (start.options.visible && before.format() == after.format())
     for (Frame* frame : {&first, &second})
       frame->hidden = std::make_shared<HiddenPixels>(*start.options.visible, *frame);
-  // The mesh of a .hemesh file has no name but the file's.
-  report.id = before.kind() == DocumentKind::svg ? entry.id : path_of(before).stem().string();
+  report.id = before.title(entry);
   report.original = start.options.original;
   report.metric = start.options.metric;
   report.epsilon = start.options.epsilon;

@@ -12,10 +12,13 @@
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/write/keep_original.h"
 #include "formats/svg/write/memory.h"
+#include "formats/svg/write/mesh_outline.h"
 #include "formats/svg/write/write_group.h"
 #include "formats/svg/write/write_mesh.h"
+#include "formats/svg/write/write_new.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
+#include "formats/text/scanner.h"
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "raster/overlaps.h"
@@ -54,6 +57,28 @@ std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
 SvgMeshes::SvgMeshes(std::string_view bytes, const std::string& name)
     : Document(name, bytes), svg_(SvgDocument::parse(bytes, name)) {
   list_meshes();
+}
+
+bool SvgMeshes::recognises(std::string_view bytes) { return trimmed(bytes).starts_with('<'); }
+
+std::string SvgMeshes::write_new(const NewDocument& document) {
+  const auto& [mesh, original, frame, page, translation] = document;
+  const int patches = mesh.face_count();
+  const WrittenForm form = block_rules()->form(mesh, frame);
+  const std::string label = mesh_label(patches).in(translation);
+  return new_svg({page.x, page.y}, outline_path(original), {mesh, *form.blocks, label, patches})
+      .serialize();
+}
+
+void SvgMeshes::check_conversion(const Format& to) const {
+  if (to == format()) throw InputError("{0} is an SVG document already.", name());
+}
+
+Message SvgMeshes::why_not(ColorModel) const {
+  return Message(
+      "{0}: an SVG document cannot hold bicubic colours; gradmesh convert makes a .hemesh file "
+      "of it, which can.",
+      name());
 }
 
 void SvgMeshes::list_meshes() {

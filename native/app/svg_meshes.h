@@ -19,13 +19,18 @@ class SvgMeshes : public Document {
  public:
   SvgMeshes(std::string_view bytes, const std::string& name);
 
-  DocumentKind kind() const override { return DocumentKind::svg; }
+  /// Returns true for all XML.
+  static bool recognises(std::string_view bytes);
+  static std::string write_new(const NewDocument& document);
+
+  const Format& format() const override { return format_named("svg"); }
   std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const override;
   std::vector<MeshEntry> refused(const std::vector<std::string>& ids) const override;
   std::vector<UnusedMesh> unused() const override;
   const Mesh& mesh(const MeshEntry& entry) const override { return read(entry).mesh; }
   Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
+  void check_conversion(const Format& to) const override;
 
   /// Returns the block whose path has this id. Throws InputError if the id names something else.
   ChosenPatches block(const std::string& id) const;
@@ -51,6 +56,7 @@ class SvgMeshes : public Document {
   std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
+  Message why_not(ColorModel model) const override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
   std::string changed_bytes() const override { return svg_.serialize(); }
 

@@ -133,17 +133,11 @@ py::list simplify_document(Document& document, const std::vector<std::string>& i
   return report_list(reports);
 }
 
-DocumentKind kind_named(const std::string& name) {
-  if (name == "svg") return DocumentKind::svg;
-  if (name == "hemesh") return DocumentKind::hemesh;
-  throw std::invalid_argument("documents are of the kind svg or hemesh, not '" + name + "'.");
-}
-
 py::tuple convert_for_run_of(Document& document, const std::string& kind,
                              const std::vector<std::string>& ids, const RunOptions& options,
                              const Document* original) {
   const MeasuredAgainst measured(document, original);
-  const DocumentKind to = kind_named(kind);
+  const Format& to = format_named(kind);
   ConvertedRun run;
   {
     const py::gil_scoped_release release;
@@ -214,7 +208,7 @@ py::dict convert_document(const Document& document, const std::string& kind,
   options.subdivide = subdivide;
   options.metric = metric_named(metric);
   options.resolution = resolution;
-  const DocumentKind to = kind_named(kind);
+  const Format& to = format_named(kind);
   Conversion conversion;
   {
     const py::gil_scoped_release release;
@@ -388,9 +382,7 @@ PYBIND11_MODULE(_core, m) {
                     return Document::parse(std::string(bytes), name);
                   })
       .def_property_readonly("name", &Document::name)
-      .def_property_readonly(
-          "kind",
-          [](const Document& d) { return d.kind() == DocumentKind::svg ? "svg" : "hemesh"; })
+      .def_property_readonly("kind", [](const Document& d) { return d.format().name; })
       .def("set_translation", &Document::set_translation)
       .def("ids", &ids)
       .def("meshes", &meshes)

@@ -37,7 +37,7 @@ void add_analyze(CLI::App& program) {
   const auto a = std::make_shared<AnalyzeArguments>();
   CLI::App& command = *program.add_subcommand(
       "analyze", "Work out what merging single edges and regions costs, for later runs");
-  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
+  command.add_option("IN", a->in, any_document())->required();
   command.add_option("-o,--output", a->analyses.save, "Where to write the analysis")->required();
   add_original_option(command, a->original);
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")

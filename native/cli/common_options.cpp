@@ -17,6 +17,8 @@ std::vector<std::string> metric_names() {
 
 }  // namespace
 
+std::string any_document() { return formats_in_words(&Format::document); }
+
 void add_metric_option(CLI::App& command, std::string& metric) {
   command.add_option("--metric", metric, "How pictures are compared")
       ->check(CLI::IsMember(metric_names()))

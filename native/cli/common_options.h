@@ -9,6 +9,9 @@
 
 namespace gradmesh {
 
+/// Returns what help calls a document of any format: "SVG document or .hemesh file".
+std::string any_document();
+
 /// Options that several subcommands share; the variable holds the default and must outlive
 /// parsing.
 void add_metric_option(CLI::App& command, std::string& metric);

@@ -44,13 +44,13 @@ Pair paint_both(const OnlyMesh& a, const OnlyMesh& b, int resolution) {
 
 /// Returns the two pictures. A document beside an image is painted as large as the image.
 Pair pictures(const std::string& a, const std::string& b, int resolution) {
-  if (kind_of(a) && kind_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b), resolution);
-  if (kind_of(a)) {
+  if (format_of(a) && format_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b), resolution);
+  if (format_of(a)) {
     const Image second = read_image(b);
     return {OnlyMesh(a).paint_like(second), second};
   }
   const Image first = read_image(a);
-  return {first, kind_of(b) ? OnlyMesh(b).paint_like(first) : read_image(b)};
+  return {first, format_of(b) ? OnlyMesh(b).paint_like(first) : read_image(b)};
 }
 
 void run_compare(const CompareArguments& args) {
@@ -67,8 +67,8 @@ void add_compare(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "compare",
       "Print the error between two pictures: images of one size, or documents of one mesh each");
-  command.add_option("A", a->a, "Image, SVG document or .hemesh file; the reference")->required();
-  command.add_option("B", a->b, "Image, SVG document or .hemesh file")->required();
+  command.add_option("A", a->a, "Image, " + any_document() + "; the reference")->required();
+  command.add_option("B", a->b, "Image, " + any_document())->required();
   add_metric_option(command, a->metric);
   add_resolution_option(command, a->resolution);
   command.callback([a] { run_compare(*a); });

@@ -15,17 +15,21 @@ struct ConvertArguments {
 };
 
 void run_convert(ConvertArguments& a) {
-  const std::optional<DocumentKind> kind = kind_of(a.out);
-  if (!kind) throw std::invalid_argument(a.out + " must end in .svg or .hemesh.");
+  const Format* format = format_of(a.out);
+  if (!format)
+    throw std::invalid_argument(a.out + " must end in " + formats_in_words(&Format::extension) +
+                                ".");
   a.options.metric = metric_named(a.metric);
   const std::unique_ptr<Document> from = Document::read_file(a.in);
   const MeshEntry entry = one_mesh(*from, a.id);
-  const Conversion to = convert(*from, entry, *kind, a.options);
+  const Conversion to = convert(*from, entry, *format, a.options);
   to.document->write_file(a.out);
   std::printf("%s: %d patches, %s %.5f%s\n", entry.id.c_str(),
               to.document->mesh(to.document->meshes().front()).face_count(),
               label(a.options.metric), to.error,
-              to.lost_opacity ? "; its opacity is lost, which .hemesh cannot hold" : "");
+              to.lost_opacity
+                  ? ("; its opacity is lost, which " + format->label + " cannot hold").c_str()
+                  : "");
 }
 
 }  // namespace
@@ -34,8 +38,11 @@ void add_convert(CLI::App& program) {
   const auto a = std::make_shared<ConvertArguments>();
   CLI::App& command =
       *program.add_subcommand("convert", "Make an SVG document of a .hemesh file, or the reverse");
-  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
-  command.add_option("OUT", a->out, "Its extension, .svg or .hemesh, says what it becomes")
+  command.add_option("IN", a->in, any_document())->required();
+  command
+      .add_option(
+          "OUT", a->out,
+          "Its extension, " + formats_in_words(&Format::extension) + ", says what it becomes")
       ->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
   CLI::Option* subdivide =

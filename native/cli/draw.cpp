@@ -44,7 +44,7 @@ void run_draw(DrawArguments& a) {
 void add_draw(CLI::App& program) {
   const auto a = std::make_shared<DrawArguments>();
   CLI::App& command = *program.add_subcommand("draw", "Draw a mesh and what is known about it");
-  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
+  command.add_option("IN", a->in, any_document())->required();
   command.add_option("-o,--output", a->out, "SVG document")->required();
   command
       .add_option("--show", a->show,

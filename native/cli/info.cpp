@@ -4,6 +4,7 @@
 
 #include "app/info.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 
 namespace gradmesh {
 namespace {
@@ -43,7 +44,7 @@ void run_info(const InfoArguments& a) {
 void add_info(CLI::App& program) {
   const auto a = std::make_shared<InfoArguments>();
   CLI::App& command = *program.add_subcommand("info", "List the meshes of a document");
-  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
+  command.add_option("IN", a->in, any_document())->required();
   command.add_flag("--json", a->as_json,
                    "Print JSON, with all points, handles, faces and half-edges");
   command.callback([a] { run_info(*a); });

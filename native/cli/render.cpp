@@ -45,7 +45,7 @@ void run_render(const RenderArguments& a) {
 void add_render(CLI::App& program) {
   const auto a = std::make_shared<RenderArguments>();
   CLI::App& command = *program.add_subcommand("render", "Paint a mesh to a PNG image");
-  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
+  command.add_option("IN", a->in, any_document())->required();
   command.add_option("-o,--output", a->out, "PNG image")->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
   command.add_option(

@@ -43,7 +43,7 @@ void add_report(CLI::App& program) {
   const auto a = std::make_shared<ReportArguments>();
   CLI::App& command = *program.add_subcommand(
       "report", "Make a page that shows a mesh before and after its simplification");
-  command.add_option("BEFORE", a->before, "SVG document or .hemesh file")->required();
+  command.add_option("BEFORE", a->before, any_document())->required();
   command.add_option("AFTER", a->after, "The same, simplified")->required();
   command.add_option("-o,--output", a->out, "HTML page")->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");

@@ -32,11 +32,11 @@ std::string heeding(const std::string& option) {
 }
 
 /// Returns the document that will be written to OUT, which is IN converted if it is of another
-/// kind.
+/// format.
 std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyArguments& a) {
-  const DocumentKind kind = a.preview ? in->kind() : kind_of(a.out).value_or(in->kind());
-  if (kind == in->kind()) return in;
-  ConvertedRun run = convert_for_run(*in, one_mesh(*in, a.ids), kind, a.options);
+  const Format* format = a.preview ? nullptr : format_of(a.out);
+  if (!format || *format == in->format()) return in;
+  ConvertedRun run = convert_for_run(*in, one_mesh(*in, a.ids), *format, a.options);
   a.options = std::move(run.options);
   a.ids.clear();
   return std::move(run.document);
@@ -86,7 +86,7 @@ void add_simplify(CLI::App& program) {
   const auto a = std::make_shared<SimplifyArguments>();
   CLI::App& command =
       *program.add_subcommand("simplify", "Merge patches while the error allows it");
-  command.add_option("IN", a->in, "SVG document or .hemesh file")->required();
+  command.add_option("IN", a->in, any_document())->required();
   CLI::App& target = *command.add_option_group("Output")->require_option(1);
   target.add_option("-o,--output", a->out, "Where to write the document");
   target.add_flag("--preview", a->preview,
