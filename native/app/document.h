@@ -128,11 +128,14 @@ class Document {
 
   /// What a run over a mesh begins with: the mesh, in the colour model that is asked for, and the
   /// options with what this document sets: the view, the padding, how it is written, the original
-  /// where that is another mesh, the method where the mesh is smooth, which is then `lines` unless
-  /// the person names edges, and the analysis, which is one of `files`.
+  /// where that is another mesh, the method, and the analysis, which is one of `files`. The method
+  /// of a smooth mesh is `lines`, unless the person names edges; `simplest` becomes `plain` where
+  /// the mesh can stay one mesh gradient and no target is asked for, and else `best`.
   struct Start {
     Mesh mesh;
     RunOptions options;
+    /// True if whatever is simplest is asked for, which may be a group of blocks too.
+    bool may_be_blocks = false;
   };
   Start start(const MeshEntry& entry, const RunOptions& options, AnalysisFiles& files) const;
 
@@ -140,10 +143,11 @@ class Document {
   /// the original that it remembers, unless a person has edited it since, or itself as it was.
   /// Those that cannot be read are only reported. Where nothing is merged, or what is left needs a
   /// mask for opacities, the method `lines` is tried as well, and its one mesh
-  /// gradient taken where it leaves no more patches. A mesh that does not come out with fewer
-  /// patches stays as it is. In another colour model than its own it is converted first, which
-  /// counts towards the error. Where an analysis is loaded, there must be one for each of the
-  /// meshes. Where this throws, the document is as it was. Throws std::invalid_argument as
+  /// gradient taken where it leaves no more patches. Where `simplest` finds no plain mesh gradient
+  /// with fewer handles, blocks are tried, and taken where these leave less to handle. A mesh that
+  /// does not come out simpler stays as it is. In another colour model than its own it is converted
+  /// first, which counts towards the error. Where an analysis is loaded, there must be one for each
+  /// of the meshes. Where this throws, the document is as it was. Throws std::invalid_argument as
   /// gradmesh::simplify does, where edges are named for another method than `manual` or none for
   /// that, and where there are no prices to save.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids, const RunOptions& options,
@@ -225,11 +229,19 @@ class Document {
   std::vector<MeshEntry> entries_;
 
  private:
+  /// Returns the method that is used where a person asks for one.
+  std::string method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
+                         const SimplifyOptions& options) const;
   std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
                                          const RunOptions& options,
                                          const AnalysisPaths& analyses) const;
-  /// Simplifies the mesh of `start`, and by lines where that is better.
+  /// Simplifies the mesh of `start`, also by another method where simplify() says so.
   SimplifyResult simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const;
+  /// Simplifies the mesh of `start` by that method, after a run that found `before`: its time
+  /// counts towards the budget. Returns nothing if no time is left.
+  std::optional<SimplifyResult> simplified_anew(const MeshEntry& entry, const Start& start,
+                                                const std::string& method,
+                                                const SimplifyResult& before, Mesh& mesh) const;
   /// Throws where the document cannot hold the colour model that is asked for.
   void check_color_model(const RunOptions& options) const;
   /// Throws where a mesh was above epsilon from the start, in another colour model or document.

@@ -62,7 +62,10 @@ py::dict report_dict(const MeshReport& report) {
   const SimplifyResult& r = report.result;
   return py::dict(py::arg("id") = report.id, py::arg("method") = r.method,
                   py::arg("patches_before") = r.patches_before,
-                  py::arg("patches_after") = r.patches_after, py::arg("error") = r.error,
+                  py::arg("patches_after") = r.patches_after,
+                  py::arg("handles_before") = r.handles_before,
+                  py::arg("handles_after") = r.handles_after, py::arg("objects") = r.objects,
+                  py::arg("changed") = r.changed, py::arg("error") = r.error,
                   py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
                   py::arg("renderer") = r.renderer,
                   py::arg("stopped") = report.refused ? "refused" : name(r.stopped),

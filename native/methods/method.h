@@ -37,6 +37,7 @@ struct Method {
   std::string name;
   /// The members of MethodOptions that it heeds, by their names.
   std::vector<std::string> options;
+  /// Merges; none if the method makes a plain mesh.
   std::function<void(const MethodRun&)> run;
   /// True if the method uses prices of regions or edges, so that there are some to save.
   bool needs_prices = false;
@@ -47,6 +48,9 @@ struct Method {
   bool merges_named_edges = false;
   /// True if simplify() goes on and fits what was merged (best.h).
   bool fits = false;
+  /// True if nothing is merged: the points of a rectangle of patches become fewer and its sides
+  /// straight (plain/fewer_handles.h), and it is written as one mesh gradient.
+  bool makes_plain = false;
 };
 
 /// Returns all methods, in the order in which lists show them.
@@ -62,8 +66,13 @@ std::vector<std::string> method_names();
 /// Returns the names of all methods that heed an option, in their order.
 std::vector<std::string> methods_with(const std::string& option);
 
-/// The default method.
-inline constexpr const char* default_method = "best";
+/// The default method: in a document `plain_method` where that leaves less to handle, and else
+/// `best`, as everywhere else.
+inline constexpr const char* default_method = "simplest";
+/// The method that leaves the fewest patches.
+inline constexpr const char* best_method = "best";
+/// The method that leaves the fewest handles of one mesh gradient.
+inline constexpr const char* plain_method = "plain";
 /// The method for smooth meshes, and for results that are to stay one mesh gradient.
 inline constexpr const char* line_method = "lines";
 

@@ -36,13 +36,19 @@ void by_name(const MethodRun& run) { merge_named_edges(run.trial, run.options.ed
 
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> methods = {
+      {.name = default_method,
+       .options = {"omega"},
+       .run = by_regions<false>,
+       .needs_prices = true,
+       .fits = true},
+      {.name = plain_method, .options = {}, .run = {}, .keeps_rectangle = true, .makes_plain = true},
       {.name = "random", .options = {"seed"}, .run = in_order<random_order>},
       {.name = "grid", .options = {"seed"}, .run = in_order<grid_order>},
       {.name = "dual-grid", .options = {"seed"}, .run = in_order<dual_grid_order>},
       {.name = "motorcycle", .options = {"seed", "kappa"}, .run = by_parts, .needs_prices = true},
       {.name = "gqe", .options = {"omega"}, .run = by_regions<false>, .needs_prices = true},
       {.name = "gqe1", .options = {"omega"}, .run = by_regions<true>, .needs_prices = true},
-      {.name = "best",
+      {.name = best_method,
        .options = {"omega"},
        .run = by_regions<false>,
        .needs_prices = true,

@@ -77,6 +77,12 @@ enum class Stopped { done, budget, cancelled, nothing_to_merge };
 struct SimplifyResult {
   std::string method = default_method;
   int patches_before = 0, patches_after = 0;
+  /// What a person has to handle, before and as written (form/handles.h).
+  int handles_before = 0, handles_after = 0;
+  /// The blocks of the group that the mesh becomes, or 1 where it becomes one mesh gradient.
+  int objects = 1;
+  /// True if the mesh was made simpler; otherwise it is as it was.
+  bool changed = false;
   /// Error of the surface that will be written, measured on the whole frame.
   double error = 0;
   /// The largest mean of the same in any window of 32 x 32 pixels (metric/local_mean.h).

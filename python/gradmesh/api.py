@@ -41,6 +41,10 @@ class Result:
     id: str
     patches_before: int
     patches_after: int
+    handles_before: int  #: what the mesh tool shows of it: corners, and handles of curved sides
+    handles_after: int
+    objects: int  #: that it becomes: 1, or the blocks of a group
+    changed: bool  #: whether it became simpler
     error: float  #: of what is written, against the mesh as it was, 0 to 1
     local_error: float  #: the largest mean of the same in any window of 32 x 32 pixels
     evaluations: int  #: merges that were painted and measured
@@ -133,7 +137,7 @@ def simplify(
     document: Document,
     ids: Union[str, Iterable[str]] = (),
     *,
-    method: str = "best",
+    method: str = "simplest",
     metric: str = "flip",
     epsilon: float = 0.01,
     max_local_error: Optional[float] = None,

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <glm/common.hpp>
 
+#include "form/handles.h"
 #include "form/written_patch.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/xml/edit.h"
@@ -15,7 +16,10 @@ namespace {
 class GradientWriter {
  public:
   GradientWriter(const Mesh& mesh, const Rectangle& block, const GradientFormat& format)
-      : mesh_(mesh), block_(block), format_(format) {}
+      : mesh_(mesh),
+        block_(block),
+        format_(format),
+        straight_within_(format.exact ? -1 : 1e-3 * format.coons_tolerance) {}
 
   void write(xmlNode* gradient) {
     const Halfedge first = block_.top(0, 0);
@@ -39,13 +43,19 @@ class GradientWriter {
     for (int side = row == 0 ? 0 : 1; side < (column == 0 ? 4 : 3); ++side) {
       xmlNode* stop = add_child(node, "stop");
       const Cubic<Value> curve = mesh_.side_of(side_from(mesh_, top, side));
-      set_attribute(stop, "path",
-                    "C " + point(curve.bezier1().position) + " " + point(curve.bezier2().position) +
-                        " " + point(curve.p1.position));
+      set_attribute(stop, "path", path(curve));
       const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
       if (!given) set_attribute(stop, "style", color_style(curve.p0.color));
     }
     if (needs_tensor(patch, format_.coons_tolerance)) write_tensor(node, patch);
+  }
+
+  /// Returns the path data of a side from its start on. A line shows no handles in the mesh tool.
+  std::string path(const Cubic<Value>& curve) const {
+    const std::string end = point(curve.p1.position);
+    if (is_straight(curve, straight_within_)) return "L " + end;
+    return "C " + point(curve.bezier1().position) + " " + point(curve.bezier2().position) + " " +
+           end;
   }
 
   void write_tensor(xmlNode* node, const Patch& patch) const {
@@ -97,6 +107,9 @@ class GradientWriter {
   const Mesh& mesh_;
   const Rectangle& block_;
   const GradientFormat& format_;
+  /// In the unit of the mesh's positions; below 0 where all sides are written as curves, to the
+  /// last bit.
+  const double straight_within_;
 };
 
 }  // namespace

@@ -1,0 +1,132 @@
+#include "plain/plain_grid.h"
+
+#include <glm/geometric.hpp>
+
+#include "mesh/rectangle.h"
+
+namespace gradmesh {
+namespace {
+
+/// Returns the curve of a side of a mesh in positions alone.
+Cubic<glm::dvec2> positions(const Cubic<Value>& curve) {
+  return {curve.p0.position, curve.m0.position, curve.m1.position, curve.p1.position};
+}
+
+/// Returns the tangents of a curve, or nothing if its inner control points lie on the chord at
+/// thirds but for rounding.
+PlainGrid::Bend bend_of(const Cubic<glm::dvec2>& curve) {
+  constexpr double rounding = 1e-9;
+  const glm::dvec2 chord = curve.p1 - curve.p0;
+  const double off = glm::length(curve.m0 - chord) + glm::length(curve.m1 - chord);
+  if (off <= rounding * (glm::length(curve.p0) + glm::length(curve.p1))) return std::nullopt;
+  return std::array{curve.m0, curve.m1};
+}
+
+Cubic<Value> colored(const Cubic<glm::dvec2>& curve, const glm::dvec4& from, const glm::dvec4& to) {
+  const glm::dvec4 slope = to - from;
+  return {{curve.p0, from}, {curve.m0, slope}, {curve.m1, slope}, {curve.p1, to}};
+}
+
+/// Returns the tangents of one curve in the place of two that follow one another: as they begin and
+/// end, longer by as much as the whole is longer than each of them.
+PlainGrid::Bend joined(const Cubic<glm::dvec2>& a, const Cubic<glm::dvec2>& b) {
+  const double length_a = glm::length(a.p1 - a.p0), length_b = glm::length(b.p1 - b.p0);
+  const double share = length_a + length_b > 0 ? length_a / (length_a + length_b) : 0.5;
+  constexpr double least = 0.05;
+  return std::array{a.m0 / std::max(share, least), b.m1 / std::max(1 - share, least)};
+}
+
+}  // namespace
+
+PlainGrid::PlainGrid(const Mesh& mesh) {
+  const Rectangle grid = find_grid(mesh).value();
+  rows_ = grid.rows;
+  columns_ = grid.columns;
+  knots_.resize(std::size_t((rows_ + 1) * (columns_ + 1)));
+  for (auto& bends : bends_) bends.resize(knots_.size());
+  for (int i = rows_; i-- > 0;)
+    for (int j = columns_; j-- > 0;) {
+      const Halfedge top = grid.top(i, j);
+      std::array<Cubic<Value>, 4> sides;
+      for (int k = 0; k < 4; ++k) sides[k] = mesh.side_of(side_from(mesh, top, k));
+      const int row[] = {i, i, i + 1, i + 1}, column[] = {j, j + 1, j + 1, j};
+      for (int k = 0; k < 4; ++k)
+        knot(row[k], column[k]) = {sides[k].p0.position, sides[k].p0.color};
+      bend(Along::rows, i, j) = bend_of(positions(sides[0]));
+      bend(Along::columns, i, j + 1) = bend_of(positions(sides[1]));
+      bend(Along::rows, i + 1, j) = bend_of(positions(sides[2].reversed()));
+      bend(Along::columns, i, j) = bend_of(positions(sides[3].reversed()));
+    }
+}
+
+Cubic<glm::dvec2> PlainGrid::side(Along along, int row, int column) const {
+  const glm::dvec2 from = knot(row, column).position;
+  const glm::dvec2 to =
+      (along == Along::rows ? knot(row, column + 1) : knot(row + 1, column)).position;
+  const Bend& bent = bend(along, row, column);
+  return bent ? Cubic<glm::dvec2>{from, (*bent)[0], (*bent)[1], to}
+              : Cubic<glm::dvec2>{from, to - from, to - from, to};
+}
+
+Patch PlainGrid::patch(int row, int column) const {
+  const auto color = [&](int i, int j) -> const glm::dvec4& { return knot(i, j).color; };
+  const std::array<Cubic<Value>, 4> sides = {
+      colored(side(Along::rows, row, column), color(row, column), color(row, column + 1)),
+      colored(side(Along::columns, row, column + 1), color(row, column + 1),
+              color(row + 1, column + 1)),
+      colored(side(Along::rows, row + 1, column), color(row + 1, column),
+              color(row + 1, column + 1))
+          .reversed(),
+      colored(side(Along::columns, row, column), color(row, column), color(row + 1, column))
+          .reversed()};
+  Patch patch = patch_from_sides(sides, {});
+  make_coons(patch);
+  make_color_bilinear(patch);
+  return patch;
+}
+
+MeshParts PlainGrid::parts() const {
+  MeshParts parts{{}, grid_curves(rows_, columns_)};
+  for (int i = 0; i < rows_; ++i)
+    for (int j = 0; j < columns_; ++j) parts.patches.push_back(patch(i, j));
+  return parts;
+}
+
+void PlainGrid::take_out(Along along, int number) {
+  const Along across = along == Along::rows ? Along::columns : Along::rows;
+  const bool is_row = along == Along::rows;
+  const int length = is_row ? columns_ : rows_;
+  const auto at = [&](int line, int place) {
+    return is_row ? index(line, place) : index(place, line);
+  };
+  const auto side_across = [&](int line, int place) {
+    return is_row ? side(across, line, place) : side(across, place, line);
+  };
+  for (int k = 0; k <= length; ++k) {
+    Bend& before = bends_[int(across)][at(number - 1, k)];
+    if (before || bends_[int(across)][at(number, k)])
+      before = joined(side_across(number - 1, k), side_across(number, k));
+  }
+  const auto erase_line = [&](auto& values) {
+    std::remove_reference_t<decltype(values)> left;
+    for (int i = 0; i <= rows_; ++i)
+      for (int j = 0; j <= columns_; ++j)
+        if ((is_row ? i : j) != number) left.push_back(values[index(i, j)]);
+    values = std::move(left);
+  };
+  erase_line(knots_);
+  for (auto& bends : bends_) erase_line(bends);
+  --(is_row ? rows_ : columns_);
+}
+
+int PlainGrid::handles() const {
+  int count = int(knots_.size());
+  for (int i = 0; i <= rows_; ++i)
+    for (int j = 0; j <= columns_; ++j) {
+      if (j < columns_ && bend(Along::rows, i, j)) count += 2;
+      if (i < rows_ && bend(Along::columns, i, j)) count += 2;
+    }
+  return count;
+}
+
+}  // namespace gradmesh
