@@ -19,9 +19,6 @@ constexpr double outline_weight = 0.2;
 /// The same for an outline that is hidden. It is held loosely, so that a person who opens the mesh
 /// tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
 constexpr double hidden_outline_weight = 0.05;
-/// Differences of colour above this are more likely those of another surface, beyond an edge, and
-/// count less.
-constexpr double outlier = 0.08;
 
 /// A patch at its samples, and its difference from the target there.
 struct Surface {
@@ -62,7 +59,7 @@ int sample_count(const Patch& patch, int side, int opposite, const Frame& frame)
 }
 
 /// Sets the difference, slopes and weight of the i-th sample, from the colours over white.
-void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted) {
+void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted, const Robustness& robustness) {
   const double a = s.at(i, 5), det = s.by_u(i, 0) * s.by_v(i, 1) - s.by_u(i, 1) * s.by_v(i, 0);
   double square = 0;
   for (int k = 0; k < 3; ++k) {
@@ -74,7 +71,8 @@ void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted) {
     s.slope_x(i, k) = (along_u * s.by_v(i, 1) - along_v * s.by_u(i, 1)) / det;
     s.slope_y(i, k) = (along_v * s.by_u(i, 0) - along_u * s.by_v(i, 0)) / det;
   }
-  s.weight(i) = s.area(i) / (1 + square / (outlier * outlier));
+  const double beyond = 1 + square / (robustness.scale * robustness.scale);
+  s.weight(i) = s.area(i) / (robustness.power == 1 ? beyond : std::pow(beyond, robustness.power));
 }
 
 void pull_back(Surface& s, Eigen::Index i, const FitTarget& target) {
@@ -86,7 +84,8 @@ void pull_back(Surface& s, Eigen::Index i, const FitTarget& target) {
   s.beyond(i) = outline_weight * glm::dot(place - outline->place, outline->normal);
 }
 
-Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& target) {
+Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& target,
+                const Robustness& robustness) {
   const auto control = control_in_pixels(patch, target.frame());
   const Eigen::Index n = samples.at.rows();
   Surface s;
@@ -108,7 +107,7 @@ Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& tar
     if (s.area(i) * double(n) < flat * size) continue;
     const glm::dvec2 place(s.at(i, 0), s.at(i, 1));
     if (const auto wanted = target.color_at(place))
-      compare(s, i, *wanted);
+      compare(s, i, *wanted, robustness);
     else if (!target.is_hidden(place))
       pull_back(s, i, target);
   }
@@ -276,11 +275,11 @@ Columns::Columns(int places) : color(std::size_t(places), -1), count(2 * places)
 
 NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
                                  const std::array<bool, 4>& is_outline, const Columns& columns,
-                                 const FitTarget& target) {
+                                 const FitTarget& target, const Robustness& robustness) {
   const Samples& samples = samples_of(sample_count(patch, 1, 3, target.frame()),
                                       sample_count(patch, 0, 2, target.frame()));
   NormalEquations equations =
-      SurfaceEquations(influences, columns).run(sampled(patch, samples, target), samples);
+      SurfaceEquations(influences, columns).run(sampled(patch, samples, target, robustness), samples);
   std::map<int, int> local;
   for (int i = 0; i < int(equations.columns.size()); ++i)
     local[equations.columns[std::size_t(i)]] = i;

@@ -20,6 +20,14 @@ struct Columns {
   explicit Columns(int places);
 };
 
+/// How differences of colour count: as their squares while they are small, and less beyond `scale`,
+/// where they are more likely those of another surface, beyond an edge. A sample that is off by d
+/// has the weight (1 + (d / scale)^2)^-power.
+struct Robustness {
+  double scale = 0.08;
+  double power = 1;
+};
+
 /// Normal equations of least squares over some of the columns: matrix * step = rhs.
 struct NormalEquations {
   std::vector<int> columns;
@@ -42,7 +50,7 @@ NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
 /// of its sides are outlines.
 NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
                                  const std::array<bool, 4>& is_outline, const Columns& columns,
-                                 const FitTarget& target);
+                                 const FitTarget& target, const Robustness& robustness = {});
 
 /// Solves the sum of the equations. `damping` holds for each column the share of itself by which
 /// the diagonal is raised (Levenberg and Marquardt). Returns numbers that are not finite if there

@@ -50,14 +50,11 @@ class Selection {
         watch_(watch),
         first_handles_(grid_.handles()) {}
 
-  /// Passes go on until one finds nothing more: a step that was too much may keep to epsilon after
-  /// others have been made and the points have been fitted anew.
+  /// Passes go on as long as steps are made after others were found to be too much, which may keep
+  /// to epsilon now that the points have been fitted anew.
   void run() {
-    int before = 0;
-    do {
-      before = made_;
-      pass();
-    } while (made_ > before && !is_over_);
+    do pass();
+    while (made_ > made_when_too_much_ && !is_over_);
   }
 
   const PlainGrid& grid() const { return grid_; }
@@ -85,6 +82,7 @@ class Selection {
   void pass() {
     list_lines();
     too_much_.clear();
+    made_when_too_much_ = std::numeric_limits<int>::max();
     most_sides_ = std::numeric_limits<std::size_t>::max();
     while (!should_stop()) {
       propose_sides();
@@ -184,6 +182,7 @@ class Selection {
 
   /// Gives up the first candidate; of several sides fewer are tried.
   void drop_first() {
+    made_when_too_much_ = std::min(made_when_too_much_, made_);
     const Step& step = candidates_.front().step;
     if (!step.takes_line()) {
       sides_proposed_at_ = -1;
@@ -215,6 +214,8 @@ class Selection {
   std::size_t most_sides_ = 0;
   /// The number of steps that were made, and how many that were when sides were proposed.
   int made_ = 0, sides_proposed_at_ = -1;
+  /// The number that had been made when the first step of this pass was found to be too much.
+  int made_when_too_much_ = 0;
   int evaluations_ = 0;
   bool is_over_ = false;
 };

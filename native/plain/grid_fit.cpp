@@ -10,6 +10,9 @@
 namespace gradmesh {
 namespace {
 
+/// A mean of FLIP counts a difference about as much as its size, not as its square.
+constexpr Robustness by_size = {.scale = 0.02, .power = 0.5};
+
 /// What moves a patch: its corners and, for each side that is a curve, the tangents of the grid's
 /// side at its two ends.
 constexpr int corners = 4, most_movers = corners + 8;
@@ -169,7 +172,7 @@ class GridFit {
     parallel_for(result.parts.size(), [&](std::size_t n) {
       const int i = int(n) / across, j = int(n) % across;
       result.parts[n] = normal_equations(grid.patch(i, j), influences(i, j), outlines(grid, i, j),
-                                         columns, target_);
+                                         columns, target_, by_size);
     });
     for (const NormalEquations& part : result.parts) result.squares += part.squares;
     return result;
@@ -223,7 +226,7 @@ class GridFit {
 
 double patch_squares(const PlainGrid& grid, int row, int column, const FitTarget& target) {
   return normal_equations(grid.patch(row, column), {}, outlines(grid, row, column), Columns(0),
-                          target)
+                          target, by_size)
       .squares;
 }
 
