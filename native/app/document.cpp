@@ -131,7 +131,7 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
   start.options.padding = padding();
   if (options.visible_only) start.options.visible = visible_area(entry);
   std::string& method = start.options.method;
-  start.may_be_blocks = method == default_method;
+  start.may_be_blocks = method == simplest;
   method = method_for(method, entry, start.mesh, options);
   start.options.rules = rules(entry, method_named(method).keeps_rectangle);
   const PriceTableKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
@@ -145,10 +145,9 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
 std::string Document::method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
                                  const SimplifyOptions& options) const {
   if (mesh.is_smooth() && !method_named(asked).merges_named_edges) return line_method;
-  if (asked != default_method) return asked;
+  if (asked != simplest) return asked;
   const bool has_target = options.patches || options.ratio;
-  const bool can_be_plain =
-      is_one_gradient(entry) && mesh.color_model() == ColorModel::bilinear && find_grid(mesh);
+  const bool can_be_plain = is_one_gradient(entry) && suits(method_named(plain_method), mesh);
   return can_be_plain && !has_target ? plain_method : best_method;
 }
 

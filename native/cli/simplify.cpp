@@ -96,7 +96,7 @@ void add_simplify(CLI::App& program) {
       ->take_all()
       ->expected(1);
   command.add_option("--method", a->options.method, "How edges are chosen")
-      ->check(CLI::IsMember(method_names()))
+      ->check(CLI::IsMember(method_choices()))
       ->capture_default_str();
   add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);

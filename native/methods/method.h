@@ -56,19 +56,26 @@ struct Method {
 /// Returns all methods, in the order in which lists show them.
 const std::vector<Method>& all_methods();
 
-/// Returns the method of that name. Throws std::invalid_argument with the names of all methods if
-/// there is none.
+/// Returns the method of that name; for `simplest` the best method. Throws std::invalid_argument
+/// with the names of all methods if there is none.
 const Method& method_named(const std::string& name);
 
 /// Returns the names of all methods, in their order.
 std::vector<std::string> method_names();
 
+/// Returns what a person may ask for: `simplest`, and the names of all methods.
+std::vector<std::string> method_choices();
+
+/// Returns true if the method can simplify the mesh: a smooth mesh only where a rectangle stays
+/// one, and a rectangle only where the mesh is one.
+bool suits(const Method& method, const Mesh& mesh);
+
 /// Returns the names of all methods that heed an option, in their order.
 std::vector<std::string> methods_with(const std::string& option);
 
-/// The default method: in a document `plain_method` where that leaves less to handle, and else
-/// `best`, as everywhere else.
-inline constexpr const char* default_method = "simplest";
+/// What is done where nobody names a method: in a document `plain_method` where that leaves less to
+/// handle, and else `best_method`, as everywhere else.
+inline constexpr const char* simplest = "simplest";
 /// The method that leaves the fewest patches.
 inline constexpr const char* best_method = "best";
 /// The method that leaves the fewest handles of one mesh gradient.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mesh/rectangle.h"
 #include "methods/gqe.h"
 #include "methods/grid.h"
 #include "methods/lines.h"
@@ -36,12 +37,6 @@ void by_name(const MethodRun& run) { merge_named_edges(run.trial, run.options.ed
 
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> methods = {
-      {.name = default_method,
-       .options = {"omega"},
-       .run = by_regions<false>,
-       .needs_prices = true,
-       .fits = true},
-      {.name = plain_method, .options = {}, .run = {}, .keeps_rectangle = true, .makes_plain = true},
       {.name = "random", .options = {"seed"}, .run = in_order<random_order>},
       {.name = "grid", .options = {"seed"}, .run = in_order<grid_order>},
       {.name = "dual-grid", .options = {"seed"}, .run = in_order<dual_grid_order>},
@@ -54,6 +49,11 @@ const std::vector<Method>& all_methods() {
        .needs_prices = true,
        .fits = true},
       {.name = line_method, .options = {}, .run = by_lines, .keeps_rectangle = true},
+      {.name = plain_method,
+       .options = {},
+       .run = {},
+       .keeps_rectangle = true,
+       .makes_plain = true},
       {.name = "manual", .options = {"edges"}, .run = by_name, .merges_named_edges = true},
   };
   return methods;
@@ -62,7 +62,7 @@ const std::vector<Method>& all_methods() {
 const Method& method_named(const std::string& wanted) {
   std::string known;
   for (const Method& method : all_methods()) {
-    if (wanted == method.name) return method;
+    if (wanted == method.name || (wanted == simplest && method.name == best_method)) return method;
     known.append(known.empty() ? "" : ", ").append(method.name);
   }
   throw std::invalid_argument("the method '" + wanted + "' is not known; there are: " + known +
@@ -73,6 +73,18 @@ std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const Method& method : all_methods()) names.push_back(method.name);
   return names;
+}
+
+std::vector<std::string> method_choices() {
+  std::vector<std::string> choices = method_names();
+  choices.insert(choices.begin(), simplest);
+  return choices;
+}
+
+bool suits(const Method& method, const Mesh& mesh) {
+  if (method.makes_plain && (mesh.is_smooth() || mesh.color_model() == ColorModel::bicubic))
+    return false;
+  return method.keeps_rectangle ? find_grid(mesh).has_value() : !mesh.is_smooth();
 }
 
 std::vector<std::string> methods_with(const std::string& option) {

@@ -155,7 +155,7 @@ class Run {
 
   SimplifyResult simplify() {
     SimplifyResult result;
-    result.method = options_.method;
+    result.method = method_.name;
     result.frame = frame_;
     result.patches_before = mesh_.face_count();
     result.handles_before = count_handles(mesh_);

@@ -23,8 +23,8 @@ namespace gradmesh {
 /// What a person may ask for. With the options of the methods, of which the chosen one heeds those
 /// that Method::options names.
 struct SimplifyOptions : MethodOptions {
-  /// The name of a method (methods/method.h).
-  std::string method = default_method;
+  /// The name of a method, or `simplest` (methods/method.h).
+  std::string method = simplest;
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
   double epsilon = 0.01;
@@ -75,7 +75,7 @@ struct RunOptions : SimplifyOptions {
 enum class Stopped { done, budget, cancelled, nothing_to_merge };
 
 struct SimplifyResult {
-  std::string method = default_method;
+  std::string method;
   int patches_before = 0, patches_after = 0;
   /// What a person has to handle, before and as written (form/handles.h).
   int handles_before = 0, handles_after = 0;
