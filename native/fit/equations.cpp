@@ -278,8 +278,8 @@ NormalEquations normal_equations(const Patch& patch, const std::vector<Influence
                                  const FitTarget& target, const Robustness& robustness) {
   const Samples& samples = samples_of(sample_count(patch, 1, 3, target.frame()),
                                       sample_count(patch, 0, 2, target.frame()));
-  NormalEquations equations =
-      SurfaceEquations(influences, columns).run(sampled(patch, samples, target, robustness), samples);
+  NormalEquations equations = SurfaceEquations(influences, columns)
+                                  .run(sampled(patch, samples, target, robustness), samples);
   std::map<int, int> local;
   for (int i = 0; i < int(equations.columns.size()); ++i)
     local[equations.columns[std::size_t(i)]] = i;
