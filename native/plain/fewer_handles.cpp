@@ -1,6 +1,7 @@
 #include "plain/fewer_handles.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <limits>
 #include <span>
 
@@ -39,6 +40,37 @@ struct Step {
 void make(const Step& step, PlainGrid& grid) {
   for (const Side& side : step.sides) grid.bend(side.along, side.row, side.column).reset();
   if (step.takes_line()) grid.take_out(step.along, step.line);
+}
+
+/// A corner of a line that was smooth is seen from about here: the sine of its angle times the
+/// difference of colour to the lines beside it.
+constexpr double seen_corner = 0.15;
+
+/// Returns how much is seen of the corner at a point of a line between two straight sides, as of
+/// seen_corner; 0 where there is none, or where the line was not smooth.
+double corner_at(const PlainGrid& grid, Along along, int row, int column) {
+  const int down = along == Along::columns, right = along == Along::rows;
+  const bool is_inside =
+      right ? column > 0 && column < grid.columns() : row > 0 && row < grid.rows();
+  if (!is_inside || !grid.is_smooth(along, row, column) || grid.bend(along, row, column) ||
+      grid.bend(along, row - down, column - right))
+    return 0;
+  double contrast = 0;
+  for (const int beside : {-1, 1}) {
+    const int i = row + beside * right, j = column + beside * down;
+    if (i < 0 || j < 0 || i > grid.rows() || j > grid.columns()) continue;
+    const glm::dvec4 d = glm::abs(grid.knot(i, j).color - grid.knot(row, column).color);
+    contrast = std::max({contrast, d.r, d.g, d.b, d.a});
+  }
+  return contrast * grid.turn(along, row, column);
+}
+
+double largest_corner(const PlainGrid& grid) {
+  double most = 0;
+  for (const Along along : {Along::rows, Along::columns})
+    for (int i = 0; i <= grid.rows(); ++i)
+      for (int j = 0; j <= grid.columns(); ++j) most = std::max(most, corner_at(grid, along, i, j));
+  return most;
 }
 
 class Selection {
@@ -116,7 +148,7 @@ class Selection {
     std::erase_if(candidates_, [](const Candidate& c) { return !c.step.takes_line(); });
     std::vector<Side> sides = curved_sides(grid_);
     std::erase_if(sides, [&](const Side& side) {
-      return std::ranges::find(too_much_, side) != too_much_.end();
+      return std::ranges::find(too_much_, side) != too_much_.end() || makes_corner(side);
     });
     if (sides.empty()) return;
     std::vector<std::pair<double, std::size_t>> order(sides.size());
@@ -127,6 +159,17 @@ class Selection {
     Step step;
     for (std::size_t n = 0; n < count; ++n) step.sides.push_back(sides[order[n].second]);
     candidates_.push_back({std::move(step), -std::numeric_limits<double>::infinity()});
+  }
+
+  /// Returns true if a line that was smooth would have a corner that is seen at one end of the side
+  /// if the side became straight. There is none where the other side stays a curve, which then
+  /// follows.
+  bool makes_corner(const Side& side) const {
+    PlainGrid straight = grid_;
+    straight.bend(side.along, side.row, side.column).reset();
+    const int down = side.along == Along::columns, right = side.along == Along::rows;
+    return corner_at(straight, side.along, side.row, side.column) > seen_corner ||
+           corner_at(straight, side.along, side.row + down, side.column + right) > seen_corner;
   }
 
   /// Returns by how much the sum of squares rises if a side becomes straight and nothing is fitted.
@@ -153,6 +196,7 @@ class Selection {
       make(c.step, grid);
       fit_grid(grid, task_.target, steps);
       c.measured = task_.measure(grid);
+      if (largest_corner(grid) > most_corner_) c.measured.keeps = false;
       c.price = (c.measured.error - error_) / (grid_.handles() - grid.handles());
       c.priced_at = made_;
       c.grid = std::move(grid);
@@ -204,6 +248,8 @@ class Selection {
 
   PlainGrid grid_;
   double error_;
+  /// Fits after a step may turn corners a little further.
+  const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid_));
   const GridTask& task_;
   StopWatch& watch_;
   const int first_handles_;

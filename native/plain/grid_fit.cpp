@@ -1,6 +1,7 @@
 #include "plain/grid_fit.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "base/parallel.h"
@@ -94,6 +95,7 @@ class GridFit {
   GridFit(PlainGrid& grid, const FitTarget& target)
       : grid_(grid), target_(target), to_mesh_(glm::inverse(target.frame().to_pixels.linear)) {
     number_unknowns();
+    follow_chords(grid_);
   }
 
   double run(int steps) {
@@ -127,16 +129,87 @@ class GridFit {
     double squares = 0;
   };
 
+  /// A tangent of a side that is a curve, at one of its ends. A line that was smooth at a point
+  /// stays so: where both of its sides are curves their tangents move together, each by its own
+  /// factor, and where the other side is straight the tangent is its chord times the factor.
+  struct Tangent {
+    enum Kind { none, free, follows_chord };
+    Kind kind = none;
+    int unknown = -1;
+    double factor = 1;
+    /// follows_chord: the points between which the chord runs.
+    std::size_t from = 0, to = 0;
+  };
+
   void number_unknowns() {
-    for (auto& numbers : bends_) numbers.assign(std::size_t(grid_.rows() + 1) * width(), -1);
     count_ = int(std::size_t(grid_.rows() + 1) * width());
-    for (const Along along : {Along::rows, Along::columns})
-      for (int i = 0; i <= grid_.rows() - (along == Along::columns); ++i)
-        for (int j = 0; j <= grid_.columns() - (along == Along::rows); ++j)
+    for (const Along along : {Along::rows, Along::columns}) {
+      tangents_[int(along)].resize(std::size_t(count_of_points()));
+      const bool is_row = along == Along::rows;
+      for (int i = 0; i <= grid_.rows() - !is_row; ++i)
+        for (int j = 0; j <= grid_.columns() - is_row; ++j)
           if (grid_.bend(along, i, j)) {
-            bends_[int(along)][index(i, j)] = count_;
-            count_ += 2;
+            number_tangent(along, i, j, 0);
+            number_tangent(along, i, j, 1);
           }
+    }
+  }
+
+  int count_of_points() const { return (grid_.rows() + 1) * (grid_.columns() + 1); }
+
+  /// Numbers the tangent of a side at its start (`end` 0) or its end (1).
+  void number_tangent(Along along, int row, int column, int end) {
+    Tangent& tangent = tangents_[int(along)][index(row, column)][std::size_t(end)];
+    tangent.kind = Tangent::free;
+    const int down = along == Along::columns, right = along == Along::rows;
+    const int i = row + end * down, j = column + end * right;
+    const bool is_inside = right ? j > 0 && j < grid_.columns() : i > 0 && i < grid_.rows();
+    if (!is_inside || !grid_.is_smooth(along, i, j)) {
+      tangent.unknown = count_++;
+      return;
+    }
+    // The side that goes on at the point: the one before, or the one after.
+    const int other_i = end == 0 ? i - down : i, other_j = end == 0 ? j - right : j;
+    const double length = glm::length((*grid_.bend(along, row, column))[std::size_t(end)]);
+    if (const PlainGrid::Bend& other = grid_.bend(along, other_i, other_j)) {
+      const double other_length = glm::length((*other)[std::size_t(1 - end)]);
+      const double both = length + other_length;
+      tangent.factor = both > 0 ? 2 * length / both : 1;
+      // The one before was numbered first.
+      tangent.unknown =
+          end == 0 ? tangents_[int(along)][index(other_i, other_j)][1].unknown : count_++;
+      return;
+    }
+    tangent.from = index(other_i, other_j);
+    tangent.to = index(other_i + down, other_j + right);
+    const double chord = glm::length(position(grid_, tangent.to) - position(grid_, tangent.from));
+    if (chord == 0) {
+      tangent.unknown = count_++;
+      return;
+    }
+    tangent.kind = Tangent::follows_chord;
+    tangent.factor = length / chord;
+  }
+
+  glm::dvec2 position(const PlainGrid& grid, std::size_t point) const {
+    return grid.knot(int(point / width()), int(point % width())).position;
+  }
+
+  template <class Visit>
+  void for_each_tangent(const Visit& visit) const {
+    for (const Along along : {Along::rows, Along::columns})
+      for (int i = 0; i <= grid_.rows(); ++i)
+        for (int j = 0; j <= grid_.columns(); ++j)
+          for (std::size_t end = 0; end < 2; ++end)
+            if (const Tangent& t = tangents_[int(along)][index(i, j)][end]; t.kind != Tangent::none)
+              visit(along, i, j, end, t);
+  }
+
+  void follow_chords(PlainGrid& grid) const {
+    for_each_tangent([&](Along along, int i, int j, std::size_t end, const Tangent& t) {
+      if (t.kind == Tangent::follows_chord)
+        (*grid.bend(along, i, j))[end] = t.factor * (position(grid, t.to) - position(grid, t.from));
+    });
   }
 
   std::size_t width() const { return std::size_t(grid_.columns() + 1); }
@@ -145,22 +218,32 @@ class GridFit {
   }
 
   std::vector<Influence> influences(int row, int column) const {
-    std::array<int, 4> bends;
+    std::array<const std::array<Tangent, 2>*, 4> sides;
     int bent_sides = 0;
     for (int k = 0; k < 4; ++k) {
       const SideName name = side_name(row, column, k);
-      bends[std::size_t(k)] = bends_[int(name.along)][index(name.row, name.column)];
-      if (bends[std::size_t(k)] >= 0) bent_sides |= 1 << k;
+      sides[std::size_t(k)] = &tangents_[int(name.along)][index(name.row, name.column)];
+      if ((*sides[std::size_t(k)])[0].kind != Tangent::none) bent_sides |= 1 << k;
     }
     const auto& moves = movements_of(bent_sides);
     const std::size_t knots[] = {index(row, column), index(row, column + 1),
                                  index(row + 1, column + 1), index(row + 1, column)};
     std::vector<Influence> result;
-    for (std::size_t k = 0; k < 4; ++k) result.push_back({int(knots[k]), moves[k], {}});
+    const auto add = [&](std::size_t unknown, std::size_t mover, double factor) {
+      result.push_back({int(unknown), moves[mover], {}});
+      for (double& share : result.back().place) share *= factor;
+    };
+    for (std::size_t k = 0; k < 4; ++k) add(knots[k], k, 1);
     for (std::size_t k = 0; k < 4; ++k)
-      if (bends[k] >= 0)
-        for (int end = 0; end < 2; ++end)
-          result.push_back({bends[k] + end, moves[corners + 2 * k + std::size_t(end)], {}});
+      for (std::size_t end = 0; end < 2; ++end) {
+        const Tangent& t = (*sides[k])[end];
+        const std::size_t mover = corners + 2 * k + end;
+        if (t.kind == Tangent::free) add(std::size_t(t.unknown), mover, t.factor);
+        if (t.kind == Tangent::follows_chord) {
+          add(t.to, mover, t.factor);
+          add(t.from, mover, -t.factor);
+        }
+      }
     return result;
   }
 
@@ -203,22 +286,19 @@ class GridFit {
       return to_mesh_ * glm::dvec2(step(2 * unknown), step(2 * unknown + 1));
     };
     for (int i = 0; i <= grid_.rows(); ++i)
-      for (int j = 0; j <= grid_.columns(); ++j) {
-        moved.knot(i, j).position += by(int(index(i, j)));
-        for (const Along along : {Along::rows, Along::columns})
-          if (const int bend = bends_[int(along)][index(i, j)]; bend >= 0)
-            for (int end = 0; end < 2; ++end)
-              (*moved.bend(along, i, j))[std::size_t(end)] += by(bend + end);
-      }
+      for (int j = 0; j <= grid_.columns(); ++j) moved.knot(i, j).position += by(int(index(i, j)));
+    for_each_tangent([&](Along along, int i, int j, std::size_t end, const Tangent& t) {
+      if (t.kind == Tangent::free) (*moved.bend(along, i, j))[end] += t.factor * by(t.unknown);
+    });
+    follow_chords(moved);
     return moved;
   }
 
   PlainGrid& grid_;
   const FitTarget& target_;
   const glm::dmat2 to_mesh_;
-  /// By side, the number of its first tangent among the unknowns, or -1 where it is straight. The
-  /// points come before, by index().
-  std::array<std::vector<int>, 2> bends_;
+  /// By side and end. The unknowns are the points, by index(), and then the free tangents.
+  std::array<std::vector<std::array<Tangent, 2>>, 2> tangents_;
   int count_ = 0;
 };
 

@@ -1,11 +1,16 @@
 #include "plain/plain_grid.h"
 
+#include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "mesh/rectangle.h"
 
 namespace gradmesh {
 namespace {
+
+/// The sine of the largest turn that counts as none, of five degrees.
+constexpr double smooth_turn = 0.087;
 
 /// Returns the curve of a side of a mesh in positions alone.
 Cubic<glm::dvec2> positions(const Cubic<Value>& curve) {
@@ -57,6 +62,24 @@ PlainGrid::PlainGrid(const Mesh& mesh) {
       bend(Along::rows, i + 1, j) = bend_of(positions(sides[2].reversed()));
       bend(Along::columns, i, j) = bend_of(positions(sides[3].reversed()));
     }
+  for (const Along along : {Along::rows, Along::columns}) {
+    smooth_[int(along)].assign(knots_.size(), false);
+    const bool is_row = along == Along::rows;
+    for (int i = !is_row; i <= rows_ - !is_row; ++i)
+      for (int j = is_row; j <= columns_ - is_row; ++j) {
+        const bool is_curve = bend(along, i, j) || bend(along, i - !is_row, j - is_row);
+        smooth_[int(along)][index(i, j)] = is_curve && turn(along, i, j) < smooth_turn;
+      }
+  }
+}
+
+double PlainGrid::turn(Along along, int row, int column) const {
+  const bool is_row = along == Along::rows;
+  const glm::dvec2 before = side(along, row - !is_row, column - is_row).m1;
+  const glm::dvec2 after = side(along, row, column).m0;
+  const double lengths = glm::length(before) * glm::length(after);
+  if (lengths == 0 || glm::dot(before, after) <= 0) return lengths == 0 ? 0 : 1;
+  return std::abs(before.x * after.y - before.y * after.x) / lengths;
 }
 
 Cubic<glm::dvec2> PlainGrid::side(Along along, int row, int column) const {
@@ -116,6 +139,7 @@ void PlainGrid::take_out(Along along, int number) {
   };
   erase_line(knots_);
   for (auto& bends : bends_) erase_line(bends);
+  for (auto& smooth : smooth_) erase_line(smooth);
   --(is_row ? rows_ : columns_);
 }
 

@@ -50,6 +50,15 @@ class PlainGrid {
   /// Returns the curve of that side; a straight side has its handles at thirds.
   Cubic<glm::dvec2> side(Along along, int row, int column) const;
 
+  /// Returns true if the line through a point along its row, or along its column, was a curve
+  /// without a corner there in the mesh that the grid was made of.
+  bool is_smooth(Along along, int row, int column) const {
+    return smooth_[int(along)][index(row, column)];
+  }
+  /// Returns the sine of the angle by which that line turns at the point, 0 to 1; 1 where it turns
+  /// by a right angle or more. The point must not be at an end of the line.
+  double turn(Along along, int row, int column) const;
+
   /// Returns the patch of a row and a column, with colours of the model `bilinear`.
   Patch patch(int row, int column) const;
   /// Returns the mesh as build_mesh reads it, row by row.
@@ -73,6 +82,7 @@ class PlainGrid {
   std::vector<Knot> knots_;
   /// By Along; the entries behind the last point of a row or a column are not used.
   std::array<std::vector<Bend>, 2> bends_;
+  std::array<std::vector<bool>, 2> smooth_;
 };
 
 }  // namespace gradmesh
