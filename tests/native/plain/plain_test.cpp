@@ -110,6 +110,32 @@ TEST(GridFit, leaves_straight_sides_straight_and_colours_alone_and_folds_nothing
   }
 }
 
+/// A grid of 4 x 4 patches whose middle row of points lies on a smooth wave.
+PlainGrid waved_grid() {
+  PlainGrid grid(grid_mesh({.rows = 4, .columns = 4, .color_noise = 0.1}, 5));
+  for (int j = 0; j < 4; ++j) {
+    const auto along = [](int at) { return glm::dvec2(100, at % 2 == 0 ? 40 : -40); };
+    grid.bend(Along::rows, 2, j) = {along(j), along(j + 1)};
+  }
+  return PlainGrid(build_mesh(grid.parts()));
+}
+
+TEST(GridFit, keeps_a_line_smooth_where_it_was_and_one_side_is_a_curve) {
+  const PlainGrid original = waved_grid();
+  const Mesh mesh = build_mesh(original.parts());
+  const FitTarget target(mesh, fit_frame(mesh, {}, 200));
+  for (int j = 1; j < 4; ++j) ASSERT_TRUE(original.is_smooth(Along::rows, 2, j));
+  EXPECT_FALSE(original.is_smooth(Along::columns, 2, 2)) << "a straight line was no curve";
+  for (const bool has_straight_side : {false, true}) {
+    PlainGrid grid = original;
+    for (int j = 1; j < 4; ++j) grid.knot(2, j).position += glm::dvec2(6, 9 - 5 * j);
+    if (has_straight_side) grid.bend(Along::rows, 2, 1).reset();
+    fit_grid(grid, target, 4);
+    EXPECT_NE(grid.knot(2, 2), original.knot(2, 2));
+    for (int j = 1; j < 4; ++j) EXPECT_NEAR(grid.turn(Along::rows, 2, j), 0, 1e-6);
+  }
+}
+
 TEST(Plain, leaves_fewer_handles_and_keeps_to_epsilon_and_the_local_bound) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     const Mesh original = noisy_grid(4, 5, seed);
