@@ -50,7 +50,7 @@ class Result:
     evaluations: int  #: merges that were painted and measured
     stopped: str  #: "done", "budget", "cancelled", "nothing to merge" or "refused"
     seconds: float
-    method: str  #: the one asked for, or "lines" where the mesh is smooth
+    method: str  #: the one asked for, "lines" where the mesh is smooth, or what was simplest
     renderer: str  #: where merges were priced: the device's name, or "software"
     refused: Optional[_core.InputError] = None  #: why it was left alone: it cannot be read
 
@@ -178,7 +178,10 @@ def simplify(
     are then made bilinear first, which counts towards the error.
     visible_only: what the object's outline, clip paths and masks hide of the mesh, its own and those
     of groups around it, does not count towards the error.
-    method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
+    method: "simplest", what leaves less to handle: of a mesh gradient of SVG "plain", or "best" where that
+    takes nothing out; "best" where there is a target, for groups and for .hemesh files. "plain" leaves one
+    mesh gradient with few handles: straight sides, fewer lines, points fitted to the picture; only of a
+    mesh that is one rectangle, with bilinear colours. Others choose edges that are merged: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
     "gqe1" weigh patches saved against error by `omega`; "best" goes on from "gqe" and fits what it
     merges to the picture; "lines" takes whole rows and columns out of
