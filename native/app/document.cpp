@@ -32,8 +32,8 @@ void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) 
                                 " needs no analysis, so there is none to save.");
 }
 
-/// Puts the mesh into the colour model that is asked for. The options returned name the mesh as it
-/// was, where that makes a difference.
+/// Puts the mesh into the colour model that is asked for. Returns the options. If the colour model
+/// differs and the options have no original, the returned options have the mesh as it was.
 RunOptions in_color_model(RunOptions options, Mesh& mesh) {
   const ColorModel model = options.color_model.value_or(mesh.color_model());
   if (model == mesh.color_model()) return options;
@@ -44,7 +44,8 @@ RunOptions in_color_model(RunOptions options, Mesh& mesh) {
   return options;
 }
 
-/// What gzip has compressed. The limit on documents is one on what it unpacks to.
+/// Returns the unpacked content of bytes that gzip has compressed. Throws InputError if the content
+/// would be beyond the limit on documents, and if the bytes are damaged.
 std::string unpacked(std::string_view bytes, const std::string& name) {
   const std::uint64_t most = limits().document, needed = gunzipped_size(bytes);
   if (needed > most)
@@ -164,7 +165,7 @@ Message Document::why_not(ColorModel model) const {
 void Document::check_start(const SimplifiedMesh& m, const RunOptions& options) const {
   if (options.patches || options.ratio) return;
   if (m.result.changed || m.result.error <= options.epsilon) return;
-  // What earlier runs have done to the original that is remembered or given, with a larger epsilon.
+  // Earlier runs with a larger epsilon may have moved the mesh away from the original.
   if ((m.entry.simplified || originals_) && !options.original) return;
   char error[32];
   std::snprintf(error, sizeof error, "%.5f", m.result.error);
@@ -229,7 +230,7 @@ std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std
     throw InputError("{0}: there are {1} meshes, and edges can be named of one only.", name_,
                      entries.size());
 
-  // All are read before the first of them takes its time.
+  // All meshes are read before the first run, as a run may take long.
   AnalysisFiles files(analyses);
   std::vector<Start> starts;
   for (const MeshEntry& entry : entries) starts.push_back(start(entry, options, files));

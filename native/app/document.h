@@ -20,18 +20,18 @@ namespace gradmesh {
 
 /// A mesh as its document lists it.
 struct MeshEntry {
-  /// Its place in Document::meshes().
+  /// The place in Document::meshes().
   int index = 0;
-  /// Of the object that it paints; "mesh" in a .hemesh file, which has one mesh and no names. An
-  /// object whose fill and stroke are meshes is listed twice.
+  /// The id of the object that the mesh paints; "mesh" in a .hemesh file, which has one mesh and no
+  /// names. An object whose fill and stroke are meshes is listed twice.
   std::string id;
-  /// What of the object it paints; nothing in a .hemesh file.
+  /// The part of the object that the mesh paints; nothing in a .hemesh file.
   std::optional<PaintRole> role;
-  /// Whether it is a group of blocks that gradmesh wrote.
+  /// True if the mesh is a group of blocks that gradmesh wrote.
   bool simplified = false;
-  /// Whether it is the hidden original of another one, chosen only by its own id.
+  /// True if the mesh is the hidden original of another one. Only its own id chooses it.
   bool kept = false;
-  /// Why its mesh cannot be read, a sentence; nothing where it can.
+  /// The sentence that says why the mesh cannot be read; nothing if the mesh can be read.
   std::optional<Message> refused = std::nullopt;
 };
 
@@ -44,93 +44,99 @@ struct UnusedMesh {
 struct MeshReport {
   std::string id;
   SimplifyResult result;
-  /// MeshEntry::refused; then there is no result.
+  /// The value of MeshEntry::refused. If there is one, there is no result.
   std::optional<Message> refused = std::nullopt;
 };
 
-/// What an update has found.
+/// What an update has found of one mesh.
 struct UpdateReport {
   std::string id;
   int patches = 0;
-  /// Whether a person had edited it.
+  /// True if a person had edited the mesh.
   bool changed = false;
 };
 
 /// How a simplified mesh is put into its document.
 struct WriteOptions {
-  /// SVG only: it remembers the mesh before it was first simplified
-  /// (formats/svg/read/read_group.h), which makes the file larger, and which later runs measure
-  /// against.
+  /// SVG only: true if the document remembers the mesh before the mesh was first simplified
+  /// (formats/svg/read/read_group.h). Later runs measure against the remembered mesh. The file
+  /// becomes larger.
   bool remember_original = true;
-  /// SVG only: a copy of the object as it was stays directly below it, hidden
+  /// SVG only: true if a hidden copy of the object as it was stays directly below the object
   /// (formats/svg/write/keep_original.h).
   bool keep_original = false;
 };
 
-/// A document of one of the formats, and the meshes in it: what the command line and the Python
-/// package work with. Everything throws InputError with one sentence that names the file and,
-/// where there are several, the element.
+/// A document of one of the formats, with its meshes. The command line and the Python package work
+/// with documents. All members throw InputError, whose sentence names the file and, if there are
+/// several meshes, the element.
 class Document {
  public:
-  /// Which format it has follows from the content.
+  /// Read a document, whose content decides which format the document has.
   static std::unique_ptr<Document> read_file(const std::filesystem::path& path);
   static std::unique_ptr<Document> parse(std::string_view bytes, const std::string& name);
   virtual ~Document() = default;
 
   const std::string& name() const { return name_; }
   virtual const Format& format() const = 0;
-  /// Returns the colour model of its meshes.
+  /// Returns the colour model of the document's meshes.
   ColorModel color_model() const { return format().color_models.front(); }
 
-  /// How labels and drawings name things; in English unless said otherwise. Errors carry their
-  /// messages.
+  /// Returns the translation of labels and drawings, which is English by default. Errors are not
+  /// translated here, as they carry their messages.
   const Translation& translation() const { return translation_; }
   void set_translation(Translation translation) { translation_ = std::move(translation); }
 
-  /// All meshes; there may be none.
+  /// Returns all meshes; empty if there are none.
   const std::vector<MeshEntry>& meshes() const { return entries_; }
-  /// The meshes of the objects with these ids, or inside elements with these ids; all where there
-  /// are no ids. Hidden originals are left out unless they are named themselves, and so are those
-  /// that cannot be read, where an id names another one as well. Never empty.
+  /// Returns the meshes of the objects with these ids and of the objects inside elements with these
+  /// ids; all meshes if there are no ids. Leaves out hidden originals, unless the originals are
+  /// named themselves, and meshes that cannot be read. Throws if an id names no mesh that can be
+  /// read, so the result is never empty.
   virtual std::vector<MeshEntry> selected(const std::vector<std::string>& ids) const = 0;
-  /// Those that selected() leaves out because they cannot be read. Throws as that does.
+  /// Returns the meshes that selected() leaves out because they cannot be read. Throws the same
+  /// exceptions as selected().
   virtual std::vector<MeshEntry> refused(const std::vector<std::string>&) const { return {}; }
-  /// Mesh gradients that paint none of the meshes.
+  /// Returns the mesh gradients that paint no object.
   virtual std::vector<UnusedMesh> unused() const { return {}; }
 
-  /// The mesh of an entry, which is read once; until the document is next changed.
+  /// Returns the mesh of an entry. The mesh is read once. The reference is valid until the document
+  /// is next changed.
   virtual const Mesh& mesh(const MeshEntry& entry) const = 0;
-  /// Returns what reports call a mesh.
+  /// Returns the name of a mesh in reports.
   virtual std::string title(const MeshEntry& entry) const { return entry.id; }
-  /// From mesh units to what the person sees (y down), up to scale.
+  /// Returns the map from mesh units to what the person sees (y down), up to scale.
   virtual Affine view(const MeshEntry& entry) const = 0;
   virtual FramePadding padding() const = 0;
-  /// The frame in which a mesh of this document is painted and measured.
+  /// Returns the frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
-  /// The same where only what is seen counts, as by default.
+  /// Returns the same frame, in which only visible pixels count, as by default.
   Frame seen_frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
-  /// Paints a mesh in its own frame or, where there is another document, in that of its counterpart
-  /// there (common_frames.h), so that the two pictures can be laid on each other.
+  /// Paints a mesh in its own frame. If there is a document `framed_as`, paints the mesh in the
+  /// frame of its counterpart there (common_frames.h), so that the two pictures can be laid on each
+  /// other.
   Image render(const MeshEntry& entry, int resolution, const Rasterizer& rasterizer,
                const Document* framed_as = nullptr) const;
-  /// The picture that Inkscape paints of it, in the same frame. Throws where the colours are
-  /// bicubic, which Inkscape cannot paint.
+  /// Returns the picture that Inkscape paints of the mesh, in the same frame. Throws if the colours
+  /// are bicubic, which Inkscape cannot paint.
   Image render_like_inkscape(const MeshEntry& entry, int resolution,
                              const Document* framed_as = nullptr) const;
 
-  /// Makes meshes of another document, which must outlive the runs, those against which runs
-  /// measure, whatever is remembered; null: no longer. With one mesh in each it is that one,
-  /// otherwise the one with the same id.
+  /// Makes runs measure against the meshes of another document, whatever this document remembers.
+  /// The other document must outlive the runs. Null ends that. If each document has one mesh, runs
+  /// measure against that mesh, otherwise against the mesh with the same id.
   void measure_against(const Document* originals) { originals_ = originals; }
-  /// That mesh in the units of its counterpart here; null where measure_against named no document.
-  /// Throws InputError where there is none.
+  /// Returns the mesh of the other document that corresponds to `entry`, in the units of the mesh
+  /// of `entry`; null if measure_against named no document. Throws InputError if no mesh
+  /// corresponds.
   std::shared_ptr<const Mesh> given_original(const MeshEntry& entry) const;
 
-  /// What a run over a mesh begins with: the mesh, in the colour model that is asked for, and the
-  /// options with what this document sets: the view, the padding, how it is written, the original
-  /// where that is another mesh, the method, and the analysis, which is one of `files`. The method
-  /// of a smooth mesh is `lines`, unless the person names edges; `simplest` becomes `plain` where
-  /// the mesh can stay one mesh gradient and no target is asked for, and else `best`.
+  /// The input of a run over a mesh: the mesh in the colour model that is asked for, and the
+  /// options with those that this document sets. The document sets the view, the padding, the rules
+  /// of writing, the original if that is another mesh, and the analysis, which is one of `files`.
+  /// For a smooth mesh the document sets the method `lines` unless the person names edges.
+  /// `simplest` becomes `plain` if the mesh can stay one mesh gradient and there is no target, and
+  /// `best` otherwise.
   struct Start {
     Mesh mesh;
     RunOptions options;
@@ -139,36 +145,40 @@ class Document {
   };
   Start start(const MeshEntry& entry, const RunOptions& options, AnalysisFiles& files) const;
 
-  /// Simplifies the selected meshes in place, each against `options.original`, its given_original,
-  /// the original that it remembers, unless a person has edited it since, or itself as it was.
-  /// Those that cannot be read are only reported. Where nothing is merged, or what is left needs a
-  /// mask for opacities, the method `lines` is tried as well, and its one mesh
-  /// gradient taken where it leaves no more patches. Where `simplest` finds no plain mesh gradient
-  /// with fewer handles, blocks are tried, and taken where these leave less to handle. A mesh that
-  /// does not come out simpler stays as it is. In another colour model than its own it is converted
-  /// first, which counts towards the error. Where an analysis is loaded, there must be one for each
-  /// of the meshes. Where this throws, the document is as it was. Throws std::invalid_argument as
-  /// gradmesh::simplify does, where edges are named for another method than `manual` or none for
-  /// that, and where there are no prices to save.
+  /// Simplifies the selected meshes in place. A mesh is measured against the first of these that
+  /// there is: `options.original`, its given_original, the original that the mesh remembers unless
+  /// a person has edited the mesh since, and the mesh as it was. Meshes that cannot be read are
+  /// only reported.
+  ///
+  /// If nothing is merged, or if the result needs a mask for opacities, the method `lines` is tried
+  /// as well. Its result, one mesh gradient, is taken if that has no more patches. If `simplest`
+  /// finds no plain mesh gradient with fewer handles, blocks are tried, and taken if these leave
+  /// less to handle. A mesh that does not become simpler stays as it is. If another colour model
+  /// than the mesh's own is asked for, the mesh is converted first, and the conversion counts
+  /// towards the error. If an analysis is loaded, it must hold prices for each of the meshes.
+  ///
+  /// Throws std::invalid_argument as gradmesh::simplify does, if edges are named for another method
+  /// than `manual`, if `manual` has no edges, and if there are no prices to save. The document is
+  /// unchanged after an exception.
   std::vector<MeshReport> simplify(const std::vector<std::string>& ids, const RunOptions& options,
                                    const AnalysisPaths& analyses = {},
                                    const WriteOptions& writing = {});
-  /// What simplify() would do; nothing is changed. For `manual` it tells the error of the edges
-  /// also where that is too large.
+  /// Returns the reports that simplify() would return, and changes nothing. With the method
+  /// `manual` reports the error of the edges even if the error is too large.
   std::vector<MeshReport> preview(const std::vector<std::string>& ids, RunOptions options,
                                   const AnalysisPaths& analyses = {}) const;
-  /// Makes those of the selected meshes that are simplified fit together again where a person has
-  /// edited their blocks (form/reconcile.h), and lets the blocks' paths grow with them. Their
-  /// labels say how far they are from the originals that they remember, and the meshes as edited
-  /// are what they remember then. Where this throws, the document is as it
-  /// was: where nothing selected is simplified, and where the format holds no blocks.
+  /// Makes the selected meshes that are simplified fit together again if a person has edited their
+  /// blocks (form/reconcile.h), and fits the paths of the blocks to the new outlines. The labels of
+  /// the meshes get the error against the originals that the meshes remember. From then on the
+  /// meshes remember themselves as edited. Throws if no selected mesh is simplified, and if the
+  /// format holds no blocks. The document is unchanged after an exception.
   std::vector<UpdateReport> update(const std::vector<std::string>& ids);
-  /// Prices the selected meshes up to epsilon and saves that; the number of prices.
+  /// Prices the selected meshes up to epsilon and saves the prices. Returns the number of prices.
   std::size_t analyze(const std::vector<std::string>& ids, const RunOptions& options,
                       const AnalysisPaths& analyses) const;
 
-  /// Runs `work`; what the core says of a mesh, without knowing whose it is, gets the names of the
-  /// file and the element.
+  /// Returns the result of `work`. Adds the names of the file and the element to InputErrors of
+  /// `work`, since most of the core does not know the names.
   template <class Work>
   auto naming(const MeshEntry& entry, const Work& work) const {
     try {
@@ -178,14 +188,15 @@ class Document {
     }
   }
 
-  /// The document; the very bytes that were read where nothing was changed, unpacked.
+  /// Returns the content of the document, never compressed: exactly the bytes that were read if
+  /// nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : original_; }
   /// Throws InputError if a mesh of this document cannot be converted to a document of `to`.
   virtual void check_conversion(const Format& /*to*/) const {}
-  /// Throws InputError where the path's extension is that of another format.
+  /// Throws InputError if the path's extension is that of another format.
   void check_target(const std::filesystem::path& path) const;
-  /// Compressed by gzip where the path's extension says so, otherwise as bytes() has it. Throws as
-  /// check_target does, and where the file cannot be written.
+  /// Writes bytes() into a file, compressed by gzip if the path's extension says so. Throws as
+  /// check_target does, and if the file cannot be written.
   void write_file(const std::filesystem::path& path) const;
 
  protected:
@@ -193,33 +204,35 @@ class Document {
     MeshEntry entry;
     Mesh mesh;
     SimplifyResult result;
-    /// What it was measured against.
+    /// The mesh against which the error was measured.
     std::shared_ptr<const Mesh> original;
   };
 
   Document(std::string name, std::string_view bytes) : name_(std::move(name)), original_(bytes) {}
 
-  /// How messages name a mesh: the file and, where it has several, the element.
+  /// Returns the name of a mesh in messages: the file and, if the file may have several meshes, the
+  /// element.
   virtual Message describe(const MeshEntry& entry) const = 0;
-  /// The mesh before it was first simplified, where the document tells; null otherwise.
+  /// Returns the mesh before it was first simplified; null if the document does not hold it.
   virtual std::shared_ptr<const Mesh> remembered_original(const MeshEntry&) const {
     return nullptr;
   }
-  /// What is seen of the mesh, where that is known; nothing: all.
+  /// Returns the visible area of the mesh; nothing if all of the mesh counts as visible.
   virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
-  /// Whether the mesh is one mesh gradient on its object, and may stay that.
+  /// Returns true if the mesh is one mesh gradient on its object, and may stay one.
   virtual bool is_one_gradient(const MeshEntry&) const { return false; }
-  /// How the mesh of an entry is written: where it is one gradient and is to stay that, as one.
+  /// Returns the rules by which the mesh of an entry is written. If `stays_one` is true and the
+  /// mesh is one mesh gradient, the rules are those of one mesh gradient.
   virtual std::shared_ptr<const WritingRules> rules(const MeshEntry& entry,
                                                     bool stays_one) const = 0;
-  /// Puts simplified meshes in the places of those that they were, and lists the entries afresh.
+  /// Replaces meshes by the simplified ones, and lists the entries afresh.
   virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;
-  /// Returns why a document cannot hold a colour model that its format does not hold.
+  /// Returns the sentence that refuses a colour model which the format does not hold.
   virtual Message why_not(ColorModel model) const;
-  /// Throws InputError if meshes cannot be written in this way.
+  /// Throws InputError if the format cannot write meshes with these options.
   virtual void check_writing(const WriteOptions&) const {}
-  /// Does what update() does, for these meshes.
+  /// Does the work of update() for these meshes. Throws InputError by default.
   virtual std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries);
   virtual std::string changed_bytes() const = 0;
 
@@ -242,26 +255,27 @@ class Document {
   std::optional<SimplifyResult> simplified_anew(const MeshEntry& entry, const Start& start,
                                                 const std::string& method,
                                                 const SimplifyResult& before, Mesh& mesh) const;
-  /// Throws where the document cannot hold the colour model that is asked for.
+  /// Throws InputError if the document cannot hold the colour model that is asked for.
   void check_color_model(const RunOptions& options) const;
-  /// Throws where a mesh was above epsilon from the start, in another colour model or document.
+  /// Throws InputError if the error of a mesh was above epsilon before anything was merged, because
+  /// of another colour model or another document.
   void check_start(const SimplifiedMesh& mesh, const RunOptions& options) const;
   static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes,
                                             const std::vector<MeshEntry>& refused);
 
   std::string name_, original_;
-  /// What was read, where that was compressed.
+  /// The bytes that were read if those were compressed; empty otherwise.
   std::string compressed_;
   Translation translation_ = [](const std::string& text) { return text; };
   bool changed_ = false;
   const Document* originals_ = nullptr;
 };
 
-/// "Gradient mesh: 42 patches".
+/// Returns "Gradient mesh: 42 patches".
 Message mesh_label(int patches);
-/// "Gradient mesh: 42 of 144 patches".
+/// Returns "Gradient mesh: 42 of 144 patches".
 Message mesh_label(int patches, int patches_before);
-/// "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
+/// Returns "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
 Message mesh_label(int patches, int patches_before, MetricKind metric, double error);
 
 }  // namespace gradmesh

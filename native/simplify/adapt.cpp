@@ -22,7 +22,8 @@
 namespace gradmesh {
 namespace {
 
-/// How far, over the area of the patch, its colours are from the bilinear mixture of its corners'.
+/// Returns the integral, over the area of the patch, of the visible difference between the patch's
+/// colours and the bilinear mixture of its corner colours.
 double stray(const Patch& patch) {
   constexpr int n = 5;
   std::array<glm::dvec4, 4> corners;
@@ -36,7 +37,7 @@ double stray(const Patch& patch) {
       const glm::dvec4 off =
           glm::mix(glm::mix(corners[0], corners[1], v), glm::mix(corners[3], corners[2], v), u) -
           glm::clamp(patch.at(u, v).color, 0.0, 1.0);
-      // What FLIP charges for one level of each of them, to one of green.
+      // The weight of one level of each channel in FLIP, relative to a level of green.
       constexpr std::array<double, 4> weights{0.6, 1, 0.3, 1};
       double seen = 0;
       for (int channel = 0; channel < 4; ++channel)
@@ -46,7 +47,7 @@ double stray(const Patch& patch) {
   return sum / (n * n);
 }
 
-/// The parts of a patch between lines that split it once, or twice over, in rows or in columns.
+/// Returns the 2^times equal parts of a patch, in rows or in columns.
 std::vector<Patch> split_patch(const Patch& patch, bool in_rows, int times) {
   if (times == 0) return {patch};
   std::vector<Patch> parts;
@@ -55,12 +56,12 @@ std::vector<Patch> split_patch(const Patch& patch, bool in_rows, int times) {
   return parts;
 }
 
-/// A patch of the mesh that is split, and which line through its middle gains how much.
+/// A patch of the mesh that is split, and the better of the two lines through its middle.
 struct Piece {
   Patch patch;
   bool in_rows = false;
-  /// For each patch more, of one split or of two over. Where a colour first turns one way and then
-  /// the other it is the second split that gains.
+  /// The decrease of stray() per added patch, of one split or of two splits in turn, whichever is
+  /// larger. If a colour turns one way and then the other, only the second split gains.
   double gain = 0;
 
   explicit Piece(const Patch& whole) : patch(whole) {
@@ -78,8 +79,8 @@ struct Piece {
   }
 };
 
-/// The order in which patches are split, that which gains the most first. What it splits has the
-/// number of the first part from then on, the second part the next number.
+/// The order in which patches are split: the patch that gains the most comes first. The first part
+/// keeps the number of the patch that was split. The second part gets the next free number.
 class Splits {
  public:
   struct Split {
@@ -114,7 +115,8 @@ class Splits {
   }
 
   std::vector<Piece> pieces_;
-  /// Gains and, where they are the same, smaller numbers first.
+  /// The gains with the negated numbers of their patches, so that among equal gains the smaller
+  /// number comes first.
   std::priority_queue<std::pair<double, int>> queue_;
   std::vector<Split> splits_;
 };
@@ -139,21 +141,21 @@ class Adapter {
         target_(std::make_shared<const FitTarget>(*options.original, options.frame)),
         patches_(patches_of(mesh)),
         splits_(patches_) {
-    // Faces are numbered as the patches from now on.
+    // From here on, faces have the numbers of the patches.
     start_ = build_mesh(as_bilinear(subdivided(mesh, 1)));
     let_junctions_follow(mesh);
   }
 
   int patches() const { return int(patches_.size()); }
 
-  /// The mesh with so many patches.
+  /// Returns the mesh with `count` patches.
   const AdaptedMesh& with_patches(int count) {
     const auto known = known_.find(count);
     return known != known_.end() ? known->second : known_.emplace(count, made(count)).first->second;
   }
 
-  /// Lets twists and tangents bring the colours to where they belong, patch by patch, and then the
-  /// colours of corners find the levels that the picture wants, where that helps.
+  /// Fits twists and tangents to the picture, patch by patch, and then the levels of the corner
+  /// colours. Stops once the error no longer decreases.
   void polish(AdaptedMesh& adapted) const {
     constexpr int rounds = 2, steps = 3;
     for (int round = 0; round < rounds && adapted.error > options_.epsilon; ++round) {
@@ -181,8 +183,8 @@ class Adapter {
       patch = first;
       wanted.push_back(second);
     }
-    // Where both sides of a curve are split at one place there are ordinary points now, whose
-    // colours are free.
+    // Where both sides of a curve are split at the same place, subdivided() makes an ordinary
+    // point, whose colour is free.
     AdaptedMesh result{build_mesh(subdivided(split_mesh, 1)), 0};
     take_corner_colors(result.mesh, wanted);
     fit_corner_colors(result.mesh, wanted);
@@ -194,8 +196,9 @@ class Adapter {
     return {*options_.original, mesh, options_.frame, options_.metric};
   }
 
-  /// T-junctions whose colours are those of the parent's curve in `mesh`, or as good as, take what
-  /// is left of that in the model `bilinear`, so that no step in colour arises.
+  /// Makes the colours of T-junctions follow the parent's curve in the model `bilinear` if they
+  /// equal the colours of the parent's curve in `mesh` up to a level. Otherwise a step in colour
+  /// would arise.
   void let_junctions_follow(const Mesh& mesh) {
     constexpr double as_good_as = 1.0 / 255;
     Journal journal(start_);
@@ -213,8 +216,9 @@ class Adapter {
     refresh(journal, curves_of(start_));
   }
 
-  /// Gives the corners the colours of the patches there, but where they follow others. Corners that
-  /// meet in colours which differ by rounding only get one.
+  /// Gives the corners the colours of the wanted patches, except corners whose colours follow
+  /// others. Corners at the same point get the same colour if their colours differ only by
+  /// rounding.
   static void take_corner_colors(Mesh& mesh, const std::vector<Patch>& wanted) {
     constexpr double rounding = 0.1 / 255;
     std::map<Point, std::vector<glm::dvec4>> known;
@@ -243,15 +247,17 @@ class Adapter {
   const std::vector<Patch> patches_;
   Splits splits_;
   Mesh start_;
-  /// By the number of patches.
+  /// The meshes that were made, by their numbers of patches.
   std::map<int, AdaptedMesh> known_;
 };
 
-/// The fewest patches that have at most this error, or else the least that was found.
+/// Returns the mesh with the fewest patches whose error is at most `error`. Returns the mesh with
+/// the least error that was found if there is none.
 AdaptedMesh fewest_patches(Adapter& adapter, double error) {
-  // A search that is this near has found the number.
+  // The search ends when the numbers of patches that are enough and too few have this ratio.
   constexpr double precise = 1.04;
-  // Rounding to 8 bits costs something that more patches do not help.
+  // More patches do not reduce the error of rounding to 8 bits: the search ends when twice as many
+  // patches have more than this share of the error.
   constexpr double helps = 0.97;
   const int most = std::max(adapter.patches(), int(limits().patches));
   int too_few = adapter.patches();
@@ -277,8 +283,9 @@ AdaptedMesh fewest_patches(Adapter& adapter, double error) {
   return best;
 }
 
-/// Whether a mesh is a better result than the one there is: one that keeps to epsilon before one
-/// that does not, then fewer patches, or a smaller error.
+/// Returns true if `mesh` is a better result than `than`. A mesh that keeps to epsilon is better
+/// than a mesh that does not. Of two meshes that keep to epsilon, the one with fewer patches is
+/// better; of two that do not, the one with the smaller error.
 bool is_better(const AdaptedMesh& mesh, const AdaptedMesh& than, double epsilon) {
   const bool keeps = mesh.error <= epsilon;
   if (keeps != (than.error <= epsilon)) return keeps;
@@ -288,7 +295,8 @@ bool is_better(const AdaptedMesh& mesh, const AdaptedMesh& than, double epsilon)
 }  // namespace
 
 AdaptedMesh adapted(const Mesh& mesh, const AdaptOptions& options) {
-  // How much polishing leaves of the error differs from mesh to mesh: a first guess shows it.
+  // The share of the error that polish() leaves differs from mesh to mesh. A try with a first guess
+  // of the share shows the real one.
   constexpr double first_guess = 0.75, near = 0.05;
   constexpr int tries = 3;
   Adapter adapter(mesh, options);

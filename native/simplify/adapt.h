@@ -10,10 +10,10 @@
 namespace gradmesh {
 
 struct AdaptOptions {
-  /// Largest error allowed, 0..1, of a mesh as it will be written: what `error_of` says of it.
+  /// Largest error allowed, 0..1, of a mesh as it will be written. `error_of` returns this error.
   double epsilon = 0.01;
   std::function<double(const Mesh&)> error_of;
-  /// The picture that counts, and how it is measured before anything is written.
+  /// The mesh whose picture is the reference, and how errors are measured before a mesh is written.
   std::shared_ptr<const Mesh> original;
   Frame frame;
   MetricKind metric = MetricKind::flip;
@@ -24,11 +24,11 @@ struct AdaptedMesh {
   double error = 0;
 };
 
-/// The mesh in the colour model `bilinear`, its patches split where that is needed until the error
-/// is at most epsilon. New patches end in T-junctions; the 8-bit colours of corners are chosen to
-/// come close (fit/corner_colors.h), and where that is not enough twists and tangents are fitted to
-/// the picture (trial/fit_trial.h). Where no number of patches up to the limit (base/limits.h)
-/// keeps to epsilon, that with the least error that was found.
+/// Returns the mesh in the colour model `bilinear`, with patches split until the error is at most
+/// epsilon. New patches end in T-junctions. The 8-bit colours of the corners are chosen to come
+/// close to the original (fit/corner_colors.h). If the error is still too large, twists and
+/// tangents are fitted to the picture (trial/fit_trial.h). Returns the mesh with the least error
+/// that was found if no number of patches up to the limit (base/limits.h) keeps to epsilon.
 AdaptedMesh adapted(const Mesh& mesh, const AdaptOptions& options);
 
 }  // namespace gradmesh

@@ -37,7 +37,8 @@ void check(const SimplifyOptions& options) {
   if (options.threads < 0) throw std::invalid_argument("threads must be 0 or more.");
 }
 
-/// The patches of a smooth mesh have their colours from all around, in rows and columns.
+/// Throws InputError if the mesh is smooth and the method does not keep rectangles. The colours of
+/// a smooth patch follow those of its neighbours in rows and columns.
 void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
   if (mesh.is_smooth() && !keeps_rectangle)
     throw InputError(
@@ -45,7 +46,8 @@ void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
         "can be taken out, by the method lines.");
 }
 
-/// A grid of points and handles has one colour at each point and nothing between.
+/// Throws InputError if a grid of points and handles cannot hold the mesh: it has one colour at
+/// each point and nothing between.
 void check_plain(const Mesh& mesh) {
   if (mesh.is_smooth())
     throw InputError(
@@ -56,14 +58,14 @@ void check_plain(const Mesh& mesh) {
   if (!find_grid(mesh)) throw InputError("it is not one rectangle of patches without T-junctions.");
 }
 
-/// The frame in which the error is measured.
+/// Returns the frame in which the error is measured.
 Frame measured_frame(const Mesh& original, const RunOptions& options) {
   Frame frame = fit_frame(original, options.view, options.resolution, options.padding);
   if (options.visible) frame.hidden = std::make_shared<HiddenPixels>(*options.visible, frame);
   return frame;
 }
 
-/// The threads that are asked for, or as many as memory is allowed for.
+/// Returns the number of threads that is asked for, or fewer if the limit on memory allows fewer.
 int threads_for(const Frame& frame, int asked) {
   std::size_t threads = asked > 0 ? std::size_t(asked) : thread_count();
   while (threads > 1 && measuring_bytes(frame, threads) > limits().memory) --threads;
@@ -75,8 +77,9 @@ bool is_blank(const Painting& painting) {
                              [](std::uint32_t sample) { return sample == 0; });
 }
 
-/// Where nothing is painted whatever is merged costs nothing, though Inkscape may still show a
-/// line. Where all is hidden nobody does.
+/// Throws InputError if the mesh covers no pixel: all merges would then cost nothing, although
+/// Inkscape may still show a line. Hidden pixels count as covered here, since nobody sees what is
+/// merged there.
 void check_painted(const Mesh& mesh, Frame frame, const RunOptions& options) {
   frame.hidden = nullptr;
   if (is_blank(paint_whole(mesh, frame)))
@@ -86,7 +89,8 @@ void check_painted(const Mesh& mesh, Frame frame, const RunOptions& options) {
         options.resolution);
 }
 
-/// The prices that this run may use and add to.
+/// Returns the table of prices that this run may use and add to: that of the options, or `own`.
+/// Throws std::invalid_argument if the table of the options has another key.
 PriceTable& analysis_for(const PriceTableKey& key, const RunOptions& options, PriceTable& own) {
   if (!options.analysis) return own = {key, {}};
   if (options.analysis->prices.empty()) options.analysis->key = key;
@@ -96,8 +100,8 @@ PriceTable& analysis_for(const PriceTableKey& key, const RunOptions& options, Pr
   return *options.analysis;
 }
 
-/// Measures the whole frame, of the mesh as it will be written, into `result`; whether that keeps
-/// to epsilon and the local bound.
+/// Measures the mesh as it will be written, on the whole frame, and puts the errors into `result`.
+/// Returns true if the errors keep to epsilon and the local bound.
 bool measure(const Mesh& mesh, const EditError& error, const RunOptions& options,
              SimplifyResult& result) {
   FrameError found;
@@ -112,14 +116,15 @@ bool measure(const Mesh& mesh, const EditError& error, const RunOptions& options
   return found.keeps_to(options.epsilon);
 }
 
-/// Takes the last merge back or, where only whole lines may go, the merges of the last line.
+/// Takes the last merge back. If the method keeps rectangles, takes all merges of the last line
+/// back.
 void undo_last(MergeTrial& trial, const Method& method) {
   do trial.undo_last();
   while (method.keeps_rectangle && trial.depth() > 0 && !find_grid(trial.mesh()));
 }
 
-/// What is written is rounded. Takes the last merges back, ever more at a time, until the mesh as
-/// it will be written keeps to epsilon.
+/// Takes the last merges back, twice as many at each step, until the mesh as it will be written
+/// keeps to epsilon. The error as written differs from the selected mesh's by rounding.
 void take_back(MergeTrial& trial, const Method& method, const RunOptions& options,
                SimplifyResult& result) {
   for (int at_once = 1; trial.depth() > 0; at_once *= 2) {
@@ -135,7 +140,7 @@ Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
   return result.changed ? Stopped::done : Stopped::nothing_to_merge;
 }
 
-/// What both a simplification and an analysis begin with.
+/// The state that both a simplification and an analysis begin with.
 class Run {
  public:
   Run(Mesh& mesh, const RunOptions& options)
@@ -205,7 +210,7 @@ class Run {
     return error;
   }
 
-  /// Measures the whole frame of the mesh as it will be written, as measure does.
+  /// Does the same as measure, and adds the time to the phase `verify`.
   bool keeps_as_written(const Mesh& mesh, SimplifyResult& result) {
     const double before = watch_.seconds();
     const bool keeps = measure(mesh, trial_.measure(), options_, result);
@@ -213,9 +218,10 @@ class Run {
     return keeps;
   }
 
-  /// Merges until nothing more fits. Blocks are painted in another order than faces, which shows
-  /// where a mesh lies over itself. Where the error as written is too large, the last merges are
-  /// taken back, what writing adds is left free from then on, and what still fits is merged.
+  /// Merges until nothing more fits. The error as written may be larger than that of the merges,
+  /// since blocks are painted in another order than faces, which shows where a mesh lies over
+  /// itself. Then takes the last merges back, lowers epsilon by what writing adds, and merges what
+  /// still fits.
   void merge_what_fits(SimplifyResult& result) {
     for (bool goes_on = true; goes_on;) {
       const std::size_t depth = trial_.depth();
@@ -230,7 +236,7 @@ class Run {
   }
 
   void merge_nothing(SimplifyResult& result) const {
-    // What is not changed is not written either, so that only another original makes a difference.
+    // A mesh that is not changed is not written, so it has an error only against another original.
     const FrameError start = options_.original ? trial_.measure().whole_frame(mesh_) : FrameError();
     result.error = start.mean;
     result.local_error = start.local;
@@ -271,10 +277,10 @@ class Run {
     return measured_frame(original_, half);
   }
 
-  /// Merges as gqe does. Returns the mesh that fits make of that, where it has fewer patches or as
-  /// many with a smaller error.
+  /// Merges as gqe does. Returns the mesh that fits make of the merged mesh if the fitted mesh has
+  /// fewer patches, or as many with a smaller error; nothing otherwise.
   std::optional<FittedMesh> select_best(SimplifyResult& result) {
-    // Both before anything is merged.
+    // Both must be made before anything is merged.
     const auto target = std::make_shared<const FitTarget>(original_, frame_);
     const auto start = trial_.fork();
     const auto regions = price_regions(trial_, analysis_, trial_.room(), watch_);

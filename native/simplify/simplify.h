@@ -20,8 +20,8 @@
 
 namespace gradmesh {
 
-/// What a person may ask for. With the options of the methods, of which the chosen one heeds those
-/// that Method::options names.
+/// The options of a run that a person may set. The chosen method heeds those MethodOptions that its
+/// Method::options names.
 struct SimplifyOptions : MethodOptions {
   /// The name of a method, or `simplest` (methods/method.h).
   std::string method = simplest;
@@ -30,43 +30,47 @@ struct SimplifyOptions : MethodOptions {
   double epsilon = 0.01;
   /// The largest error allowed in any window of 32 x 32 pixels, 0..1, beside epsilon (LocalBound).
   std::optional<double> max_local_error;
-  /// A target instead of epsilon: the largest number of patches that may be left, or their share
-  /// of those there are, above 0 and at most 1. The error is then as small as the method finds.
+  /// A target that replaces epsilon: the largest number of patches that may be left, or the share
+  /// of the patches that may be left, above 0 and at most 1. The error is then as small as the
+  /// method finds.
   std::optional<int> patches;
   std::optional<double> ratio;
   /// Pixels along the longer side of the frame, as of check_resolution.
   int resolution = 700;
-  /// In which colour model a document's mesh is merged, by default its own (Document::simplify).
-  /// simplify() itself takes the mesh's.
+  /// The colour model in which a document's mesh is merged (Document::simplify); nothing for the
+  /// mesh's own. simplify() itself always uses the mesh's own.
   std::optional<ColorModel> color_model;
-  /// Seconds after which the best mesh so far is taken; 0: no limit.
+  /// The seconds after which the best mesh so far is taken; 0 for no limit.
   double time_budget = 0;
-  /// 0: all cores. The result does not depend on it.
+  /// The number of threads; 0 for all cores. The result does not depend on the number.
   int threads = 0;
-  /// Of a document's mesh (Document::simplify): whether only what is seen of it counts.
+  /// True if only the visible area of a document's mesh counts (Document::simplify).
   bool visible_only = true;
 };
 
-/// The same, and what the machinery needs beside: a document and whoever calls it set that.
+/// The options of a run with those that a person does not set. The document and the caller of the
+/// document set the latter.
 struct RunOptions : SimplifyOptions {
   RunOptions(const SimplifyOptions& asked = {}) : SimplifyOptions(asked) {}
 
-  /// From mesh units to what the person sees, up to scale.
+  /// The map from mesh units to what the person sees, up to scale.
   Affine view;
   FramePadding padding;
-  /// What is seen of the mesh: the rest does not count, as if it were not painted. All by default.
+  /// The visible area of the mesh; nothing if all is visible. The rest does not count, as if it
+  /// were not painted.
   std::optional<VisibleArea> visible;
-  /// How the mesh will be written: the error of that form is the one that counts. Null: as it is.
+  /// The rules by which the mesh will be written. The error of the written form is the one that
+  /// counts. Null if the mesh is written as it is.
   std::shared_ptr<const WritingRules> rules;
-  /// The picture that counts, where that is not the mesh as given.
+  /// The mesh whose picture is the reference; null if that is the mesh that is simplified.
   std::shared_ptr<const Mesh> original;
-  /// Prices known from earlier runs; what is priced anew is added. Its key must be that of the
-  /// mesh and these options, or it must be empty. May be null.
+  /// The prices that earlier runs have found. The run adds the prices that it finds. The table's
+  /// key must be that of the mesh and these options, or the table must be empty. May be null.
   PriceTable* analysis = nullptr;
-  /// Where regions are priced, many at once; null: on the cores alone. Where it fails they go on,
-  /// from where it was, after `device_lost` was called on the calling thread.
+  /// The device that prices many regions at once; null for the cores alone. If the device fails,
+  /// `device_lost` is called on the calling thread and the cores go on from there.
   std::shared_ptr<Device> device;
-  /// Of a document's mesh (Document::start): a device where it is expected to be faster.
+  /// True if Document::start sets a device when the device is expected to be faster.
   bool device_if_faster = false;
   MergeTrial::DeviceLost device_lost;
   ProgressCallback progress;
@@ -83,56 +87,62 @@ struct SimplifyResult {
   int objects = 1;
   /// True if the mesh was made simpler; otherwise it is as it was.
   bool changed = false;
-  /// Error of the surface that will be written, measured on the whole frame.
+  /// The error of the surface that will be written, measured on the whole frame.
   double error = 0;
-  /// The largest mean of the same in any window of 32 x 32 pixels (metric/local_mean.h).
+  /// The largest mean of the metric's map in any window of 32 x 32 pixels (metric/local_mean.h).
   double local_error = 0;
-  /// Error of the mesh as selected, added up from what single merges changed. That of the whole
-  /// frame but for roundings, unless the mesh is written in another way or with fewer merges.
+  /// The error of the mesh as selected, added up from the changes by single merges. It equals the
+  /// error of the whole frame up to rounding, unless the mesh is written in another form or with
+  /// fewer merges.
   double error_added_up = 0;
   int evaluations = 0;
-  /// Where regions were priced to the end: the device's name, or "software".
+  /// The name of the device that priced regions until the end, or "software".
   std::string renderer = "software";
   Stopped stopped = Stopped::done;
-  /// Where the time went, in seconds.
+  /// The seconds that each phase took.
   struct Seconds {
     double rasterize = 0, select = 0, verify = 0, total = 0;
   } seconds;
   Frame frame;
-  /// The form that was measured, where something was merged and there are rules for it.
+  /// The form that was measured. Empty if nothing was merged or if there are no rules.
   WrittenForm form;
 };
 
-/// Merges patches of `mesh` while the error against the original stays at most epsilon, and that of
-/// small parts within the local bound; where it is above epsilon from the start, nothing is merged.
-/// With a target: until so few are left.
-/// Throws std::invalid_argument where an option is out of range or the analysis is another mesh's,
-/// InputError where the mesh has no size or covers no pixel, where it is smooth or no rectangle and
-/// the method is not for such, or, with `manual`, where an edge cannot be merged within epsilon and
-/// the local bound; the mesh is then as it was.
+/// Merges patches of `mesh` as long as the error against the original is at most epsilon and the
+/// error of small parts keeps to the local bound. Merges nothing if the error is above epsilon from
+/// the start. With a target, merges until the target is reached.
+///
+/// Throws std::invalid_argument if an option is out of range, or if the analysis is that of another
+/// mesh. Throws InputError if the mesh has no size or covers no pixel, if the method cannot work on
+/// the mesh because the mesh is smooth or no rectangle, or if the method is `manual` and an edge
+/// cannot be merged within epsilon and the local bound. The mesh is unchanged after an exception.
 SimplifyResult simplify(Mesh& mesh, const RunOptions& options);
 
-/// The preprocessing alone (B.3): what single edges cost, and the regions that cost at most
-/// epsilon, whose prices are all that the methods need. They are added to `options.analysis`, if
-/// there is one. Fewer where the time budget ends or the caller cancels. Throw as simplify does.
+/// Return the prices of the preprocessing alone (B.3): those of all single edges, and those of the
+/// regions that cost at most epsilon, which are all that the methods need. Add the prices to
+/// `options.analysis` unless that is null. Return fewer prices if the time budget ends or if the
+/// caller cancels. Throw the same exceptions as simplify.
 std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const RunOptions& options);
 std::vector<RegionPrice> analyze_regions(const Mesh& mesh, const RunOptions& options);
 
-/// What those regions cost once each is fitted to the picture (methods/best.h), in their order.
-/// Throws as simplify does.
+/// Returns the price of each region after the region is fitted to the picture (methods/best.h), in
+/// the order of the regions. Throws the same exceptions as simplify.
 std::vector<double> analyze_fits(const Mesh& mesh, const RunOptions& options,
                                  const std::vector<RegionPrice>& regions);
 
-/// The key of the analysis that belongs to this mesh and these options. Throws as simplify does.
+/// Returns the key of the analysis that belongs to this mesh and these options. Throws the same
+/// exceptions as simplify.
 PriceTableKey analysis_key(const Mesh& mesh, const RunOptions& options);
 
-/// Throws std::invalid_argument where a resolution is not 16 to the limit on it, in pixels.
+/// Throws std::invalid_argument if the resolution, in pixels, is below 16 or above the limit on
+/// resolutions (base/limits.h).
 void check_resolution(int resolution);
 
-/// Names as in options and reports: "bilinear", "nothing to merge".
+/// Return the name in options and reports, such as "bilinear" or "nothing to merge".
 const char* name(ColorModel model);
 const char* name(Stopped stopped);
-/// Throw std::invalid_argument with the names there are.
+/// Returns the colour model of that name. Throws std::invalid_argument with the names of all models
+/// if there is none.
 ColorModel color_model_named(const std::string& name);
 
 }  // namespace gradmesh

@@ -8,7 +8,8 @@ namespace gradmesh {
 namespace {
 
 constexpr double first_epsilon = 0.01, smallest_epsilon = 1e-4;
-/// The error found is at most this much above the smallest that the method could have had.
+/// The largest ratio between the epsilon that the search ends with and an epsilon that is too
+/// small.
 constexpr double precision = 1.05;
 
 /// Tries one epsilon after another and remembers the best mesh.
@@ -18,7 +19,7 @@ class TargetSearch {
       : mesh_(mesh), options_(options), patches_(patches), budget_(options.time_budget) {
     options_.patches.reset();
     options_.ratio.reset();
-    // Each price is found once for all values of epsilon.
+    // Each price is found only once for all values of epsilon.
     if (!options_.analysis) options_.analysis = &analysis_;
     // A device that has failed once is not tried again.
     options_.device_lost = [this, told = options.device_lost](const DeviceError& error) {
@@ -46,10 +47,10 @@ class TargetSearch {
   }
 
  private:
-  /// Simplifies to this epsilon; whether that leaves few enough patches.
+  /// Simplifies with this epsilon. Returns true if at most `patches_` patches are left.
   bool reaches(double epsilon) {
     options_.epsilon = epsilon;
-    // The watch ends the search; the run that is under way when it does keeps to what is left.
+    // A run that begins before the watch ends the search may take only the time that is left.
     if (budget_ > 0) options_.time_budget = std::max(budget_ - watch_.seconds(), 1e-3);
     Mesh mesh = mesh_;
     SimplifyResult result = gradmesh::simplify(mesh, options_);

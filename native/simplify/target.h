@@ -4,14 +4,16 @@
 
 namespace gradmesh {
 
-/// How many patches the options ask for, of a mesh that has so many; nothing where they name an
-/// error instead. Throws std::invalid_argument where they ask for nothing sensible, or twice.
+/// Returns the number of patches that the options ask for, of a mesh with `patches_before` patches;
+/// nothing if the options have no target. Throws std::invalid_argument if the target is out of
+/// range, if there are two targets, or if the method cannot have one.
 std::optional<int> target_patches(const SimplifyOptions& options, int patches_before);
 
-/// Merges patches until at most `patches` are left, with as small an error as the method finds:
-/// simplifies to one epsilon after another, which is halved or doubled until it lies between two
-/// of which one is large enough, and then narrowed down. Where no error is enough, the fewest
-/// patches that were found. The time budget counts for all of it.
+/// Merges patches until at most `patches` are left, with as small an error as the method finds.
+/// Simplifies with one epsilon after another: epsilon is doubled or halved until one value is large
+/// enough and half of that value is too small, then the interval between the two is narrowed down.
+/// Takes the mesh with the fewest patches if no epsilon reaches the target. The time budget counts
+/// for the whole search.
 SimplifyResult simplify_to_target(Mesh& mesh, const RunOptions& options, int patches);
 
 }  // namespace gradmesh
