@@ -8,12 +8,13 @@
 #include "geom/box.h"
 
 namespace gradmesh {
-namespace {
 
-/// Distances of less than this share of the mesh's size are roundings.
-constexpr double rounding = 1e-6;
-
-}  // namespace
+double rounding_of(const Mesh& mesh) {
+  constexpr double share = 1e-6;
+  Box box;
+  for (const Point p : mesh.points()) box.add(mesh.position(p));
+  return share * (box.size().x + box.size().y);
+}
 
 bool is_straight(const Cubic<Value>& curve, double tolerance) {
   const glm::dvec2 chord = curve.p1.position - curve.p0.position;
@@ -24,7 +25,7 @@ bool is_straight(const Cubic<Value>& curve, double tolerance) {
 int count_handles(const Mesh& surface) {
   Box box;
   for (const Point p : surface.points()) box.add(surface.position(p));
-  const double same = rounding * (box.size().x + box.size().y);
+  const double same = rounding_of(surface);
   std::set<std::pair<long long, long long>> places;
   const auto add = [&](glm::dvec2 p) {
     const glm::dvec2 q = (p - box.low()) / same;

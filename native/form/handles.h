@@ -10,6 +10,10 @@ namespace gradmesh {
 /// as a reader finds it (WrittenForm).
 int count_handles(const Mesh& surface);
 
+/// Returns the distance, in the unit of the positions, below which differences in the positions of
+/// a mesh are roundings.
+double rounding_of(const Mesh& mesh);
+
 /// Returns true if a curve has its inner control points at the thirds of its chord, to within
 /// `tolerance` in the unit of the positions: it can then be written as a line, which has no
 /// handles.

@@ -110,10 +110,14 @@ class Selection {
   /// Of the sides that may become straight, one in so many does in one step; and where these are
   /// too many, one in so many of them.
   static constexpr std::size_t share_at_once = 4;
+  /// After so many single sides that were too much, one after the other, no more are tried in a
+  /// pass: those that are left change the picture more.
+  static constexpr int most_in_a_row = 40;
 
   void pass() {
     list_lines();
     too_much_.clear();
+    too_much_in_a_row_ = 0;
     made_when_too_much_ = std::numeric_limits<int>::max();
     most_sides_ = std::numeric_limits<std::size_t>::max();
     while (!should_stop()) {
@@ -146,6 +150,7 @@ class Selection {
     if (sides_proposed_at_ == made_) return;
     sides_proposed_at_ = made_;
     std::erase_if(candidates_, [](const Candidate& c) { return !c.step.takes_line(); });
+    if (too_much_in_a_row_ >= most_in_a_row) return;
     std::vector<Side> sides = curved_sides(grid_);
     std::erase_if(sides, [&](const Side& side) {
       return std::ranges::find(too_much_, side) != too_much_.end() || makes_corner(side);
@@ -209,6 +214,7 @@ class Selection {
     grid_ = std::move(*first.grid);
     error_ = first.measured.error;
     ++made_;
+    too_much_in_a_row_ = 0;
     candidates_.erase(candidates_.begin());
     if (step.takes_line()) renumber_without(step);
   }
@@ -230,10 +236,12 @@ class Selection {
     const Step& step = candidates_.front().step;
     if (!step.takes_line()) {
       sides_proposed_at_ = -1;
-      if (step.sides.size() > 1)
+      if (step.sides.size() > 1) {
         most_sides_ = std::max<std::size_t>(1, step.sides.size() / share_at_once);
-      else
+      } else {
         too_much_.push_back(step.sides.front());
+        ++too_much_in_a_row_;
+      }
     }
     candidates_.erase(candidates_.begin());
   }
@@ -262,6 +270,7 @@ class Selection {
   int made_ = 0, sides_proposed_at_ = -1;
   /// The number that had been made when the first step of this pass was found to be too much.
   int made_when_too_much_ = 0;
+  int too_much_in_a_row_ = 0;
   int evaluations_ = 0;
   bool is_over_ = false;
 };

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "form/handles.h"
 #include "mesh/rectangle.h"
 
 namespace gradmesh {
@@ -12,19 +13,10 @@ namespace {
 /// The sine of the largest turn that counts as none, of five degrees.
 constexpr double smooth_turn = 0.087;
 
-/// Returns the curve of a side of a mesh in positions alone.
-Cubic<glm::dvec2> positions(const Cubic<Value>& curve) {
-  return {curve.p0.position, curve.m0.position, curve.m1.position, curve.p1.position};
-}
-
-/// Returns the tangents of a curve, or nothing if its inner control points lie on the chord at
-/// thirds but for rounding.
-PlainGrid::Bend bend_of(const Cubic<glm::dvec2>& curve) {
-  constexpr double rounding = 1e-9;
-  const glm::dvec2 chord = curve.p1 - curve.p0;
-  const double off = glm::length(curve.m0 - chord) + glm::length(curve.m1 - chord);
-  if (off <= rounding * (glm::length(curve.p0) + glm::length(curve.p1))) return std::nullopt;
-  return std::array{curve.m0, curve.m1};
+/// Returns the tangents of a curve, or nothing if it is straight but for rounding.
+PlainGrid::Bend bend_of(const Cubic<Value>& curve, double rounding) {
+  if (is_straight(curve, rounding)) return std::nullopt;
+  return std::array{curve.m0.position, curve.m1.position};
 }
 
 Cubic<Value> colored(const Cubic<glm::dvec2>& curve, const glm::dvec4& from, const glm::dvec4& to) {
@@ -45,6 +37,7 @@ PlainGrid::Bend joined(const Cubic<glm::dvec2>& a, const Cubic<glm::dvec2>& b) {
 
 PlainGrid::PlainGrid(const Mesh& mesh) {
   const Rectangle grid = find_grid(mesh).value();
+  const double rounding = rounding_of(mesh);
   rows_ = grid.rows;
   columns_ = grid.columns;
   knots_.resize(std::size_t((rows_ + 1) * (columns_ + 1)));
@@ -57,10 +50,10 @@ PlainGrid::PlainGrid(const Mesh& mesh) {
       const int row[] = {i, i, i + 1, i + 1}, column[] = {j, j + 1, j + 1, j};
       for (int k = 0; k < 4; ++k)
         knot(row[k], column[k]) = {sides[k].p0.position, sides[k].p0.color};
-      bend(Along::rows, i, j) = bend_of(positions(sides[0]));
-      bend(Along::columns, i, j + 1) = bend_of(positions(sides[1]));
-      bend(Along::rows, i + 1, j) = bend_of(positions(sides[2].reversed()));
-      bend(Along::columns, i, j) = bend_of(positions(sides[3].reversed()));
+      bend(Along::rows, i, j) = bend_of(sides[0], rounding);
+      bend(Along::columns, i, j + 1) = bend_of(sides[1], rounding);
+      bend(Along::rows, i + 1, j) = bend_of(sides[2].reversed(), rounding);
+      bend(Along::columns, i, j) = bend_of(sides[3].reversed(), rounding);
     }
   for (const Along along : {Along::rows, Along::columns}) {
     smooth_[int(along)].assign(knots_.size(), false);
