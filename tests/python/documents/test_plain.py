@@ -114,7 +114,7 @@ def test_straight_sides_are_lines_and_all_is_counted_in_the_file(plain, sample, 
     rows = [list(row.iter(SVG + "meshpatch")) for row in gradient.iter(SVG + "meshrow")]
     assert len({len(row) for row in rows}) == 1
     assert not [patch for row in rows for patch in row if patch.get("tensor")]
-    letters = sides(gradient)
+    letters = "".join(sides(gradient)).upper()
     lines, columns = len(rows), len(rows[0])
     assert len(letters) == lines * (columns + 1) + columns * (lines + 1)
     assert set(letters) <= {"L", "C"} and "L" in letters
