@@ -181,7 +181,8 @@ def simplify(
     method: "simplest", what leaves less to handle: of a mesh gradient of SVG "plain", or "best" where that
     takes nothing out; "best" where there is a target, for groups and for .hemesh files. "plain" leaves one
     mesh gradient with few handles: straight sides, fewer lines, points fitted to the picture; only of a
-    mesh that is one rectangle, with bilinear colours. Others choose edges that are merged: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
+    mesh that is one rectangle, with bilinear colours. Others choose edges that are merged: "random",
+    "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
     "gqe1" weigh patches saved against error by `omega`; "best" goes on from "gqe" and fits what it
     merges to the picture; "lines" takes whole rows and columns out of
@@ -196,7 +197,8 @@ def simplify(
     is none for "egl", `device_lost` is called with the reason, by default a RuntimeWarning, and it
     goes on in software.
     remember_original: an SVG document keeps the mesh as it was before it was first simplified,
-    compressed, and later runs measure against it. Without, files are smaller.
+    compressed, and later runs measure against it. Without, files are smaller. Only groups of blocks
+    remember it: one mesh gradient is measured against itself as the run before left it.
     keep_original: an SVG document also keeps each object as it was, hidden, directly below the
     result, with an id that ends in "-original". It is left out unless its own id is given.
     original: a document whose meshes those here are measured against, whatever they remember: the only
