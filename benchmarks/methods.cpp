@@ -15,14 +15,13 @@ void run(benchmark::State& state, const MeshFile& file, const RunOptions& option
   state.counters["error"] = result.error;
 }
 
-bool is_grid(const MeshFile& file) {
-  return std::filesystem::exists(file.path) && find_grid(Input(file).mesh);
+bool suits(const std::string& method, const MeshFile& file) {
+  return !std::filesystem::exists(file.path) || suits(method_named(method), Input(file).mesh);
 }
 
 void add_methods(const MeshFile& file, MetricKind metric, double epsilon) {
   for (const std::string& method : method_names()) {
-    if (method == "manual") continue;
-    if (method == "lines" && !is_grid(file)) continue;
+    if (method == "manual" || !suits(method, file)) continue;
     RunOptions options;
     options.method = method;
     options.metric = metric;

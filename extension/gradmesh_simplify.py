@@ -22,6 +22,10 @@ SSIM_SHARE = 0.5
 MAX_LOCAL_ERROR = {"gentle": 0.05, "balanced": 0.1, "strong": 0.1}
 
 
+# The method of blocks that the dialog begins with; another one there is asked for by the person.
+BLOCKS = "best"
+
+
 class Simplify(GradmeshEffect):
     """Simplifies the selected gradient meshes, or all of the document where nothing is selected."""
 
@@ -33,7 +37,7 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--epsilon", type=float, default=0.01)
         pars.add_argument("--patches", type=int, default=50)
         pars.add_argument("--share", type=float, default=50)
-        pars.add_argument("--result", default="blocks")
+        pars.add_argument("--result", default="simplest")
         pars.add_argument("--keep_original", type=Boolean, default=False)
         pars.add_argument("--remember_original", type=Boolean, default=True)
         pars.add_argument("--method", default="best")
@@ -55,7 +59,7 @@ class Simplify(GradmeshEffect):
             work = LongWork(self.title(ids), lambda tell: self.simplify(ids, options, tell))
             results = work.run()
         report.meshes = results
-        if all(result.patches_after == result.patches_before for result in results):
+        if not any(result.changed for result in results):
             raise NothingToDo(self.why_nothing_changed(results))
         if self.options.preview:
             say("\n".join(map(self.what_would_change, results)))
@@ -87,10 +91,14 @@ class Simplify(GradmeshEffect):
                 "keep_original remember_original"
             ).split()
         }
+        if options.result not in ("simplest", "one-mesh", "blocks"):
+            raise ValueError(
+                f"results are simplest, one-mesh or blocks, not '{options.result}'"
+            )
         if options.result == "one-mesh":
-            chosen["method"] = "lines"
-        elif options.result != "blocks":
-            raise ValueError(f"results are blocks or one-mesh, not '{options.result}'")
+            chosen["method"] = "plain"
+        elif options.result == "simplest" and chosen["method"] == BLOCKS:
+            chosen["method"] = "simplest"
         # The dialog keeps what was typed there for another run.
         chosen["edges"] = self.edges() if chosen["method"] == "manual" else ()
         return {**chosen, **self.how_much()}
@@ -149,15 +157,18 @@ class Simplify(GradmeshEffect):
                 "document stays as it was."
             ).format(meshes=names)
         return _(
-            "{meshes}: no patches can be merged within an error of {epsilon:g}, so the document stays "
-            "as it was."
+            "{meshes}: nothing can be made simpler within an error of {epsilon:g}, so the document "
+            "stays as it was."
         ).format(meshes=names, epsilon=how_much["epsilon"])
 
     def what_would_change(self, result):
         text = _(
-            "{id}: {after} of {before} patches would be left, with an error of {metric} {error:.4f}."
+            "{id}: {handles} of {handles_before} handles and {after} of {before} patches would be left, "
+            "with an error of {metric} {error:.4f}."
         ).format(
             id=result.id,
+            handles=result.handles_after,
+            handles_before=result.handles_before,
             after=result.patches_after,
             before=result.patches_before,
             metric=self.options.metric.upper(),

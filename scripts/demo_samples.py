@@ -4,16 +4,14 @@
     demo_samples.py EXTENSION OUTPUT
 
 EXTENSION is the installed folder of the extension. For each sample OUTPUT gets NAME-before and
-NAME-after, as SVG and PNG, and stdout a line: patches, error, seconds.
+NAME-after, as SVG and PNG, and stdout a line: handles, patches, objects, error, seconds.
 """
 
 import json
 import os
-import re
 import shutil
 import sys
 import time
-import xml.etree.ElementTree as ET
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -23,19 +21,10 @@ import gradmesh  # noqa: E402
 from inkscape_harness import Inkscape, Timeout  # noqa: E402
 
 RAW_ID = "org.gradmesh.simplify"
-LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-ERROR = re.compile(r"Gradient mesh: \d+ of \d+ patches, .+ ([0-9.]+)")
 
 
 def patches(svg):
     return {mesh.id: mesh.patches for mesh in gradmesh.load(svg).meshes}
-
-
-def outcome(svg):
-    """The largest error that the labels of blocks state; one mesh gradient has no such label."""
-    labels = (element.get(LABEL, "") for element in ET.parse(svg).iter())
-    errors = [float(found[1]) for found in map(ERROR.match, labels) if found]
-    return f"error {max(errors):.4f}" if errors else "still one mesh gradient"
 
 
 def run(inkscape, sample, folder):
@@ -49,13 +38,19 @@ def run(inkscape, sample, folder):
     became = simplify(inkscape, before, after, list(meshes))
     seconds = time.monotonic() - start
     if became["outcome"] == "unchanged":
-        return f"{sum(meshes.values())} patches, nothing to merge"
+        return f"{sum(meshes.values())} patches, nothing to take out"
     if became["outcome"] != "done" or not after.exists():
         raise AssertionError(became["message"] or "Inkscape wrote nothing")
     inkscape.export_png(after, after.with_suffix(".png"))
+    left = {
+        name: sum(mesh[name] for mesh in became["meshes"])
+        for name in ("handles_before", "handles_after", "patches_before", "patches_after", "objects")
+    }
     return (
-        f"{sum(patches(after).values())} of {sum(meshes.values())} patches left, "
-        f"{outcome(after)}, {seconds:.1f} s with Inkscape's own start"
+        "{handles_after} of {handles_before} handles, {patches_after} of {patches_before} patches left, "
+        "objects {objects}, ".format(**left)
+        + f"error {max(mesh['error'] for mesh in became['meshes']):.4f}, "
+        f"{seconds:.1f} s with Inkscape's own start"
     )
 
 

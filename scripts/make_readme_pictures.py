@@ -51,12 +51,12 @@ def panels(folder):
     """(caption, SVG file) from left to right."""
     before, after = SAMPLES / f"{SAMPLE}.svg", folder / "after.svg"
     document = gradmesh.load(before)
-    (result,) = gradmesh.simplify(document, MESH_ID)
+    (result,) = gradmesh.simplify(document, MESH_ID, max_local_error=0.1)
     gradmesh.save(document, after)
     return [
         ("before", before),
-        (f"{result.patches_before} patches", with_patches(before, folder / "before-patches.svg")),
-        (f"{result.patches_after} patches", with_patches(after, folder / "after-patches.svg")),
+        (f"{result.handles_before} handles", with_patches(before, folder / "before-patches.svg")),
+        (f"{result.handles_after} handles", with_patches(after, folder / "after-patches.svg")),
         ("after", after),
     ]
 
@@ -116,22 +116,22 @@ def dialog(folder, out):
 
 
 def nodes(folder, out):
-    """The handles of all blocks at once, as of one mesh."""
+    """The handles of the mesh, before and after."""
     after = folder / "after.svg"
     document = gradmesh.load(SAMPLES / f"{SAMPLE}.svg")
-    (result,) = gradmesh.simplify(document, MESH_ID)
+    (result,) = gradmesh.simplify(document, MESH_ID, max_local_error=0.1)
     gradmesh.save(document, after)
     pictures = []
-    for patches, svg in (
-        (result.patches_before, SAMPLES / f"{SAMPLE}.svg"),
-        (result.patches_after, after),
+    for handles, svg in (
+        (result.handles_before, SAMPLES / f"{SAMPLE}.svg"),
+        (result.handles_after, after),
     ):
         with Inkscape() as inkscape, inkscape.window(svg) as window:
             window.key("5")
             window.double_click(*PEAR)
             window.key("ctrl+a")
             window.click(*MESH_TOOL)
-            pictures.append((f"{patches} patches", shot(window, folder, MESH)))
+            pictures.append((f"{handles} handles", shot(window, folder, MESH)))
     side_by_side(pictures).save(out, optimize=True)
 
 

@@ -8,6 +8,7 @@
 #include "base/limits.h"
 #include "files/atomic_file.h"
 #include "files/zip.h"
+#include "form/handles.h"
 #include "form/smooth_colors.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
@@ -131,7 +132,8 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
   start.options.padding = padding();
   if (options.visible_only) start.options.visible = visible_area(entry);
   std::string& method = start.options.method;
-  if (start.mesh.is_smooth() && !method_named(method).merges_named_edges) method = line_method;
+  start.may_be_blocks = method == simplest;
+  method = method_for(method, entry, start.mesh, options);
   start.options.rules = rules(entry, method_named(method).keeps_rectangle);
   const PriceTableKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   if (options.device_if_faster && !start.mesh.is_smooth())
@@ -139,6 +141,15 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
         start.mesh, frame(entry, start.mesh, options.resolution), options.metric, options.threads);
   start.options.analysis = &files.start(key, start.mesh);
   return start;
+}
+
+std::string Document::method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
+                                 const SimplifyOptions& options) const {
+  if (mesh.is_smooth() && !method_named(asked).merges_named_edges) return line_method;
+  if (asked != simplest) return asked;
+  const bool has_target = options.patches || options.ratio;
+  const bool can_be_plain = is_one_gradient(entry) && suits(method_named(plain_method), mesh);
+  return can_be_plain && !has_target ? plain_method : best_method;
 }
 
 void Document::check_color_model(const RunOptions& options) const {
@@ -153,7 +164,7 @@ Message Document::why_not(ColorModel model) const {
 
 void Document::check_start(const SimplifiedMesh& m, const RunOptions& options) const {
   if (options.patches || options.ratio) return;
-  if (m.result.patches_after < m.result.patches_before || m.result.error <= options.epsilon) return;
+  if (m.result.changed || m.result.error <= options.epsilon) return;
   // Earlier runs with a larger epsilon may have moved the mesh away from the original.
   if ((m.entry.simplified || originals_) && !options.original) return;
   char error[32];
@@ -166,32 +177,47 @@ void Document::check_start(const SimplifiedMesh& m, const RunOptions& options) c
 SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const {
   const RunOptions& options = start.options;
   SimplifyResult result = gradmesh::simplify(mesh, options);
+  if (result.stopped == Stopped::cancelled || result.stopped == Stopped::budget) return result;
   const Method& method = method_named(options.method);
-  const bool none = result.patches_after == result.patches_before;
-  const bool was_stopped =
-      result.stopped == Stopped::cancelled || result.stopped == Stopped::budget;
-  if (method.merges_named_edges || method.keeps_rectangle || options.patches || options.ratio ||
-      !is_one_gradient(entry) || !find_grid(start.mesh) || was_stopped ||
-      (!none && !result.form.masks_opacity()))
-    return result;
-
-  RunOptions by_lines = options;
-  by_lines.method = line_method;
-  by_lines.analysis = nullptr;
-  by_lines.rules = rules(entry, true);
-  if (options.time_budget > 0) {
-    by_lines.time_budget = options.time_budget - result.seconds.total;
-    if (by_lines.time_budget <= 0) return result;
+  if (method.makes_plain && start.may_be_blocks && !result.changed) {
+    // What blocks leave to handle counts, each of them as an object.
+    Mesh other = start.mesh;
+    const auto blocks = simplified_anew(entry, start, best_method, result, other);
+    const auto weight = [](const SimplifyResult& r) {
+      return r.handles_after + handles_of_an_object * r.objects;
+    };
+    if (!blocks || !blocks->changed || weight(*blocks) >= weight(result)) return result;
+    mesh = std::move(other);
+    return *blocks;
   }
-  Mesh other = start.mesh;
-  SimplifyResult lines = gradmesh::simplify(other, by_lines);
-  if (lines.patches_after > result.patches_after || lines.patches_after == lines.patches_before)
+  const bool needs_mask = result.changed && result.form.masks_opacity();
+  if (method.merges_named_edges || method.keeps_rectangle || options.patches || options.ratio ||
+      !is_one_gradient(entry) || !find_grid(start.mesh) || (result.changed && !needs_mask))
     return result;
-  lines.evaluations += result.evaluations;
-  lines.seconds.select += result.seconds.total;
-  lines.seconds.total += result.seconds.total;
+  Mesh other = start.mesh;
+  const auto lines = simplified_anew(entry, start, line_method, result, other);
+  if (!lines || !lines->changed || lines->patches_after > result.patches_after) return result;
   mesh = std::move(other);
-  return lines;
+  return *lines;
+}
+
+std::optional<SimplifyResult> Document::simplified_anew(const MeshEntry& entry, const Start& start,
+                                                        const std::string& method,
+                                                        const SimplifyResult& before,
+                                                        Mesh& mesh) const {
+  RunOptions options = start.options;
+  options.method = method;
+  options.rules = rules(entry, method_named(method).keeps_rectangle);
+  if (!method_named(method).needs_prices) options.analysis = nullptr;
+  if (options.time_budget > 0) {
+    options.time_budget -= before.seconds.total;
+    if (options.time_budget <= 0) return std::nullopt;
+  }
+  SimplifyResult result = gradmesh::simplify(mesh, options);
+  result.evaluations += before.evaluations;
+  result.seconds.select += before.seconds.total;
+  result.seconds.total += before.seconds.total;
+  return result;
 }
 
 std::vector<Document::SimplifiedMesh> Document::simplified(const std::vector<std::string>& ids,
@@ -227,9 +253,7 @@ std::vector<MeshReport> Document::simplify(const std::vector<std::string>& ids,
   check_writing(writing);
   std::vector<SimplifiedMesh> meshes = simplified(ids, options, analyses);
   const std::vector<MeshReport> reports = reports_of(meshes, refused(ids));
-  std::erase_if(meshes, [](const SimplifiedMesh& m) {
-    return m.result.patches_after == m.result.patches_before;
-  });
+  std::erase_if(meshes, [](const SimplifiedMesh& m) { return !m.result.changed; });
   if (!meshes.empty()) {
     replace(meshes, options.metric, writing);
     changed_ = true;

@@ -135,9 +135,13 @@ class Document {
   /// options with those that this document sets. The document sets the view, the padding, the rules
   /// of writing, the original if that is another mesh, and the analysis, which is one of `files`.
   /// For a smooth mesh the document sets the method `lines` unless the person names edges.
+  /// `simplest` becomes `plain` if the mesh can stay one mesh gradient and there is no target, and
+  /// `best` otherwise.
   struct Start {
     Mesh mesh;
     RunOptions options;
+    /// True if whatever is simplest is asked for, which may be a group of blocks too.
+    bool may_be_blocks = false;
   };
   Start start(const MeshEntry& entry, const RunOptions& options, AnalysisFiles& files) const;
 
@@ -147,10 +151,11 @@ class Document {
   /// only reported.
   ///
   /// If nothing is merged, or if the result needs a mask for opacities, the method `lines` is tried
-  /// as well. Its result, one mesh gradient, is taken if that has no more patches. A mesh whose
-  /// number of patches does not fall stays as it is. If another colour model than the mesh's own is
-  /// asked for, the mesh is converted first, and the conversion counts towards the error. If an
-  /// analysis is loaded, it must hold prices for each of the meshes.
+  /// as well. Its result, one mesh gradient, is taken if that has no more patches. If `simplest`
+  /// finds no plain mesh gradient with fewer handles, blocks are tried, and taken if these leave
+  /// less to handle. A mesh that does not become simpler stays as it is. If another colour model
+  /// than the mesh's own is asked for, the mesh is converted first, and the conversion counts
+  /// towards the error. If an analysis is loaded, it must hold prices for each of the meshes.
   ///
   /// Throws std::invalid_argument as gradmesh::simplify does, if edges are named for another method
   /// than `manual`, if `manual` has no edges, and if there are no prices to save. The document is
@@ -237,12 +242,19 @@ class Document {
   std::vector<MeshEntry> entries_;
 
  private:
+  /// Returns the method that is used where a person asks for one.
+  std::string method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
+                         const SimplifyOptions& options) const;
   std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
                                          const RunOptions& options,
                                          const AnalysisPaths& analyses) const;
-  /// Simplifies `mesh`, which is that of `start`, by the method of `start` or by `lines` if that is
-  /// better.
+  /// Simplifies the mesh of `start`, also by another method where simplify() says so.
   SimplifyResult simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const;
+  /// Simplifies the mesh of `start` by that method, after a run that found `before`: its time
+  /// counts towards the budget. Returns nothing if no time is left.
+  std::optional<SimplifyResult> simplified_anew(const MeshEntry& entry, const Start& start,
+                                                const std::string& method,
+                                                const SimplifyResult& before, Mesh& mesh) const;
   /// Throws InputError if the document cannot hold the colour model that is asked for.
   void check_color_model(const RunOptions& options) const;
   /// Throws InputError if the error of a mesh was above epsilon before anything was merged, because

@@ -38,7 +38,8 @@ class GradientRules : public WritingRules {
 
   WrittenForm form(const Mesh& mesh, const Frame& frame) const override {
     const double tolerance = coons_tolerance(frame);
-    return {readable_mesh(gradient_parts(mesh, tolerance), to_gradient_), std::nullopt, tolerance};
+    return {readable_mesh(gradient_parts(mesh, tolerance, to_gradient_), to_gradient_),
+            std::nullopt, tolerance};
   }
 
  private:

@@ -60,14 +60,16 @@ std::vector<std::string> ids(const Document& document) {
 
 py::dict report_dict(const MeshReport& report) {
   const SimplifyResult& r = report.result;
-  return py::dict(py::arg("id") = report.id, py::arg("method") = r.method,
-                  py::arg("patches_before") = r.patches_before,
-                  py::arg("patches_after") = r.patches_after, py::arg("error") = r.error,
-                  py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
-                  py::arg("renderer") = r.renderer,
-                  py::arg("stopped") = report.refused ? "refused" : name(r.stopped),
-                  py::arg("seconds") = r.seconds.total,
-                  py::arg("refused") = report.refused ? input_error(*report.refused) : py::none());
+  return py::dict(
+      py::arg("id") = report.id, py::arg("method") = r.method,
+      py::arg("patches_before") = r.patches_before, py::arg("patches_after") = r.patches_after,
+      py::arg("handles_before") = r.handles_before, py::arg("handles_after") = r.handles_after,
+      py::arg("objects") = r.objects, py::arg("changed") = r.changed, py::arg("error") = r.error,
+      py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
+      py::arg("renderer") = r.renderer,
+      py::arg("stopped") = report.refused ? "refused" : name(r.stopped),
+      py::arg("seconds") = r.seconds.total,
+      py::arg("refused") = report.refused ? input_error(*report.refused) : py::none());
 }
 
 /// Called and copied without the GIL; the last copy is dropped with it. Ctrl+C in Python and an
@@ -286,7 +288,10 @@ void bind_options(py::module_& m) {
       .def(py::init<>())
       .def_property(
           "method", [](const RunOptions& o) { return o.method; },
-          [](RunOptions& o, const std::string& value) { o.method = method_named(value).name; })
+          [](RunOptions& o, const std::string& value) {
+            method_named(value);
+            o.method = value;
+          })
       .def_property(
           "metric", [](const RunOptions& o) { return name(o.metric); },
           [](RunOptions& o, const std::string& value) { o.metric = metric_named(value); })

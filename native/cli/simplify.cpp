@@ -45,8 +45,9 @@ std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyAr
 void print_results(const std::vector<MeshReport>& reports, const RunOptions& options) {
   for (const auto& [id, r, refused] : reports) {
     if (refused) continue;
-    std::printf("%s: %d of %d patches left, %s %.5f, ", id.c_str(), r.patches_after,
-                r.patches_before, label(options.metric), r.error);
+    std::printf("%s: %d of %d handles, %d of %d patches left, %s %.5f, ", id.c_str(),
+                r.handles_after, r.handles_before, r.patches_after, r.patches_before,
+                label(options.metric), r.error);
     if (options.max_local_error) std::printf("in small parts up to %.5f, ", r.local_error);
     std::printf("%.2f s (%s)\n", r.seconds.total, name(r.stopped));
   }
@@ -95,7 +96,7 @@ void add_simplify(CLI::App& program) {
       ->take_all()
       ->expected(1);
   command.add_option("--method", a->options.method, "How edges are chosen")
-      ->check(CLI::IsMember(method_names()))
+      ->check(CLI::IsMember(method_choices()))
       ->capture_default_str();
   add_color_model_option(command, a->options.color_model);
   add_metric_option(command, a->metric);

@@ -19,9 +19,6 @@ constexpr double outline_weight = 0.2;
 /// The same for an outline that is hidden. It is held loosely, so that a person who opens the mesh
 /// tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
 constexpr double hidden_outline_weight = 0.05;
-/// Differences of colour above this are more likely those of another surface, beyond an edge, and
-/// count less.
-constexpr double outlier = 0.08;
 
 /// A patch at its samples, and its difference from the target there.
 struct Surface {
@@ -62,7 +59,7 @@ int sample_count(const Patch& patch, int side, int opposite, const Frame& frame)
 }
 
 /// Sets the difference, slopes and weight of the i-th sample, from the colours over white.
-void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted) {
+void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted, const Robustness& robustness) {
   const double a = s.at(i, 5), det = s.by_u(i, 0) * s.by_v(i, 1) - s.by_u(i, 1) * s.by_v(i, 0);
   double square = 0;
   for (int k = 0; k < 3; ++k) {
@@ -74,7 +71,8 @@ void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted) {
     s.slope_x(i, k) = (along_u * s.by_v(i, 1) - along_v * s.by_u(i, 1)) / det;
     s.slope_y(i, k) = (along_v * s.by_u(i, 0) - along_u * s.by_v(i, 0)) / det;
   }
-  s.weight(i) = s.area(i) / (1 + square / (outlier * outlier));
+  const double beyond = 1 + square / (robustness.scale * robustness.scale);
+  s.weight(i) = s.area(i) / (robustness.power == 1 ? beyond : std::pow(beyond, robustness.power));
 }
 
 void pull_back(Surface& s, Eigen::Index i, const FitTarget& target) {
@@ -86,7 +84,8 @@ void pull_back(Surface& s, Eigen::Index i, const FitTarget& target) {
   s.beyond(i) = outline_weight * glm::dot(place - outline->place, outline->normal);
 }
 
-Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& target) {
+Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& target,
+                const Robustness& robustness) {
   const auto control = control_in_pixels(patch, target.frame());
   const Eigen::Index n = samples.at.rows();
   Surface s;
@@ -108,7 +107,7 @@ Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& tar
     if (s.area(i) * double(n) < flat * size) continue;
     const glm::dvec2 place(s.at(i, 0), s.at(i, 1));
     if (const auto wanted = target.color_at(place))
-      compare(s, i, *wanted);
+      compare(s, i, *wanted, robustness);
     else if (!target.is_hidden(place))
       pull_back(s, i, target);
   }
@@ -125,8 +124,8 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::ArrayXd& weight,
 /// The equations of a surface. Columns by blocks: all x, all y, all r, all g, all b.
 class SurfaceEquations {
  public:
-  SurfaceEquations(const InfluencedFace& face, const Columns& columns) {
-    for (const Influence& by : face.by) {
+  SurfaceEquations(const std::vector<Influence>& influences, const Columns& columns) {
+    for (const Influence& by : influences) {
       places_.push_back(&by);
       if (columns.color[std::size_t(by.unknown)] >= 0) colors_.push_back(&by);
     }
@@ -146,6 +145,9 @@ class SurfaceEquations {
     const Eigen::MatrixXd color =
         s.at.col(5).asDiagonal() * (samples.at * influence(colors_, &Influence::color));
     add_places(s, place);
+    result_.squares = (s.weight.array() *
+                       (s.difference.rowwise().squaredNorm().array() + s.beyond.array().square()))
+                          .sum();
     if (!colors_.empty()) {
       add_colors(s, color);
       add_both(s, place, color);
@@ -212,13 +214,13 @@ class SurfaceEquations {
 /// share.
 using SideRow = std::vector<std::pair<int, double>>;
 
-SideRow side_row(const InfluencedFace& face, const Columns& columns,
+SideRow side_row(const std::vector<Influence>& influences, const Columns& columns,
                  const std::map<int, int>& local, int side, double t) {
   const double u = side == 0 ? 0 : side == 1 ? t : side == 2 ? 1 : 1 - t;
   const double v = side == 0 ? t : side == 1 ? 1 : side == 2 ? 1 - t : 0;
   const std::array<double, 16> basis = basis_products(u, v);
   SideRow row;
-  for (const Influence& by : face.by) {
+  for (const Influence& by : influences) {
     const int column = columns.place[std::size_t(by.unknown)];
     double share = 0;
     for (std::size_t k = 0; k < 16; ++k) share += basis[k] * by.place[k];
@@ -228,13 +230,13 @@ SideRow side_row(const InfluencedFace& face, const Columns& columns,
 }
 
 /// Adds the distances of a side's points from the target's outline, across the outline.
-void add_outline(const Patch& patch, const InfluencedFace& face, const Columns& columns,
-                 const std::map<int, int>& local, int side, const FitTarget& target,
-                 NormalEquations& equations) {
+void add_outline(const Patch& patch, const std::vector<Influence>& influences,
+                 const Columns& columns, const std::map<int, int>& local, int side,
+                 const FitTarget& target, NormalEquations& equations) {
   const Cubic<glm::dvec2> line = in_pixels(patch.side(side), target.frame());
   const int steps = std::clamp(int(glm::length(line.p1 - line.p0) / 3), 6, 40);
   // y follows x, by as many columns as there are places.
-  const int to_y = int(face.by.size());
+  const int to_y = int(influences.size());
   for (int i = 0; i < steps; ++i) {
     const double t = (i + 0.5) / steps;
     const auto outline = target.outline_near(line.at(t));
@@ -243,7 +245,8 @@ void add_outline(const Patch& patch, const InfluencedFace& face, const Columns& 
     const double off = glm::dot(line.at(t) - outline->place, normal);
     const double by_pixel = target.is_hidden(line.at(t)) ? hidden_outline_weight : outline_weight;
     const double weight = by_pixel * by_pixel * glm::length(line.derivative(t)) / steps;
-    const SideRow row = side_row(face, columns, local, side, t);
+    equations.squares += weight * off * off;
+    const SideRow row = side_row(influences, columns, local, side, t);
     for (const auto& [a, share_a] : row)
       for (int d = 0; d < 2; ++d) {
         equations.rhs(a + d * to_y) -= weight * share_a * normal[d] * off;
@@ -266,21 +269,32 @@ Columns::Columns(const std::vector<Unknown>& unknowns) {
   }
 }
 
-NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
-                                 const Columns& columns, const FitTarget& target) {
-  const Patch patch = mesh.patch(face.face);
+Columns::Columns(int places) : color(std::size_t(places), -1), count(2 * places) {
+  for (int i = 0; i < places; ++i) place.push_back(2 * i);
+}
+
+NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
+                                 const std::array<bool, 4>& is_outline, const Columns& columns,
+                                 const FitTarget& target, const Robustness& robustness) {
   const Samples& samples = samples_of(sample_count(patch, 1, 3, target.frame()),
                                       sample_count(patch, 0, 2, target.frame()));
-  NormalEquations equations =
-      SurfaceEquations(face, columns).run(sampled(patch, samples, target), samples);
+  NormalEquations equations = SurfaceEquations(influences, columns)
+                                  .run(sampled(patch, samples, target, robustness), samples);
   std::map<int, int> local;
   for (int i = 0; i < int(equations.columns.size()); ++i)
     local[equations.columns[std::size_t(i)]] = i;
-  const std::array<Halfedge, 4> sides = mesh.sides(face.face);
   for (int k = 0; k < 4; ++k)
-    if (is_outline(mesh, mesh.curve_side(sides[std::size_t(k)])))
-      add_outline(patch, face, columns, local, k, target, equations);
+    if (is_outline[std::size_t(k)])
+      add_outline(patch, influences, columns, local, k, target, equations);
   return equations;
+}
+
+NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
+                                 const Columns& columns, const FitTarget& target) {
+  const std::array<Halfedge, 4> sides = mesh.sides(face.face);
+  std::array<bool, 4> are_outlines;
+  for (std::size_t k = 0; k < 4; ++k) are_outlines[k] = is_outline(mesh, mesh.curve_side(sides[k]));
+  return normal_equations(mesh.patch(face.face), face.by, are_outlines, columns, target);
 }
 
 }  // namespace gradmesh

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "fit/target.h"
@@ -15,6 +16,16 @@ struct Columns {
   int count = 0;
 
   explicit Columns(const std::vector<Unknown>& unknowns);
+  /// Columns of that many unknowns that are places alone.
+  explicit Columns(int places);
+};
+
+/// How differences of colour count: as their squares while they are small, and less beyond `scale`,
+/// where they are more likely those of another surface, beyond an edge. A sample that is off by d
+/// has the weight (1 + (d / scale)^2)^-power.
+struct Robustness {
+  double scale = 0.08;
+  double power = 1;
 };
 
 /// Normal equations of least squares over some of the columns: matrix * step = rhs.
@@ -22,6 +33,8 @@ struct NormalEquations {
   std::vector<int> columns;
   Eigen::MatrixXd matrix;
   Eigen::VectorXd rhs;
+  /// The sum of the squares as they are.
+  double squares = 0;
 };
 
 /// Returns the equations of how the picture of a face and that of the target differ, to first order
@@ -32,6 +45,12 @@ struct NormalEquations {
 /// and places can do what colours cannot.
 NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
                                  const Columns& columns, const FitTarget& target);
+
+/// Returns the same for a patch that the unknowns change by `influences`; `is_outline` says which
+/// of its sides are outlines.
+NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
+                                 const std::array<bool, 4>& is_outline, const Columns& columns,
+                                 const FitTarget& target, const Robustness& robustness = {});
 
 /// Solves the sum of the equations. `damping` holds for each column the share of itself by which
 /// the diagonal is raised (Levenberg and Marquardt). Returns numbers that are not finite if there

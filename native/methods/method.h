@@ -37,6 +37,7 @@ struct Method {
   std::string name;
   /// The members of MethodOptions that it heeds, by their names.
   std::vector<std::string> options;
+  /// Merges; none if the method makes a plain mesh.
   std::function<void(const MethodRun&)> run;
   /// True if the method uses prices of regions or edges, so that there are some to save.
   bool needs_prices = false;
@@ -47,23 +48,38 @@ struct Method {
   bool merges_named_edges = false;
   /// True if simplify() goes on and fits what was merged (best.h).
   bool fits = false;
+  /// True if nothing is merged: the points of a rectangle of patches become fewer and its sides
+  /// straight (plain/fewer_handles.h), and it is written as one mesh gradient.
+  bool makes_plain = false;
 };
 
 /// Returns all methods, in the order in which lists show them.
 const std::vector<Method>& all_methods();
 
-/// Returns the method of that name. Throws std::invalid_argument with the names of all methods if
-/// there is none.
+/// Returns the method of that name; for `simplest` the best method. Throws std::invalid_argument
+/// with the names of all methods if there is none.
 const Method& method_named(const std::string& name);
 
 /// Returns the names of all methods, in their order.
 std::vector<std::string> method_names();
 
+/// Returns what a person may ask for: `simplest`, and the names of all methods.
+std::vector<std::string> method_choices();
+
+/// Returns true if the method can simplify the mesh: a smooth mesh only where a rectangle stays
+/// one, and a rectangle only where the mesh is one.
+bool suits(const Method& method, const Mesh& mesh);
+
 /// Returns the names of all methods that heed an option, in their order.
 std::vector<std::string> methods_with(const std::string& option);
 
-/// The default method.
-inline constexpr const char* default_method = "best";
+/// What is done where nobody names a method: in a document `plain_method` where that leaves less to
+/// handle, and else `best_method`, as everywhere else.
+inline constexpr const char* simplest = "simplest";
+/// The method that leaves the fewest patches.
+inline constexpr const char* best_method = "best";
+/// The method that leaves the fewest handles of one mesh gradient.
+inline constexpr const char* plain_method = "plain";
 /// The method for smooth meshes, and for results that are to stay one mesh gradient.
 inline constexpr const char* line_method = "lines";
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mesh/rectangle.h"
 #include "methods/gqe.h"
 #include "methods/grid.h"
 #include "methods/lines.h"
@@ -42,12 +43,17 @@ const std::vector<Method>& all_methods() {
       {.name = "motorcycle", .options = {"seed", "kappa"}, .run = by_parts, .needs_prices = true},
       {.name = "gqe", .options = {"omega"}, .run = by_regions<false>, .needs_prices = true},
       {.name = "gqe1", .options = {"omega"}, .run = by_regions<true>, .needs_prices = true},
-      {.name = "best",
+      {.name = best_method,
        .options = {"omega"},
        .run = by_regions<false>,
        .needs_prices = true,
        .fits = true},
       {.name = line_method, .options = {}, .run = by_lines, .keeps_rectangle = true},
+      {.name = plain_method,
+       .options = {},
+       .run = {},
+       .keeps_rectangle = true,
+       .makes_plain = true},
       {.name = "manual", .options = {"edges"}, .run = by_name, .merges_named_edges = true},
   };
   return methods;
@@ -56,7 +62,7 @@ const std::vector<Method>& all_methods() {
 const Method& method_named(const std::string& wanted) {
   std::string known;
   for (const Method& method : all_methods()) {
-    if (wanted == method.name) return method;
+    if (wanted == method.name || (wanted == simplest && method.name == best_method)) return method;
     known.append(known.empty() ? "" : ", ").append(method.name);
   }
   throw std::invalid_argument("the method '" + wanted + "' is not known; there are: " + known +
@@ -67,6 +73,18 @@ std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const Method& method : all_methods()) names.push_back(method.name);
   return names;
+}
+
+std::vector<std::string> method_choices() {
+  std::vector<std::string> choices = method_names();
+  choices.insert(choices.begin(), simplest);
+  return choices;
+}
+
+bool suits(const Method& method, const Mesh& mesh) {
+  if (method.makes_plain && (mesh.is_smooth() || mesh.color_model() == ColorModel::bicubic))
+    return false;
+  return method.keeps_rectangle ? find_grid(mesh).has_value() : !mesh.is_smooth();
 }
 
 std::vector<std::string> methods_with(const std::string& option) {

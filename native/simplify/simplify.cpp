@@ -7,15 +7,20 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "base/parallel.h"
+#include "form/handles.h"
+#include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "methods/best.h"
 #include "methods/gqe.h"
+#include "plain/fewer_handles.h"
 #include "raster/painting.h"
 #include "simplify/target.h"
 #include "trial/merge_trial.h"
 
 namespace gradmesh {
 namespace {
+
+constexpr int least_resolution = 16;
 
 void check(const SimplifyOptions& options) {
   if (!(options.epsilon >= 0 && options.epsilon <= 1))
@@ -39,6 +44,18 @@ void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
     throw InputError(
         "its colours follow those of the neighbours (type=\"bicubic\"), so that only whole lines "
         "can be taken out, by the method lines.");
+}
+
+/// Throws InputError if a grid of points and handles cannot hold the mesh: it has one colour at
+/// each point and nothing between.
+void check_plain(const Mesh& mesh) {
+  if (mesh.is_smooth())
+    throw InputError(
+        "its colours follow those of the neighbours (type=\"bicubic\"), so that only whole lines "
+        "can be taken out, by the method lines.");
+  if (mesh.color_model() == ColorModel::bicubic)
+    throw InputError("its colours are bicubic, which a plain mesh gradient cannot hold.");
+  if (!find_grid(mesh)) throw InputError("it is not one rectangle of patches without T-junctions.");
 }
 
 /// Returns the frame in which the error is measured.
@@ -120,7 +137,7 @@ void take_back(MergeTrial& trial, const Method& method, const RunOptions& option
 Stopped why_stopped(const StopWatch& watch, const SimplifyResult& result) {
   if (watch.reason() == StopWatch::Reason::cancelled) return Stopped::cancelled;
   if (watch.reason() == StopWatch::Reason::budget) return Stopped::budget;
-  return result.patches_after == result.patches_before ? Stopped::nothing_to_merge : Stopped::done;
+  return result.changed ? Stopped::done : Stopped::nothing_to_merge;
 }
 
 /// The state that both a simplification and an analysis begin with.
@@ -143,13 +160,16 @@ class Run {
 
   SimplifyResult simplify() {
     SimplifyResult result;
-    result.method = options_.method;
+    result.method = method_.name;
     result.frame = frame_;
     result.patches_before = mesh_.face_count();
+    result.handles_before = count_handles(mesh_);
     result.seconds.rasterize = watch_.seconds();
     std::optional<FittedMesh> best;
     try {
-      if (method_.fits)
+      if (method_.makes_plain)
+        best = select_plain(result);
+      else if (method_.fits)
         best = select_best(result);
       else
         merge_what_fits(result);
@@ -161,10 +181,12 @@ class Run {
       mesh_ = std::move(best->mesh);
       keeps_as_written(mesh_, result);
     }
-    result.evaluations = trial_.evaluations();
+    result.evaluations += trial_.evaluations();
     if (trial_.has_device()) result.renderer = options_.device->info().name;
     result.error_added_up = best ? best->error : trial_.error();
     result.patches_after = mesh_.face_count();
+    result.changed = best || trial_.depth() > 0;
+    count_what_is_written(result);
     result.stopped = why_stopped(watch_, result);
     result.seconds.total = watch_.seconds();
     result.seconds.select = result.seconds.total - result.seconds.rasterize - result.seconds.verify;
@@ -210,11 +232,49 @@ class Run {
       take_back(trial_, method_, options_, result);
       goes_on = trial_.depth() > depth && !method_.merges_named_edges;
     }
-    if (trial_.depth() > 0) return;
+    if (trial_.depth() == 0) merge_nothing(result);
+  }
+
+  void merge_nothing(SimplifyResult& result) const {
     // A mesh that is not changed is not written, so it has an error only against another original.
     const FrameError start = options_.original ? trial_.measure().whole_frame(mesh_) : FrameError();
     result.error = start.mean;
     result.local_error = start.local;
+  }
+
+  void count_what_is_written(SimplifyResult& result) const {
+    const bool has_form = result.changed && options_.rules;
+    result.handles_after = count_handles(has_form ? result.form.surface : mesh_);
+    if (has_form && result.form.blocks) result.objects = int(result.form.blocks->blocks.size());
+  }
+
+  /// Takes handles out of the mesh as one grid. Returns the mesh with fewer of them, if there is
+  /// one.
+  std::optional<FittedMesh> select_plain(SimplifyResult& result) {
+    check_plain(mesh_);
+    const FitTarget target(original_, frame_), coarse(original_, coarse_frame());
+    const auto measured = [this](const PlainGrid& grid) {
+      SimplifyResult as_written;
+      as_written.frame = frame_;
+      const bool keeps =
+          measure(build_derived_mesh(grid.parts()), trial_.measure(), options_, as_written);
+      return GridTask::Measured{as_written.error, keeps};
+    };
+    const auto simpler =
+        with_fewer_handles(PlainGrid(mesh_), {target, coarse, measured, options_.epsilon}, watch_);
+    if (!simpler) {
+      merge_nothing(result);
+      return std::nullopt;
+    }
+    result.evaluations = simpler->evaluations;
+    return FittedMesh{build_derived_mesh(simpler->grid.parts()), simpler->error};
+  }
+
+  /// Returns the frame of half as many pixels each way.
+  Frame coarse_frame() const {
+    RunOptions half = options_;
+    half.resolution = std::max(options_.resolution / 2, least_resolution);
+    return measured_frame(original_, half);
   }
 
   /// Merges as gqe does. Returns the mesh that fits make of the merged mesh if the fitted mesh has
@@ -257,7 +317,7 @@ class Run {
 
 void check_resolution(int resolution) {
   const std::uint64_t most = limits().resolution;
-  if (resolution < 16 || std::uint64_t(resolution) > most)
+  if (resolution < least_resolution || std::uint64_t(resolution) > most)
     throw std::invalid_argument("the resolution must be between 16 and " + std::to_string(most) +
                                 " pixels.");
 }

@@ -23,8 +23,8 @@ namespace gradmesh {
 /// The options of a run that a person may set. The chosen method heeds those MethodOptions that its
 /// Method::options names.
 struct SimplifyOptions : MethodOptions {
-  /// The name of a method (methods/method.h).
-  std::string method = default_method;
+  /// The name of a method, or `simplest` (methods/method.h).
+  std::string method = simplest;
   MetricKind metric = MetricKind::flip;
   /// Largest error allowed, 0..1 (paper, section 5).
   double epsilon = 0.01;
@@ -79,8 +79,14 @@ struct RunOptions : SimplifyOptions {
 enum class Stopped { done, budget, cancelled, nothing_to_merge };
 
 struct SimplifyResult {
-  std::string method = default_method;
+  std::string method;
   int patches_before = 0, patches_after = 0;
+  /// What a person has to handle, before and as written (form/handles.h).
+  int handles_before = 0, handles_after = 0;
+  /// The blocks of the group that the mesh becomes, or 1 where it becomes one mesh gradient.
+  int objects = 1;
+  /// True if the mesh was made simpler; otherwise it is as it was.
+  bool changed = false;
   /// The error of the surface that will be written, measured on the whole frame.
   double error = 0;
   /// The largest mean of the metric's map in any window of 32 x 32 pixels (metric/local_mean.h).

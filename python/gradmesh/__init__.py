@@ -3,7 +3,7 @@
     import gradmesh
     document = gradmesh.load("drawing.svg")
     for result in gradmesh.simplify(document, epsilon=0.01):
-        print(result.id, result.patches_before, result.patches_after, result.error)
+        print(result.id, result.handles_before, result.handles_after, result.error)
     gradmesh.save(document, "simplified.svg")
 """
 

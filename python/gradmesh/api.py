@@ -41,12 +41,16 @@ class Result:
     id: str
     patches_before: int
     patches_after: int
+    handles_before: int  #: what the mesh tool shows of it: corners, and handles of curved sides
+    handles_after: int
+    objects: int  #: that it becomes: 1, or the blocks of a group
+    changed: bool  #: whether it became simpler
     error: float  #: of what is written, against the mesh as it was, 0 to 1
     local_error: float  #: the largest mean of the same in any window of 32 x 32 pixels
     evaluations: int  #: merges that were painted and measured
     stopped: str  #: "done", "budget", "cancelled", "nothing to merge" or "refused"
     seconds: float
-    method: str  #: the one asked for, or "lines" where the mesh is smooth
+    method: str  #: the one asked for, "lines" where the mesh is smooth, or what was simplest
     renderer: str  #: where merges were priced: the device's name, or "software"
     refused: Optional[_core.InputError] = None  #: why it was left alone: it cannot be read
 
@@ -133,7 +137,7 @@ def simplify(
     document: Document,
     ids: Union[str, Iterable[str]] = (),
     *,
-    method: str = "best",
+    method: str = "simplest",
     metric: str = "flip",
     epsilon: float = 0.01,
     max_local_error: Optional[float] = None,
@@ -174,7 +178,11 @@ def simplify(
     are then made bilinear first, which counts towards the error.
     visible_only: what the object's outline, clip paths and masks hide of the mesh, its own and those
     of groups around it, does not count towards the error.
-    method: how edges are chosen: "random", "grid", "dual-grid" and "motorcycle" follow `seed`;
+    method: "simplest", what leaves less to handle: of a mesh gradient of SVG "plain", or "best" where that
+    takes nothing out; "best" where there is a target, for groups and for .hemesh files. "plain" leaves one
+    mesh gradient with few handles: straight sides, fewer lines, points fitted to the picture; only of a
+    mesh that is one rectangle, with bilinear colours. Others choose edges that are merged: "random",
+    "grid", "dual-grid" and "motorcycle" follow `seed`;
     "motorcycle" keeps edges that cost more than `kappa` times epsilon for the end; "gqe" and
     "gqe1" weigh patches saved against error by `omega`; "best" goes on from "gqe" and fits what it
     merges to the picture; "lines" takes whole rows and columns out of
@@ -189,7 +197,8 @@ def simplify(
     is none for "egl", `device_lost` is called with the reason, by default a RuntimeWarning, and it
     goes on in software.
     remember_original: an SVG document keeps the mesh as it was before it was first simplified,
-    compressed, and later runs measure against it. Without, files are smaller.
+    compressed, and later runs measure against it. Without, files are smaller. Only groups of blocks
+    remember it: one mesh gradient is measured against itself as the run before left it.
     keep_original: an SVG document also keeps each object as it was, hidden, directly below the
     result, with an id that ends in "-original". It is left out unless its own id is given.
     original: a document whose meshes those here are measured against, whatever they remember: the only

@@ -164,8 +164,7 @@ TEST_P(SampleOnDevice, is_merged_the_same) {
         expected.options.analysis = &prices[entry.index];
         found.options.analysis = &prices_on_device[entry.index];
         // Smooth meshes are merged by lines whatever is asked for.
-        if (method != "lines" && expected.mesh.is_smooth()) continue;
-        if (method == "lines" && !find_grid(expected.mesh)) continue;
+        if (!suits(method_named(method), expected.mesh)) continue;
         found.options.device = device_;
         const SimplifyResult here = simplify(expected.mesh, expected.options);
         const SimplifyResult there = simplify(found.mesh, found.options);

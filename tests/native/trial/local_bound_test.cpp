@@ -131,7 +131,8 @@ Plane written_map(const Document& before, const Document& after, const MeshRepor
   const Mesh original = before.mesh(before.selected({report.id})[0]);
   const auto reference = make_metric(metric, paint_whole(original, frame).image);
   frame.masked_opacity = mesh.color_model() == ColorModel::bilinear && !mesh.is_smooth() &&
-                         is_translucent(mesh) && report.result.method != "lines";
+                         is_translucent(mesh) &&
+                         !method_named(report.result.method).keeps_rectangle;
   return reference->map(paint_whole(mesh, frame).image);
 }
 
@@ -157,7 +158,8 @@ TEST_P(Results, keep_to_the_bound_as_written) {
   options.epsilon = 0.03;
   options.resolution = 160;
   for (const MeshEntry& entry : before->selected({})) {
-    if (method == "lines" && !find_grid(before->mesh(entry))) continue;
+    const Mesh& mesh = before->mesh(entry);
+    if (!mesh.is_smooth() && !suits(method_named(method), mesh)) continue;
     const auto free = Document::read_file(file), bound = Document::read_file(file);
     options.max_local_error.reset();
     const auto without = free->simplify({entry.id}, options, {}, {}).front();

@@ -209,7 +209,7 @@ def test_the_color_model_counts(tmp_path):
 def test_a_cache_keeps_what_was_priced(tmp_path):
     def left(**options):
         document = gradmesh.load(SAMPLES / "two.svg")
-        results = gradmesh.simplify(document, resolution=150, **options)
+        results = gradmesh.simplify(document, method="best", resolution=150, **options)
         return document.to_bytes(), sum(result.evaluations for result in results)
 
     cache = tmp_path / "cache"

@@ -100,7 +100,8 @@ def test_simplify_and_its_report(fruit):
     (mesh,) = json.loads(report.read_text())["meshes"]
     assert list(mesh) == (
         "id method color_model metric epsilon max_local_error original resolution seed omega "
-        "kappa patches_before patches_after error local_error evaluations renderer seconds stopped".split()
+        "kappa patches_before patches_after handles_before handles_after objects error local_error "
+        "evaluations renderer seconds stopped".split()
     )
     assert (mesh["id"], mesh["method"], mesh["metric"]) == ("pear", "grid", "ssim")
     assert (mesh["epsilon"], mesh["resolution"], mesh["seed"]) == (0.02, 300, 7)

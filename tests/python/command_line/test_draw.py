@@ -120,7 +120,8 @@ def test_edges_and_faces_are_complete(tmp_path):
 
 def test_junctions_are_marked(tmp_path):
     merged = tmp_path / "merged.svg"
-    assert run("simplify", FRUIT, "-o", merged, *COARSE, "--epsilon", 0.02).returncode == 0
+    blocks = ("--method", "best", "--epsilon", 0.02)
+    assert run("simplify", FRUIT, "-o", merged, *COARSE, *blocks).returncode == 0
     drawn = Drawn(tmp_path, "edges", document=merged)
     marked = sum(title.startswith("T-junction") for title in drawn.titles("Points"))
     assert marked > 5

@@ -56,11 +56,12 @@ class Group:
             gradient.set("y", repr((start + by).imag))
             moved += 1
         for stop in gradient.iter(SVG + "stop"):
-            numbers = svg_meshes.numbers(stop.get("path"))
+            # A straight side stays one, with its end alone.
+            letter, numbers = stop.get("path")[0], svg_meshes.numbers(stop.get("path"))
             points = [complex(x, y) for x, y in zip(numbers[::2], numbers[1::2])]
             moved += points[-1] == point
             points[-1] += by if points[-1] == point else 0
             text = " ".join(f"{float(p.real)!r},{float(p.imag)!r}" for p in points)
-            stop.set("path", "C " + text)
+            stop.set("path", f"{letter} {text}")
         assert moved
         self.save()

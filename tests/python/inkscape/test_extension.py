@@ -60,13 +60,29 @@ def test_dialog_and_script_agree(extension, item):
 
 
 def test_the_object_becomes_a_labelled_group_and_nothing_is_said(run):
-    before = SAMPLES / "fruit.svg"
-    done = run(before, "--id=pear")
+    done = run(SAMPLES / "fruit.svg", "--id=pear", "--result=blocks")
     assert (done.returncode, done.stderr) == (0, "")
     pear = by_id(done.stdout)["pear"]
     assert pear.tag == SVG + "g"
     assert pear.get(LABEL).startswith("Gradient mesh: ")
     assert " of 132 patches, FLIP 0.0" in pear.get(LABEL)
+
+
+@pytest.mark.parametrize("options", [[], ["--result=simplest"], ["--result=one-mesh"]])
+def test_but_for_blocks_it_stays_what_it_is_and_nothing_is_said(run, options):
+    before = SAMPLES / "fruit.svg"
+    done = run(before, "--id=pear", *options)
+    assert (done.returncode, done.stderr) == (0, "")
+    (was,), (now,) = (gradmesh.info(gradmesh.loads(text))["meshes"] for text in (before.read_text(), done.stdout))
+    assert now["patches"] <= was["patches"] and not now["simplified"]
+    old, new = by_id(before.read_text())["pear"], by_id(done.stdout)["pear"]
+    assert new.tag == old.tag and new.get(LABEL) == old.get(LABEL) and new.get("d") == old.get("d")
+    assert not [element for element in by_id(done.stdout) if element and "block" in element]
+
+
+def test_another_method_than_best_is_honoured(run):
+    pear = by_id(run(SAMPLES / "fruit.svg", "--id=pear", "--method=motorcycle").stdout)["pear"]
+    assert pear.tag == SVG + "g" and pear.get(LABEL).startswith("Gradient mesh: ")
 
 
 def test_nothing_is_said_with_all_warnings_on(run):
@@ -88,7 +104,7 @@ def test_other_objects_are_not_touched(run):
 
 @pytest.mark.parametrize("chosen", [["svg1"], ["cap", "stalk"], ["stalk", "title1", "cap"]])
 def test_groups_and_mixed_selections(run, chosen):
-    done = run(SAMPLES / "two.svg", *(f"--id={name}" for name in chosen))
+    done = run(SAMPLES / "two.svg", *(f"--id={name}" for name in chosen), "--result=blocks")
     after = by_id(done.stdout)
     assert after["cap"].tag == after["stalk"].tag == SVG + "g"
 
@@ -100,12 +116,12 @@ def test_a_broken_mesh_elsewhere_does_not_matter(run):
     )
     text = (SAMPLES / "fruit.svg").read_text().replace("</svg>", broken)
     assert 'meshgradient "broken"' in refused(run(text, "--id=other"))
-    assert by_id(run(text, "--id=pear").stdout)["pear"].tag == SVG + "g"
+    assert by_id(run(text, "--id=pear", "--result=blocks").stdout)["pear"].tag == SVG + "g"
 
 
 def test_settings_are_used(run):
     def label(*options):
-        options = ("--amount=custom", *options)
+        options = ("--amount=custom", "--result=blocks", *options)
         return by_id(run(SAMPLES / "fruit.svg", "--id=pear", *options).stdout)["pear"].get(LABEL)
 
     assert "SSIM" in label("--metric=ssim")
@@ -124,7 +140,8 @@ def test_the_dialog_offers_every_method(run):
 
 def test_how_much_by_name_or_number(run):
     def left(*options):
-        done = run(SAMPLES / "fruit.svg", "--id=pear", "--resolution=150", *options)
+        options = ("--result=blocks", "--resolution=150", *options)
+        done = run(SAMPLES / "fruit.svg", "--id=pear", *options)
         label = by_id(done.stdout)["pear"].get(LABEL)
         patches, error = re.fullmatch(r"Gradient mesh: (\d+) of 132 .+ (0\.\d+)", label).groups()
         return int(patches), float(error)
@@ -141,7 +158,7 @@ def test_how_much_by_name_or_number(run):
 
 def test_small_parts_have_a_limit_of_their_own(run):
     def left(*options):
-        done = run(SAMPLES / "two.svg", "--id=stalk", *options)
+        done = run(SAMPLES / "two.svg", "--id=stalk", "--result=blocks", *options)
         return int(re.search(r": (\d+) of 36", by_id(done.stdout)["stalk"].get(LABEL))[1])
 
     free = left("--amount=custom", "--epsilon=0.02")
@@ -152,7 +169,7 @@ def test_small_parts_have_a_limit_of_their_own(run):
 
 
 def test_nothing_selected_is_all(run):
-    after = by_id(run(SAMPLES / "two.svg", "--resolution=100").stdout)
+    after = by_id(run(SAMPLES / "two.svg", "--result=blocks", "--resolution=100").stdout)
     assert after["cap"].tag == after["stalk"].tag == SVG + "g"
     assert "no gradient mesh" in refused(run(BAD["no mesh"].text))
 
@@ -165,15 +182,19 @@ def test_one_mesh_gradient(run):
     (gradient,) = [e for e in ET.fromstring(done.stdout).iter(SVG + "meshgradient")]
     assert f"url(#{gradient.get('id')})" in pear.get("style")
     assert len(list(gradient.iter(SVG + "meshpatch"))) < 132
+    sides = [stop.get("path")[0] for stop in gradient.iter(SVG + "stop")]
+    assert set(sides) <= set("lc") and sides.count("l") > 0
 
 
 def test_the_original_can_be_kept_or_forgotten(run):
     pear = [SAMPLES / "fruit.svg", "--id=pear", "--resolution=150"]
-    plain = run(*pear).stdout
-    forgetful = run(*pear, "--remember_original=false").stdout
-    assert len(forgetful) < len(plain)
-    kept = by_id(run(*pear, "--keep_original=true").stdout)["pear-original"]
-    assert kept.tag == SVG + "path" and "display:none" in kept.get("style")
+    blocks = run(*pear, "--result=blocks").stdout
+    forgetful = run(*pear, "--result=blocks", "--remember_original=false").stdout
+    assert len(forgetful) < len(blocks)
+    for result in ("simplest", "blocks"):
+        after = by_id(run(*pear, "--keep_original=true", f"--result={result}").stdout)
+        kept = after["pear-original"]
+        assert kept.tag == SVG + "path" and "display:none" in kept.get("style")
 
 
 def test_only_manual_reads_the_edges(run):
@@ -197,13 +218,13 @@ def test_a_preview_only_tells(run):
 
     stalk = ["--id=stalk", "--method=manual", "--edges=100,120"]
     error = r"an error of FLIP 0\.\d{4}\."
-    would = f"stalk: 34 of 36 patches would be left, with {error}"
+    would = f"stalk: 198 of 181 handles and 34 of 36 patches would be left, with {error}"
     assert re.fullmatch(would + "\n", told(*stalk))
     above = r" That is above the largest error, 0\.0001\."
     assert re.fullmatch(would + above + "\n", told(*stalk, "--epsilon=0.0001"))
     local = r" In a small part it is 0\.\d{4}, above 0\.001\."
     assert re.fullmatch(would + local + "\n", told(*stalk, "--max_local_error=0.001"))
-    both = rf"(\w+: \d+ of \d+ patches would be left, with {error}\n){{2}}"
+    both = rf"(\w+: \d+ of \d+ handles and \d+ of \d+ patches would be left, with {error}\n){{2}}"
     assert re.fullmatch(both, told("--id=stalk", "--id=cap"))
 
 
@@ -236,7 +257,7 @@ def test_a_preview_only_tells(run):
         # At 700 pixels there are merges that change none of them.
         (
             ["--id=pear", "--epsilon=0", "--resolution=2000", "--visible_only=false"],
-            "pear: no patches can be merged within an error of 0",
+            "pear: nothing can be made simpler within an error of 0",
         ),
     ],
 )
@@ -263,7 +284,7 @@ def test_a_document_that_was_never_saved_has_a_name(run):
 
 def test_the_document_may_come_through_a_pipe(extension):
     done = subprocess.run(
-        [PYTHON, "gradmesh_simplify.py", "--id=pear"],
+        [PYTHON, "gradmesh_simplify.py", "--id=pear", "--result=blocks"],
         cwd=extension,
         env={**os.environ, "PYTHONPATH": str(INKEX)},
         input=(SAMPLES / "fruit.svg").read_bytes(),
@@ -302,7 +323,8 @@ def block_ids(text, mesh="pear"):
 
 @pytest.fixture
 def simplified(run):
-    return run(SAMPLES / "fruit.svg", "--id=pear", "--amount=strong", "--resolution=200").stdout
+    options = ("--result=blocks", "--amount=strong", "--resolution=200")
+    return run(SAMPLES / "fruit.svg", "--id=pear", *options).stdout
 
 
 def patches(text):

@@ -95,6 +95,7 @@ ONE_MESH = {"amount": "strong", "result": "one-mesh", "resolution": 600}
 HERE = {"place": 30, "row": 1, "column": 1}
 ITEMS = {
     "simplify": Item("simplify", "whole", "pear", EPSILON, {"resolution": 600}),
+    "simplify to blocks": Item("simplify", "whole", "pear", EPSILON, {"result": "blocks", "resolution": 600}),
     "simplify to one mesh": Item("simplify", "whole", "pear", 2 * EPSILON, ONE_MESH),
     "merge": Item("merge", "simple", "pair", 2 * EPSILON),
     "refine": Item("refine", "simple", "block", 0, HERE),
@@ -303,7 +304,7 @@ def test_inkex_compares_the_output(extension, tmp_path):
 )
 def test_the_mesh_is_smaller_and_looks_the_same(inkscape, tmp_path, sample, ids):
     before, after = SAMPLES / f"{sample}.svg", tmp_path / "after.svg"
-    elements = simplified(inkscape, sample, after, ids)
+    elements = simplified(inkscape, sample, after, ids, result="blocks")
     found, was = info(after), info(before)
     for name in ids:
         label = elements[name].get(LABEL)
@@ -328,6 +329,7 @@ def untouched(inkscape, tmp_path_factory):
 
 def test_preferences_reach_the_extension(inkscape, tmp_path):
     def label(**values):
+        values = {"result": "blocks", **values}
         elements = simplified(inkscape, "fruit", tmp_path / "after.svg", ["pear"], **values)
         return LABEL_TEXT.fullmatch(elements["pear"].get(LABEL)).groups()
 
@@ -359,6 +361,7 @@ def test_every_method_with_its_settings(inkscape, tmp_path, method, values):
     values = {"method": method, "resolution": 100, **values}
     document = gradmesh.load(SAMPLES / "two.svg")
     (expected,) = gradmesh.simplify(document, "stalk", visible_only=True, **values)
+    values["result"] = "blocks"
     elements = simplified(inkscape, "two", tmp_path / "after.svg", ["stalk"], **values)
     left, _, metric, error = LABEL_TEXT.fullmatch(elements["stalk"].get(LABEL)).groups()
     assert int(left) == expected.patches_after < STALK
@@ -376,7 +379,7 @@ def test_named_edges(inkscape, tmp_path):
 @pytest.mark.parametrize(
     "values, words",
     [
-        ({"preview": "true", "edges": EDGES}, "stalk: 34 of 36 patches would be left"),
+        ({"preview": "true", "edges": EDGES}, "stalk: 198 of 181 handles and 34 of 36 patches would be left"),
         ({"preview": "true", "edges": EDGES, **NO_ERROR}, "above the largest error, 0."),
         ({"edges": EDGES, **NO_ERROR}, "half-edge 100"),
         ({"method": "magic"}, "'magic'"),
@@ -394,8 +397,9 @@ def test_what_is_only_said_changes_nothing(inkscape, untouched, tmp_path, values
 def test_twice_is_once_more(inkscape, tmp_path):
     """What Inkscape saved is simplified again, and the label still counts from the first mesh."""
     once, twice = tmp_path / "once.svg", tmp_path / "twice.svg"
-    simplified(inkscape, "fruit", once, ["pear"], amount="gentle", resolution=300)
-    set_values(inkscape, amount="strong", resolution=300)
+    values = {"result": "blocks", "resolution": 300}
+    simplified(inkscape, "fruit", once, ["pear"], amount="gentle", **values)
+    set_values(inkscape, amount="strong", **values)
     inkscape.run_extension(RAW_ID, once, twice, select=["pear"])
     left, all_patches, *_ = LABEL_TEXT.fullmatch(by_id(twice)["pear"].get(LABEL)).groups()
     assert int(left) == info(twice)["pear"]["patches"] < info(once)["pear"]["patches"]

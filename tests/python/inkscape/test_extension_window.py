@@ -14,8 +14,8 @@ pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missi
 # Where things are on the harness's screen once the page fits the window.
 PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 339)
 SIMPLIFY_TAB, METHOD_TAB = (58, 30), (215, 30)
-STRONG, ONLY_SAY, APPLY, CLOSE = (313, 152), (35, 448), (554, 549), (465, 549)
-DIALOG, CANVAS, STATUS = (0, 0, 598, 567), (620, 140, 1370, 900), (450, 960, 1060, 1000)
+STRONG, ONLY_SAY, APPLY, CLOSE = (252, 152), (35, 448), (492, 549), (403, 549)
+DIALOG, CANVAS, STATUS = (0, 0, 536, 567), (620, 140, 1370, 900), (450, 960, 1060, 1000)
 
 
 def test_say_apply_and_undo(tmp_path):
@@ -27,7 +27,7 @@ def test_say_apply_and_undo(tmp_path):
         with image.open(window.screenshot(tmp_path / "shot.png")) as shot:
             return shot.convert("RGB").crop(area).tobytes()
 
-    with Inkscape() as inkscape:
+    with Inkscape({"org.gradmesh.simplify.result": "blocks"}) as inkscape:
         inkscape.install(install_extension(tmp_path / "installed"))
         with inkscape.window(svg) as window:
             window.key("5")

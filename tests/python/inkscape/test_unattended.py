@@ -195,7 +195,7 @@ def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
         ({"method": "manual"}, "refused", "needs the edges"),
         ({"method": "manual", "edges": "100, 120", "preview": "true"}, "unchanged", "34 of 36 patches"),
         ({"method": "manual", "edges": "100", "amount": "patches"}, "refused", "that are named"),
-        ({"method": "random", "epsilon": 0}, "unchanged", "no patches can be merged within an error"),
+        ({"method": "random", "epsilon": 0}, "unchanged", "nothing can be made simpler within an error"),
     ],
 )
 def test_settings(inkscape, report, tmp_path, values, outcome, words):

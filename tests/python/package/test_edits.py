@@ -14,6 +14,8 @@ import gradmesh
 FACE = "{urn:gradmesh}face"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 SMALL = {"resolution": 200}
+#: A group of blocks, whatever is simplest.
+BLOCKS = {"method": "best", **SMALL}
 
 
 @pytest.fixture
@@ -21,7 +23,7 @@ def simplified():
     """The fruit, with few patches left. What its outline hides counts too, as it is in the pictures
     that are compared here."""
     document = gradmesh.loads((SAMPLES / "fruit.svg").read_bytes())
-    gradmesh.simplify(document, epsilon=0.02, visible_only=False, **SMALL)
+    gradmesh.simplify(document, epsilon=0.02, visible_only=False, **BLOCKS)
     return document
 
 
@@ -95,7 +97,7 @@ def test_what_is_no_block(simplified, ids, words):
 
 def test_blocks_of_two_meshes():
     document = gradmesh.load(SAMPLES / "two.svg")
-    gradmesh.simplify(document, epsilon=0.02, resolution=100)
+    gradmesh.simplify(document, method="best", epsilon=0.02, resolution=100)
     chosen = [next(iter(blocks(document, mesh))) for mesh in ("cap", "stalk")]
     with pytest.raises(gradmesh.InputError, match="of different meshes"):
         gradmesh.merge(document, chosen)
@@ -196,7 +198,7 @@ def test_one_mesh_again(sample):
     """Simplified and made one mesh: an ordinary object, that looks like the simplified one."""
     file = SAMPLES / f"{sample}.svg"
     original, document = gradmesh.load(file), gradmesh.load(file)
-    gradmesh.simplify(document, epsilon=0.02, **SMALL)
+    gradmesh.simplify(document, epsilon=0.02, **BLOCKS)
     edits = gradmesh.to_one_mesh(document, **SMALL)
     was = elements(original)
     now = elements(document)
@@ -229,7 +231,7 @@ def test_styles_come_back(style):
     gradient = re.search(r"<meshgradient.*?</meshgradient>", fruit, re.S).group(0)
     gradient = gradient.replace("pear-mesh", "m")
     document = gradmesh.loads(STYLED.format(gradient=gradient, style=style))
-    gradmesh.simplify(document, epsilon=0.02, **SMALL)
+    gradmesh.simplify(document, epsilon=0.02, **BLOCKS)
     assert elements(document)["box"].tag == SVG + "g"
     gradmesh.to_one_mesh(document)
     box = elements(document)["box"]
@@ -257,7 +259,7 @@ def test_a_fill_and_a_stroke_of_blocks_are_left_as_they_are():
     gradient = gradient.replace("pear-mesh", "m")
     style = "stroke:url(#m);stroke-width:9"
     document = gradmesh.loads(STYLED.format(gradient=gradient, style=style))
-    gradmesh.simplify(document, epsilon=0.02, **SMALL)
+    gradmesh.simplify(document, epsilon=0.02, **BLOCKS)
     assert [mesh.simplified for mesh in document.meshes] == [True, True]
     before = document.to_bytes()
     with pytest.raises(gradmesh.InputError, match="the fill and the stroke"):
@@ -267,6 +269,6 @@ def test_a_fill_and_a_stroke_of_blocks_are_left_as_they_are():
 
 def test_what_was_forgotten_stays_forgotten():
     document = gradmesh.load(SAMPLES / "fruit.svg")
-    gradmesh.simplify(document, epsilon=0.02, remember_original=False, **SMALL)
+    gradmesh.simplify(document, epsilon=0.02, remember_original=False, **BLOCKS)
     gradmesh.refine(document, list(blocks(document))[0], row=1, column=1)
     assert elements(document)["pear"].get("{urn:gradmesh}original") is None

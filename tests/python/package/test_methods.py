@@ -5,11 +5,12 @@ import json
 import pytest
 
 from built import SAMPLES, gradmesh as run
+from hemesh_files import grid
 
 import gradmesh
 
 FRUIT = SAMPLES / "fruit.svg"
-METHODS = ("random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best")
+METHODS = ("random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best", "plain")
 
 
 def simplified(**options):
@@ -32,13 +33,42 @@ def test_every_method_from_both_sides(tmp_path, method):
     assert (result.patches_after, result.error) == (told["patches_after"], told["error"])
 
 
-def test_best_is_the_default(tmp_path):
+def test_by_default_one_object_with_few_handles_is_left(tmp_path):
     out, report = tmp_path / "out.svg", tmp_path / "report.json"
     options = ["--resolution", 200, "--report", report]
     assert run("simplify", FRUIT, "-o", out, *options).returncode == 0
     (told,) = json.loads(report.read_text())["meshes"]
-    assert told["method"] == "best"
-    assert simplified()[1] == simplified(method="best")[1] == out.read_bytes()
+    assert (told["method"], told["objects"]) == ("plain", 1)
+    assert told["handles_after"] < told["handles_before"]
+    (mesh,) = gradmesh.load(out).meshes
+    assert not mesh.simplified and mesh.patches == told["patches_after"]
+    results = [simplified(**method) for method in ({}, {"method": "simplest"}, {"method": "plain"})]
+    assert [data for _, data in results] == 3 * [out.read_bytes()]
+
+
+@pytest.mark.parametrize("target", [{"patches": 60}, {"ratio": 0.5}])
+def test_with_a_target_best_is_the_default(target):
+    (result, data), best = simplified(**target), simplified(method="best", **target)
+    assert result.method == "best" and data == best[1]
+
+
+def test_best_is_the_default_of_hemesh_files():
+    left = []
+    for method in ({}, {"method": "simplest"}, {"method": "best"}):
+        document = gradmesh.loads(grid(4, 5), "leaf.hemesh")
+        (result,) = gradmesh.simplify(document, resolution=200, **method)
+        assert result.method == "best" and result.patches_after < result.patches_before
+        left.append(document.to_bytes())
+    assert left[0] == left[1] == left[2]
+
+
+def test_best_is_the_default_of_blocks():
+    group = simplified(method="best")[1]
+    for method in ({}, {"method": "best"}):
+        document = gradmesh.loads(group)
+        (result,) = gradmesh.simplify(document, resolution=200, epsilon=0.02, **method)
+        assert (result.method, document.meshes[0].simplified) == ("best", True)
+        assert result.patches_after < result.patches_before
 
 
 def test_random_choices_follow_the_seed():

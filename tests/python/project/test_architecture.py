@@ -21,6 +21,7 @@ RANK = {
     "raster": 4,
     "device": 5,
     "fit": 5,
+    "plain": 6,
     "trial": 6,
     "pricing": 7,
     "methods": 8,

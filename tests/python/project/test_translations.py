@@ -119,7 +119,8 @@ def label(svg):
 
 
 def test_labels_are_german_and_go_with_the_blocks(run):
-    simplified = run(SAMPLES / "fruit.svg", "--id=pear", "--resolution=150", **GERMAN).stdout
+    options = ("--id=pear", "--result=blocks", "--resolution=150")
+    simplified = run(SAMPLES / "fruit.svg", *options, **GERMAN).stdout
     german = label(simplified)
     assert re.fullmatch(r"Verlaufsgitter: \d+ von 132 Feldern, FLIP 0\.\d{4}", german)
     assert label(run(simplified, "--id=pear", item="to_one_mesh").stdout) is None

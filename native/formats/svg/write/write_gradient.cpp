@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <glm/common.hpp>
 
+#include "form/handles.h"
 #include "form/written_patch.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/xml/edit.h"
@@ -15,7 +16,12 @@ namespace {
 class GradientWriter {
  public:
   GradientWriter(const Mesh& mesh, const Rectangle& block, const GradientFormat& format)
-      : mesh_(mesh), block_(block), format_(format) {}
+      : mesh_(mesh),
+        block_(block),
+        format_(format),
+        straight_within_(format.exact      ? -1
+                         : format.step > 0 ? straight_tolerance(format.coons_tolerance)
+                                           : rounding_share * format.coons_tolerance) {}
 
   void write(xmlNode* gradient) {
     const Halfedge first = block_.top(0, 0);
@@ -39,13 +45,23 @@ class GradientWriter {
     for (int side = row == 0 ? 0 : 1; side < (column == 0 ? 4 : 3); ++side) {
       xmlNode* stop = add_child(node, "stop");
       const Cubic<Value> curve = mesh_.side_of(side_from(mesh_, top, side));
-      set_attribute(stop, "path",
-                    "C " + point(curve.bezier1().position) + " " + point(curve.bezier2().position) +
-                        " " + point(curve.p1.position));
+      set_attribute(stop, "path", path(curve));
       const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
       if (!given) set_attribute(stop, "style", color_style(curve.p0.color));
     }
     if (needs_tensor(patch, format_.coons_tolerance)) write_tensor(node, patch);
+  }
+
+  /// Returns the path data of a side from its start on. A line shows no handles in the mesh tool.
+  std::string path(const Cubic<Value>& curve) const {
+    const auto to = [&](const Value& v) {
+      return is_relative() ? pair(placed(v.position) - placed(curve.p0.position))
+                           : point(v.position);
+    };
+    const std::string end = to(curve.p1);
+    if (is_straight(curve, straight_within_)) return (is_relative() ? "l " : "L ") + end;
+    return (is_relative() ? "c " : "C ") + to(curve.bezier1()) + " " + to(curve.bezier2()) + " " +
+           end;
   }
 
   void write_tensor(xmlNode* node, const Patch& patch) const {
@@ -64,8 +80,8 @@ class GradientWriter {
     const bool opaque = format_.channel != MeshChannel::both;
     const glm::dvec3 shown =
         format_.channel == MeshChannel::opacity ? mask_color(limited.a) : glm::dvec3(limited);
-    return "stop-color:" + color_text(shown) +
-           ";stop-opacity:" + (opaque ? "1" : opacity_text(limited.a));
+    const std::string opacity = opaque ? "1" : opacity_text(limited.a);
+    return "stop-color:" + color_text(shown) + (opacity == "1" ? "" : ";stop-opacity:" + opacity);
   }
 
   std::string opacity_text(double opacity) const {
@@ -88,7 +104,16 @@ class GradientWriter {
   std::string number(double x) const {
     return format_.exact ? format_exactly(x) : format_number(x, format_.rounding.digits);
   }
+  bool is_relative() const { return format_.step > 0; }
+  /// Returns a point of the mesh where it is written.
+  glm::dvec2 placed(glm::dvec2 p) const {
+    const glm::dvec2 there = format_.place.point(p);
+    if (!is_relative()) return there;
+    return {round_to_step(there.x, format_.step), round_to_step(there.y, format_.step)};
+  }
+
   std::string coordinate(double x) const {
+    if (is_relative()) return format_multiple(x, format_.step);
     return std::abs(x) < format_.rounding.zero ? "0" : number(x);
   }
   std::string pair(glm::dvec2 p) const { return coordinate(p.x) + "," + coordinate(p.y); }
@@ -97,9 +122,19 @@ class GradientWriter {
   const Mesh& mesh_;
   const Rectangle& block_;
   const GradientFormat& format_;
+  /// What counts as a rounding of absolute coordinates, as a share of the tolerance.
+  static constexpr double rounding_share = 1e-3;
+  /// In the unit of the mesh's positions; below 0 where all sides are written as curves, to the
+  /// last bit.
+  const double straight_within_;
 };
 
 }  // namespace
+
+double straight_tolerance(double coons_tolerance) {
+  constexpr double share = 0.1;
+  return share * coons_tolerance;
+}
 
 void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Rectangle& block,
                       const GradientFormat& format) {

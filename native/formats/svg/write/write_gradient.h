@@ -29,7 +29,14 @@ struct GradientFormat {
   /// The map from the mesh's coordinates to those of the gradient.
   Affine place = {};
   Rounding rounding = {};
+  /// A decimal step of which coordinates are multiples; they are then relative to where the side
+  /// starts, as they need not equal those of another gradient. 0: absolute, by `rounding`.
+  double step = 0;
 };
+
+/// Returns how far the inner control points of a side may be from the thirds of its chord for the
+/// side to be written as a line.
+double straight_tolerance(double coons_tolerance);
 
 /// Gives a meshgradient the block's start and rows.
 void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Rectangle& block,

@@ -1,8 +1,11 @@
 #include "formats/svg/write/write_mesh.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "form/blocks.h"
+#include "form/handles.h"
 #include "form/written_patch.h"
 #include "formats/svg/read/paint.h"
 #include "formats/svg/read/read_mesh.h"
@@ -32,6 +35,57 @@ xmlNode* add_gradient(SvgDocument& document, const MeshObject& object) {
   return gradient;
 }
 
+/// Returns the decimal step of coordinates in a gradient: at most a tenth of what a control point
+/// may be off without anybody seeing it. Returns 0 where that has so many decimals that significant
+/// digits are shorter.
+double step_in(const Affine& to_gradient, double coons_tolerance) {
+  constexpr double share = 0.1, least = 1e-9;
+  const glm::dmat2 from_gradient = to_gradient.inverse().linear;
+  const double step = share * coons_tolerance /
+                      std::hypot(glm::length(from_gradient[0]), glm::length(from_gradient[1]));
+  return step < least ? 0 : decimal_step(step);
+}
+
+/// Returns the patch with its coordinates in the gradient rounded as they are written.
+Patch rounded(const Patch& patch, double coons_tolerance, const Affine& to_gradient) {
+  const double step = step_in(to_gradient, coons_tolerance);
+  if (step == 0) return patch;
+  const auto round = [&](glm::dvec2 p) {
+    return glm::dvec2(round_to_step(p.x, step), round_to_step(p.y, step));
+  };
+  std::array<Cubic<Value>, 4> sides;
+  for (int k = 0; k < 4; ++k) {
+    const Cubic<Value> side = patch.side(k);
+    const glm::dvec2 from = round(to_gradient.point(side.p0.position));
+    const glm::dvec2 to = round(to_gradient.point(side.p1.position));
+    Cubic<Value>& written = sides[std::size_t(k)] = side;
+    written.p0.position = from;
+    written.p1.position = to;
+    written.m0.position = written.m1.position = to - from;
+    if (is_straight(side, straight_tolerance(coons_tolerance))) continue;
+    written.m0.position = 3.0 * (round(to_gradient.point(side.bezier1().position)) - from);
+    written.m1.position = 3.0 * (to - round(to_gradient.point(side.bezier2().position)));
+  }
+  Patch result = patch_from_sides(sides, {});
+  make_coons(result);
+  if (needs_tensor(patch, coons_tolerance)) {
+    Patch placed = patch;
+    transform(placed, to_gradient);
+    const BezierNet wanted = bezier_net(placed);
+    BezierNet net = bezier_net(result);
+    for (const int i : {1, 2})
+      for (const int j : {1, 2}) {
+        const int corner_i = i == 1 ? 0 : 3, corner_j = j == 1 ? 0 : 3;
+        net[i][j].position = net[corner_i][corner_j].position +
+                             round(wanted[i][j].position - wanted[corner_i][corner_j].position);
+      }
+    result = patch_from_bezier(net);
+  }
+  transform(result, to_gradient.inverse());
+  make_color_bilinear(result);
+  return result;
+}
+
 }  // namespace
 
 void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const Mesh& mesh,
@@ -41,7 +95,8 @@ void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const 
   write_block_rows(gradient, mesh, find_grid(mesh).value(),
                    {.coons_tolerance = coons_tolerance,
                     .place = place,
-                    .rounding = rounding_within(bounding_box(mesh, place))});
+                    .rounding = rounding_within(bounding_box(mesh, place)),
+                    .step = step_in(place, coons_tolerance)});
 
   const char* property = object.role == PaintRole::fill ? "fill" : "stroke";
   const std::string fallback =
@@ -51,12 +106,13 @@ void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const 
   remove_if_unused(document, attribute(object.gradient, "id").value_or(""));
 }
 
-MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance) {
+MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient) {
   const Rectangle grid = find_grid(mesh).value();
   MeshParts parts{{}, grid_curves(grid.rows, grid.columns)};
   parts.smooth = mesh.is_smooth();
   for (const Halfedge top : grid.tops)
-    parts.patches.push_back(as_written(patch_from(mesh, top), coons_tolerance));
+    parts.patches.push_back(
+        rounded(as_written(patch_from(mesh, top), coons_tolerance), coons_tolerance, to_gradient));
   return parts;
 }
 

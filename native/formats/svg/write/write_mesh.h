@@ -15,7 +15,8 @@ namespace gradmesh {
 void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const Mesh& mesh,
                          double coons_tolerance);
 
-/// Returns the mesh that a reader finds in the gradient that write_mesh_gradient writes.
-MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance);
+/// Returns the mesh that a reader finds in the gradient that write_mesh_gradient writes, in the
+/// coordinates of the mesh; `to_gradient` maps these to those of the gradient.
+MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient);
 
 }  // namespace gradmesh

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <vector>
+
+#include "geom/cubic.h"
+#include "mesh/mesh.h"
+#include "mesh/parts.h"
+
+namespace gradmesh {
+
+/// The direction in which a side or a line of a grid runs.
+enum class Along { rows, columns };
+
+/// A grid of Coons patches with one colour at each point, as one mesh gradient holds it without
+/// `tensor`, in terms of what a person handles: points, and the handles of those sides that are
+/// curves.
+class PlainGrid {
+ public:
+  struct Knot {
+    glm::dvec2 position;
+    glm::dvec4 color;
+
+    bool operator==(const Knot&) const = default;
+  };
+  /// The tangents of a side at its two ends, both in its direction: from left to right or from top
+  /// to bottom. Nothing if the side is straight.
+  using Bend = std::optional<std::array<glm::dvec2, 2>>;
+
+  /// Makes the plain grid of a mesh that is a grid (find_grid). Twists are lost, and colours
+  /// between the corners. Where corners at one point differ in colour the first patch's counts.
+  explicit PlainGrid(const Mesh& mesh);
+
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+
+  /// The points, by row 0..rows() and column 0..columns().
+  Knot& knot(int row, int column) { return knots_[index(row, column)]; }
+  const Knot& knot(int row, int column) const { return knots_[index(row, column)]; }
+
+  /// The bend of the side that begins at a point and runs along its row (to the next column) or
+  /// along its column.
+  Bend& bend(Along along, int row, int column) { return bends_[int(along)][index(row, column)]; }
+  const Bend& bend(Along along, int row, int column) const {
+    return bends_[int(along)][index(row, column)];
+  }
+  /// Returns the curve of that side; a straight side has its handles at thirds.
+  Cubic<glm::dvec2> side(Along along, int row, int column) const;
+
+  /// Returns true if the line through a point along its row, or along its column, was a curve
+  /// without a corner there in the mesh that the grid was made of.
+  bool is_smooth(Along along, int row, int column) const {
+    return smooth_[int(along)][index(row, column)];
+  }
+  /// Returns the sine of the angle by which that line turns at the point, 0 to 1; 1 where it turns
+  /// by a right angle or more. The point must not be at an end of the line.
+  double turn(Along along, int row, int column) const;
+
+  /// Returns the patch of a row and a column, with colours of the model `bilinear`.
+  Patch patch(int row, int column) const;
+  /// Returns the mesh as build_mesh reads it, row by row.
+  MeshParts parts() const;
+
+  /// Takes the line of points `number`, 1 to rows() - 1 (or columns() - 1), out: those along a row
+  /// or along a column. Of the two sides at each of its points that become one, a curve is made
+  /// that begins and ends as they did, if one of them was a curve.
+  void take_out(Along along, int number);
+
+  /// Returns the number of handles that a person sees: points, and two for every side that is a
+  /// curve.
+  int handles() const;
+
+ private:
+  std::size_t index(int row, int column) const {
+    return std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column);
+  }
+
+  int rows_, columns_;
+  std::vector<Knot> knots_;
+  /// By Along; the entries behind the last point of a row or a column are not used.
+  std::array<std::vector<Bend>, 2> bends_;
+  std::array<std::vector<bool>, 2> smooth_;
+};
+
+}  // namespace gradmesh
