@@ -49,10 +49,7 @@ void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
 /// Throws InputError if a grid of points and handles cannot hold the mesh: it has one colour at
 /// each point and nothing between.
 void check_plain(const Mesh& mesh) {
-  if (mesh.is_smooth())
-    throw InputError(
-        "its colours follow those of the neighbours (type=\"bicubic\"), so that only whole lines "
-        "can be taken out, by the method lines.");
+  check_smooth(mesh, false);
   if (mesh.color_model() == ColorModel::bicubic)
     throw InputError("its colours are bicubic, which a plain mesh gradient cannot hold.");
   if (!find_grid(mesh)) throw InputError("it is not one rectangle of patches without T-junctions.");
