@@ -72,7 +72,10 @@ void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted, const Robustn
     s.slope_y(i, k) = (along_v * s.by_u(i, 0) - along_u * s.by_v(i, 0)) / det;
   }
   const double beyond = 1 + square / (robustness.scale * robustness.scale);
-  s.weight(i) = s.area(i) / (robustness.power == 1 ? beyond : std::pow(beyond, robustness.power));
+  const double power = robustness.power;
+  s.weight(i) = s.area(i) / (power == 1     ? beyond
+                             : power == 0.5 ? std::sqrt(beyond)
+                                            : std::pow(beyond, power));
 }
 
 void pull_back(Surface& s, Eigen::Index i, const FitTarget& target) {

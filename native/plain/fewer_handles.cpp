@@ -1,76 +1,31 @@
 #include "plain/fewer_handles.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <limits>
 #include <span>
 
 #include "base/parallel.h"
+#include "plain/corners.h"
 #include "plain/grid_fit.h"
+#include "plain/steps.h"
 
 namespace gradmesh {
 namespace {
 
-/// A side of the grid, by the point at which it begins.
-struct Side {
-  Along along;
-  int row, column;
+/// Steps of Gauss-Newton after a step of the selection, and where nothing more fits.
+constexpr int fit_steps = 2, polish_steps = 4;
 
-  bool operator==(const Side&) const = default;
-};
-
-std::vector<Side> curved_sides(const PlainGrid& grid) {
-  std::vector<Side> sides;
-  for (const Along along : {Along::rows, Along::columns})
-    for (int i = 0; i <= grid.rows() - (along == Along::columns); ++i)
-      for (int j = 0; j <= grid.columns() - (along == Along::rows); ++j)
-        if (grid.bend(along, i, j)) sides.push_back({along, i, j});
-  return sides;
-}
-
-/// A way to make a grid simpler: sides that become straight, or a line that is taken out.
-struct Step {
-  std::vector<Side> sides;
-  Along along = Along::rows;
-  int line = 0;
-
-  bool takes_line() const { return line > 0; }
-};
-
-void make(const Step& step, PlainGrid& grid) {
-  for (const Side& side : step.sides) grid.bend(side.along, side.row, side.column).reset();
-  if (step.takes_line()) grid.take_out(step.along, step.line);
-}
-
-/// A corner of a line that was smooth is seen from about here: the sine of its angle times the
-/// difference of colour to the lines beside it.
-constexpr double seen_corner = 0.15;
-
-/// Returns how much is seen of the corner at a point of a line between two straight sides, as of
-/// seen_corner; 0 where there is none, or where the line was not smooth.
-double corner_at(const PlainGrid& grid, Along along, int row, int column) {
-  const int down = along == Along::columns, right = along == Along::rows;
-  const bool is_inside =
-      right ? column > 0 && column < grid.columns() : row > 0 && row < grid.rows();
-  if (!is_inside || !grid.is_smooth(along, row, column) || grid.bend(along, row, column) ||
-      grid.bend(along, row - down, column - right))
-    return 0;
-  double contrast = 0;
-  for (const int beside : {-1, 1}) {
-    const int i = row + beside * right, j = column + beside * down;
-    if (i < 0 || j < 0 || i > grid.rows() || j > grid.columns()) continue;
-    const glm::dvec4 d = glm::abs(grid.knot(i, j).color - grid.knot(row, column).color);
-    contrast = std::max({contrast, d.r, d.g, d.b, d.a});
-  }
-  return contrast * grid.turn(along, row, column);
-}
-
-double largest_corner(const PlainGrid& grid) {
-  double most = 0;
-  for (const Along along : {Along::rows, Along::columns})
-    for (int i = 0; i <= grid.rows(); ++i)
-      for (int j = 0; j <= grid.columns(); ++j) most = std::max(most, corner_at(grid, along, i, j));
-  return most;
+/// Returns by how much the sum of squares rises if a side becomes straight and nothing is fitted.
+double rise_if_straight(const PlainGrid& grid, const Side& side, const FitTarget& target) {
+  PlainGrid straight = grid;
+  straight.bend(side.along, side.row, side.column).reset();
+  const int above = side.along == Along::rows, left = side.along == Along::columns;
+  double rise = 0;
+  for (const auto& [i, j] :
+       {std::pair(side.row, side.column), std::pair(side.row - above, side.column - left)})
+    if (i >= 0 && j >= 0 && i < grid.rows() && j < grid.columns())
+      rise += patch_squares(straight, i, j, target) - patch_squares(grid, i, j, target);
+  return rise;
 }
 
 class Selection {
@@ -85,6 +40,7 @@ class Selection {
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
   /// to epsilon now that the points have been fitted anew.
   void run() {
+    list_lines();
     do pass();
     while (made_ > made_when_too_much_ && !is_over_);
   }
@@ -94,17 +50,23 @@ class Selection {
   int evaluations() const { return evaluations_; }
 
  private:
-  /// A step, and the grid that it leads to from the one of when `made_` was `priced_at`.
-  struct Candidate {
-    Step step;
-    /// By how much the error rises for each handle saved.
-    double price;
-    int priced_at = -1;
-    GridTask::Measured measured = {};
-    std::optional<PlainGrid> grid = std::nullopt;
+  struct Outcome {
+    PlainGrid grid;
+    GridTask::Measured measured;
   };
 
-  /// Prices that are found at the same time: fixed, so that the result does not depend on the
+  /// A step, and what it led to from the grid of when `made_` was `priced_at`.
+  struct Candidate {
+    Step step;
+    /// By how much the error rises for each handle saved, and by how much in all.
+    double price, rise = 0;
+    int priced_at = -1;
+    std::optional<Outcome> outcome = std::nullopt;
+    /// True if the step was found to be too much in this pass.
+    bool is_too_much = false;
+  };
+
+  /// Lines that are priced at the same time: fixed, so that the result does not depend on the
   /// number of threads.
   static constexpr std::size_t at_once = 2;
   /// Of the sides that may become straight, one in so many does in one step; and where these are
@@ -113,32 +75,39 @@ class Selection {
   /// After so many single sides that were too much, one after the other, no more are tried in a
   /// pass: those that are left change the picture more.
   static constexpr int most_in_a_row = 40;
+  /// Lines are first looked at when sides cost more than this times epsilon over all handles.
+  static constexpr double first_line_price = 3;
+  /// The error that a step adds falls as others are made and the grid is fitted anew, but hardly
+  /// below this share.
+  static constexpr double least_share_of_rise = 0.5;
 
   void pass() {
-    list_lines();
+    for (Candidate& c : candidates_) c.is_too_much = false;
     too_much_.clear();
     too_much_in_a_row_ = 0;
+    sides_proposed_at_ = -1;
     made_when_too_much_ = std::numeric_limits<int>::max();
     most_sides_ = std::numeric_limits<std::size_t>::max();
     while (!should_stop()) {
       propose_sides();
-      if (candidates_.empty()) break;
-      std::ranges::stable_sort(candidates_, {}, &Candidate::price);
-      const Candidate& best = candidates_.front();
-      if (best.priced_at != made_)
-        price(std::span(candidates_).first(std::min(candidates_.size(), at_once)));
-      else if (best.measured.keeps)
+      std::ranges::stable_sort(candidates_, [](const Candidate& a, const Candidate& b) {
+        return std::pair(a.is_too_much, a.price) < std::pair(b.is_too_much, b.price);
+      });
+      if (candidates_.empty() || candidates_.front().is_too_much) break;
+      Candidate& best = candidates_.front();
+      if (best.priced_at != made_ && is_hopeless(best))
+        give_up_first();
+      else if (best.priced_at != made_)
+        price_first();
+      else if (best.outcome->measured.keeps)
         accept_first();
-      else
-        drop_first();
+      else if (!polish())
+        give_up_first();
     }
   }
 
   void list_lines() {
-    candidates_.clear();
-    sides_proposed_at_ = -1;
-    // Lines are first looked at when what is cheaper than epsilon is for all handles has been made.
-    const double price = task_.epsilon / first_handles_;
+    const double price = first_line_price * task_.epsilon / first_handles_;
     for (int i = 1; i < grid_.rows(); ++i) candidates_.push_back({{{}, Along::rows, i}, price});
     for (int j = 1; j < grid_.columns(); ++j)
       candidates_.push_back({{{}, Along::columns, j}, price});
@@ -153,11 +122,13 @@ class Selection {
     if (too_much_in_a_row_ >= most_in_a_row) return;
     std::vector<Side> sides = curved_sides(grid_);
     std::erase_if(sides, [&](const Side& side) {
-      return std::ranges::find(too_much_, side) != too_much_.end() || makes_corner(side);
+      return std::ranges::find(too_much_, side) != too_much_.end() || makes_corner(grid_, side);
     });
     if (sides.empty()) return;
     std::vector<std::pair<double, std::size_t>> order(sides.size());
-    parallel_for(sides.size(), [&](std::size_t n) { order[n] = {rise_if_straight(sides[n]), n}; });
+    parallel_for(sides.size(), [&](std::size_t n) {
+      order[n] = {rise_if_straight(grid_, sides[n], task_.coarse), n};
+    });
     std::ranges::sort(order);
     const std::size_t count =
         std::min(most_sides_, (sides.size() + share_at_once - 1) / share_at_once);
@@ -166,57 +137,56 @@ class Selection {
     candidates_.push_back({std::move(step), -std::numeric_limits<double>::infinity()});
   }
 
-  /// Returns true if a line that was smooth would have a corner that is seen at one end of the side
-  /// if the side became straight. There is none where the other side stays a curve, which then
-  /// follows.
-  bool makes_corner(const Side& side) const {
-    PlainGrid straight = grid_;
-    straight.bend(side.along, side.row, side.column).reset();
-    const int down = side.along == Along::columns, right = side.along == Along::rows;
-    return corner_at(straight, side.along, side.row, side.column) > seen_corner ||
-           corner_at(straight, side.along, side.row + down, side.column + right) > seen_corner;
+  Outcome measured(PlainGrid grid) const {
+    GridTask::Measured measured = task_.measure(grid);
+    if (largest_corner(grid) > most_corner_) measured.keeps = false;
+    return {std::move(grid), measured};
   }
 
-  /// Returns by how much the sum of squares rises if a side becomes straight and nothing is fitted.
-  double rise_if_straight(const Side& side) const {
-    PlainGrid straight = grid_;
-    straight.bend(side.along, side.row, side.column).reset();
-    const int above = side.along == Along::rows, left = side.along == Along::columns;
-    double rise = 0;
-    for (const auto& [i, j] :
-         {std::pair(side.row, side.column), std::pair(side.row - above, side.column - left)})
-      if (i >= 0 && j >= 0 && i < grid_.rows() && j < grid_.columns())
-        rise +=
-            patch_squares(straight, i, j, task_.coarse) - patch_squares(grid_, i, j, task_.coarse);
-    return rise;
-  }
-
-  void price(std::span<Candidate> candidates) {
-    evaluations_ += int(candidates.size());
-    parallel_for(candidates.size(), [&](std::size_t n) {
-      Candidate& c = candidates[n];
-      if (c.priced_at == made_) return;
-      constexpr int steps = 2;
+  /// Prices the first candidate, and with a line the next one that has no price of this grid.
+  void price_first() {
+    std::vector<Candidate*> stale;
+    for (Candidate& c : candidates_)
+      if (stale.size() < at_once && c.priced_at != made_ && !c.is_too_much && !is_hopeless(c) &&
+          c.step.takes_line() == candidates_.front().step.takes_line())
+        stale.push_back(&c);
+    evaluations_ += int(stale.size());
+    parallel_for(stale.size(), [&](std::size_t n) {
+      Candidate& c = *stale[n];
       PlainGrid grid = grid_;
       make(c.step, grid);
-      fit_grid(grid, task_.target, steps);
-      c.measured = task_.measure(grid);
-      if (largest_corner(grid) > most_corner_) c.measured.keeps = false;
-      c.price = (c.measured.error - error_) / (grid_.handles() - grid.handles());
+      const GridPoints points = points_near(c.step, grid);
+      // Where a line is gone the colours beside it have more to show.
+      if (c.step.takes_line())
+        fit_grid_and_colors(grid, task_.target, fit_steps, points);
+      else
+        fit_grid(grid, task_.target, fit_steps, points);
+      c.outcome = measured(std::move(grid));
+      c.rise = c.outcome->measured.error - error_;
+      c.price = c.rise / (grid_.handles() - c.outcome->grid.handles());
       c.priced_at = made_;
-      c.grid = std::move(grid);
     });
   }
 
+  bool is_hopeless(const Candidate& candidate) const {
+    return error_ + least_share_of_rise * candidate.rise > task_.epsilon;
+  }
+
   void accept_first() {
-    Candidate& first = candidates_.front();
-    const Step step = std::move(first.step);
-    grid_ = std::move(*first.grid);
-    error_ = first.measured.error;
-    ++made_;
-    too_much_in_a_row_ = 0;
+    Candidate first = std::move(candidates_.front());
     candidates_.erase(candidates_.begin());
-    if (step.takes_line()) renumber_without(step);
+    take(*first.outcome);
+    too_much_in_a_row_ = 0;
+    if (first.step.takes_line())
+      renumber_without(first.step);
+    else
+      most_sides_ = std::max(most_sides_, 2 * first.step.sides.size());
+  }
+
+  void take(Outcome& outcome) {
+    grid_ = std::move(outcome.grid);
+    error_ = outcome.measured.error;
+    ++made_;
   }
 
   void renumber_without(const Step& gone) {
@@ -230,20 +200,35 @@ class Selection {
     });
   }
 
-  /// Gives up the first candidate; of several sides fewer are tried.
-  void drop_first() {
+  /// Fits the whole grid once more before the first step that is too much for it is given up.
+  /// Returns true if that lowers the error, so that the step may fit.
+  bool polish() {
+    if (polished_at_ == made_) return false;
+    PlainGrid grid = grid_;
+    fit_grid_and_colors(grid, task_.target, polish_steps, GridPoints::all(grid));
+    Outcome outcome = measured(std::move(grid));
+    ++evaluations_;
+    constexpr double worth_it = 0.99;
+    const bool helps = outcome.measured.keeps && outcome.measured.error < worth_it * error_;
+    if (helps) take(outcome);
+    polished_at_ = made_;
+    return helps;
+  }
+
+  /// Gives up the first candidate in this pass; of several sides fewer are tried.
+  void give_up_first() {
     made_when_too_much_ = std::min(made_when_too_much_, made_);
-    const Step& step = candidates_.front().step;
-    if (!step.takes_line()) {
-      sides_proposed_at_ = -1;
-      if (step.sides.size() > 1) {
-        most_sides_ = std::max<std::size_t>(1, step.sides.size() / share_at_once);
-      } else {
-        too_much_.push_back(step.sides.front());
-        ++too_much_in_a_row_;
-      }
+    Candidate& first = candidates_.front();
+    first.is_too_much = true;
+    first.outcome.reset();
+    if (first.step.takes_line()) return;
+    sides_proposed_at_ = -1;
+    if (first.step.sides.size() > 1) {
+      most_sides_ = std::max<std::size_t>(1, first.step.sides.size() / share_at_once);
+    } else {
+      too_much_.push_back(first.step.sides.front());
+      ++too_much_in_a_row_;
     }
-    candidates_.erase(candidates_.begin());
   }
 
   bool should_stop() {
@@ -266,8 +251,9 @@ class Selection {
   std::vector<Side> too_much_;
   /// The most sides that are made straight at once, in this pass.
   std::size_t most_sides_ = 0;
-  /// The number of steps that were made, and how many that were when sides were proposed.
-  int made_ = 0, sides_proposed_at_ = -1;
+  /// The number of steps that were made and of fits of the whole, and how many these were when
+  /// sides were proposed and when the whole was last fitted.
+  int made_ = 0, sides_proposed_at_ = -1, polished_at_ = -1;
   /// The number that had been made when the first step of this pass was found to be too much.
   int made_when_too_much_ = 0;
   int too_much_in_a_row_ = 0;

@@ -1,15 +1,24 @@
 #pragma once
 
 #include "fit/target.h"
+#include "plain/grid_unknowns.h"
 #include "plain/plain_grid.h"
 
 namespace gradmesh {
 
-/// Moves the points of a grid, and the tangents of those of its sides that are curves, so that the
-/// grid's picture comes close to the target, by least squares in at most `steps` steps of
+/// Moves points of a grid, and the tangents there of those of its sides that are curves, so that
+/// the grid's picture comes close to the target, by least squares in at most `steps` steps of
 /// Gauss-Newton. Colours stay, straight sides stay straight, and no patch folds that did not fold.
-/// Returns the sum of the squares that is left, each over the area of its sample in pixels.
+/// Returns the sum of the squares that is left, each over the area of its sample in pixels, of the
+/// patches that the points change.
+double fit_grid(PlainGrid& grid, const FitTarget& target, int steps, const GridPoints& points);
 double fit_grid(PlainGrid& grid, const FitTarget& target, int steps);
+
+/// Does the same with the colours of the points as well. These stay whole levels of 8 bits, as an
+/// SVG document has them. A colour stays as it is where another one would hardly be better: it is
+/// exactly that of the original picture there, and rounding is seen.
+void fit_grid_and_colors(PlainGrid& grid, const FitTarget& target, int steps,
+                         const GridPoints& points);
 
 /// Returns the same sum for one patch of the grid as it is.
 double patch_squares(const PlainGrid& grid, int row, int column, const FitTarget& target);

@@ -19,6 +19,14 @@ PlainGrid::Bend bend_of(const Cubic<Value>& curve, double rounding) {
   return std::array{curve.m0.position, curve.m1.position};
 }
 
+/// Returns the sine of the angle between two directions, 1 for a right angle or more; 0 if one of
+/// them is none.
+double sine_between(const glm::dvec2& before, const glm::dvec2& after) {
+  const double lengths = glm::length(before) * glm::length(after);
+  if (lengths == 0 || glm::dot(before, after) <= 0) return lengths == 0 ? 0 : 1;
+  return std::abs(before.x * after.y - before.y * after.x) / lengths;
+}
+
 Cubic<Value> colored(const Cubic<glm::dvec2>& curve, const glm::dvec4& from, const glm::dvec4& to) {
   const glm::dvec4 slope = to - from;
   return {{curve.p0, from}, {curve.m0, slope}, {curve.m1, slope}, {curve.p1, to}};
@@ -68,11 +76,14 @@ PlainGrid::PlainGrid(const Mesh& mesh) {
 
 double PlainGrid::turn(Along along, int row, int column) const {
   const bool is_row = along == Along::rows;
-  const glm::dvec2 before = side(along, row - !is_row, column - is_row).m1;
-  const glm::dvec2 after = side(along, row, column).m0;
-  const double lengths = glm::length(before) * glm::length(after);
-  if (lengths == 0 || glm::dot(before, after) <= 0) return lengths == 0 ? 0 : 1;
-  return std::abs(before.x * after.y - before.y * after.x) / lengths;
+  return sine_between(side(along, row - !is_row, column - is_row).m1, side(along, row, column).m0);
+}
+
+double PlainGrid::turn_of_chords(Along along, int row, int column) const {
+  const int down = along == Along::columns, right = along == Along::rows;
+  const glm::dvec2 at = knot(row, column).position;
+  return sine_between(at - knot(row - down, column - right).position,
+                      knot(row + down, column + right).position - at);
 }
 
 Cubic<glm::dvec2> PlainGrid::side(Along along, int row, int column) const {

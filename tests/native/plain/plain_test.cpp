@@ -110,6 +110,45 @@ TEST(GridFit, leaves_straight_sides_straight_and_colours_alone_and_folds_nothing
   }
 }
 
+TEST(GridFit, moves_only_the_points_it_is_given) {
+  const Mesh mesh = noisy_grid(6, 6, 4);
+  const FitTarget target(mesh, fit_frame(mesh, {}, 200));
+  PlainGrid grid(mesh);
+  for (int i = 1; i < 6; ++i)
+    for (int j = 1; j < 6; ++j) grid.knot(i, j).position += glm::dvec2(3, -2);
+  const PlainGrid before = grid;
+  const GridPoints points = {1, 2, 0, 3};
+  fit_grid_and_colors(grid, target, 3, points);
+  bool any = false;
+  for (int i = 0; i <= 6; ++i)
+    for (int j = 0; j <= 6; ++j) {
+      const bool has_moved = grid.knot(i, j) != before.knot(i, j);
+      any |= has_moved;
+      EXPECT_TRUE(!has_moved || points.contains(i, j)) << i << " " << j;
+    }
+  EXPECT_TRUE(any);
+}
+
+TEST(GridFit, brings_colours_back_in_whole_levels_and_leaves_the_others) {
+  // Colours as a document has them.
+  PlainGrid original(noisy_grid(4, 4, 7));
+  const auto whole = [](const glm::dvec4& color) { return glm::round(color * 255.0) / 255.0; };
+  for (int i = 0; i <= 4; ++i)
+    for (int j = 0; j <= 4; ++j) original.knot(i, j).color = whole(original.knot(i, j).color);
+  const Mesh mesh = build_mesh(original.parts());
+  const FitTarget target(mesh, fit_frame(mesh, {}, 300));
+  PlainGrid grid = original;
+  glm::dvec4& changed = grid.knot(2, 1).color;
+  for (int k = 0; k < 3; ++k) changed[k] += (changed[k] > 0.5 ? -30 : 30) / 255.0;
+  fit_grid_and_colors(grid, target, 4, GridPoints::all(grid));
+  for (int i = 0; i <= 4; ++i)
+    for (int j = 0; j <= 4; ++j) {
+      const glm::dvec4 now = grid.knot(i, j).color, was = original.knot(i, j).color;
+      EXPECT_LT(glm::length(now - whole(now)), 1e-12);
+      EXPECT_LT(glm::length(now - was), i == 2 && j == 1 ? 3 / 255.0 : 1e-12) << i << " " << j;
+    }
+}
+
 /// A grid of 4 x 4 patches whose middle row of points lies on a smooth wave.
 PlainGrid waved_grid() {
   PlainGrid grid(grid_mesh({.rows = 4, .columns = 4, .color_noise = 0.1}, 5));
