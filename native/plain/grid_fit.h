@@ -14,9 +14,9 @@ namespace gradmesh {
 double fit_grid(PlainGrid& grid, const FitTarget& target, int steps, const GridPoints& points);
 double fit_grid(PlainGrid& grid, const FitTarget& target, int steps);
 
-/// Does the same with the colours of the points as well. These stay whole levels of 8 bits, as an
-/// SVG document has them. A colour stays as it is where another one would hardly be better: it is
-/// exactly that of the original picture there, and rounding is seen.
+/// Does the same with the colours of those points as well that are opaque. These stay whole levels
+/// of 8 bits, as an SVG document has them. A colour stays as it is where another one would hardly
+/// be better: it is exactly that of the original picture there, and rounding is seen.
 void fit_grid_and_colors(PlainGrid& grid, const FitTarget& target, int steps,
                          const GridPoints& points);
 

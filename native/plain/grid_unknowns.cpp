@@ -36,7 +36,6 @@ GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_
   for (int i = points.first_row; i <= points.last_row; ++i)
     for (int j = points.first_column; j <= points.last_column; ++j)
       point_unknowns_[index(i, j)] = count_++;
-  const int point_count = count_;
   for (const Along along : {Along::rows, Along::columns}) {
     tangents_[int(along)].resize(point_unknowns_.size());
     const bool is_row = along == Along::rows;
@@ -46,11 +45,19 @@ GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_
           for (const int end : {0, 1}) number_tangent(grid, along, i, j, end);
   }
   columns_ = Columns(count_);
-  for (int i = 0; with_colors && i < point_count; ++i) {
-    columns_.color[std::size_t(i)] = columns_.count;
-    columns_.count += 3;
-  }
+  if (with_colors) add_colors(grid);
   follow_chords(grid);
+}
+
+/// Where something shines through, the picture over white does not tell which colour looks alike
+/// over others, so the colour stays.
+void GridUnknowns::add_colors(const PlainGrid& grid) {
+  for (int i = points_.first_row; i <= points_.last_row; ++i)
+    for (int j = points_.first_column; j <= points_.last_column; ++j) {
+      if (grid.knot(i, j).color.a < 1) continue;
+      columns_.color[std::size_t(point_unknowns_[index(i, j)])] = columns_.count;
+      columns_.count += 3;
+    }
 }
 
 /// Numbers the tangent of a side at its start (`end` 0) or its end (1).

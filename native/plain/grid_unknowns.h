@@ -20,9 +20,9 @@ struct GridPoints {
 };
 
 /// What a fit may change of a grid: the places of some points, the tangents there of sides that are
-/// curves, and, if it may, the colours of the points. A line that was smooth at a point stays so:
-/// where both of its sides are curves their tangents move together, each by its own factor, and
-/// where the other side is straight the tangent is its chord times the factor.
+/// curves, and, if it may, the colours of those points that are opaque. A line that was smooth at a
+/// point stays so: where both of its sides are curves their tangents move together, each by its own
+/// factor, and where the other side is straight the tangent is its chord times the factor.
 class GridUnknowns {
  public:
   /// Numbers the unknowns of these points. Turns tangents in `grid` that follow a chord into its
@@ -48,6 +48,7 @@ class GridUnknowns {
     std::size_t from = 0, to = 0;
   };
 
+  void add_colors(const PlainGrid& grid);
   void number_tangent(const PlainGrid& grid, Along along, int row, int column, int end);
   void follow_chords(PlainGrid& grid) const;
   template <class Visit>

@@ -149,6 +149,18 @@ TEST(GridFit, brings_colours_back_in_whole_levels_and_leaves_the_others) {
     }
 }
 
+TEST(GridFit, leaves_the_colours_of_translucent_points_alone) {
+  const Mesh mesh = noisy_grid(4, 4, 7);
+  const FitTarget target(mesh, fit_frame(mesh, {}, 200));
+  for (const double alpha : {1.0, 0.5}) {
+    PlainGrid grid(mesh);
+    grid.knot(2, 2).color = {0.1, 0.9, 0.3, alpha};
+    const glm::dvec4 before = grid.knot(2, 2).color;
+    fit_grid_and_colors(grid, target, 2, GridPoints::all(grid));
+    EXPECT_EQ(grid.knot(2, 2).color == before, alpha < 1);
+  }
+}
+
 /// A grid of 4 x 4 patches whose middle row of points lies on a smooth wave.
 PlainGrid waved_grid() {
   PlainGrid grid(grid_mesh({.rows = 4, .columns = 4, .color_noise = 0.1}, 5));
