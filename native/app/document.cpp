@@ -145,11 +145,12 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
 
 std::string Document::method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
                                  const SimplifyOptions& options) const {
-  if (mesh.is_smooth() && !method_named(asked).merges_named_edges) return line_method;
-  if (asked != simplest) return asked;
   const bool has_target = options.patches || options.ratio;
   const bool can_be_plain = is_one_gradient(entry) && suits(method_named(plain_method), mesh);
-  return can_be_plain && !has_target ? plain_method : best_method;
+  if (asked == simplest && can_be_plain && !has_target) return plain_method;
+  const bool suits_asked = asked == plain_method || method_named(asked).merges_named_edges;
+  if (mesh.is_smooth() && !suits_asked) return line_method;
+  return asked == simplest ? best_method : asked;
 }
 
 void Document::check_color_model(const RunOptions& options) const {
@@ -182,7 +183,8 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
   if (method.makes_plain && start.may_be_blocks && !result.changed) {
     // What blocks leave to handle counts, each of them as an object.
     Mesh other = start.mesh;
-    const auto blocks = simplified_anew(entry, start, best_method, result, other);
+    const auto blocks = simplified_anew(
+        entry, start, start.mesh.is_smooth() ? line_method : best_method, result, other);
     const auto weight = [](const SimplifyResult& r) {
       return r.handles_after + handles_of_an_object * r.objects;
     };

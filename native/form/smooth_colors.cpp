@@ -15,11 +15,7 @@ namespace {
 /// The number of parts each way into which Inkscape divides a patch.
 constexpr int parts_per_side = 8;
 
-/// A corner on a line of the grid.
-struct Corner {
-  glm::dvec2 position;
-  glm::dvec3 color;
-};
+using Corner = SmoothColors::Corner;
 
 double inner_slope(double before, double here, double after, double distance, double next) {
   if (!(distance > 0 && next > 0)) return 0;
@@ -76,52 +72,39 @@ void set_color_slopes(Patch& patch, const Slopes& down, const Slopes& right) {
     for (int j : {1, 2}) set(c[i][j], glm::dvec3(0));
 }
 
+std::vector<Corner> corners_of(const Mesh& mesh, const Rectangle& grid) {
+  std::vector<Corner> corners;
+  for (int i = 0; i <= grid.rows; ++i)
+    for (int j = 0; j <= grid.columns; ++j) {
+      const bool below = i == grid.rows, beside = j == grid.columns;
+      Halfedge at = grid.top(i - below, j - beside);
+      if (below) at = mesh.prev(at);
+      if (beside) at = below ? mesh.prev(at) : mesh.next(at);
+      corners.push_back({mesh.position(mesh.origin(at)), glm::dvec3(mesh[at].color)});
+    }
+  return corners;
+}
+
 class SmoothGrid {
  public:
-  explicit SmoothGrid(const Mesh& mesh) : mesh_(mesh), grid_(find_grid(mesh).value()) {
-    const int rows = grid_.rows, columns = grid_.columns;
-    for (int i = 0; i <= rows; ++i) {
-      std::vector<Corner> line;
-      for (int j = 0; j <= columns; ++j) line.push_back(corner(i, j));
-      right_.push_back(slopes(line));
-    }
-    for (int j = 0; j <= columns; ++j) {
-      std::vector<Corner> line;
-      for (int i = 0; i <= rows; ++i) line.push_back(corner(i, j));
-      down_.push_back(slopes(line));
-    }
-  }
+  explicit SmoothGrid(const Mesh& mesh)
+      : mesh_(mesh),
+        grid_(find_grid(mesh).value()),
+        colors_(grid_.rows, grid_.columns, corners_of(mesh, grid_)) {}
 
   int rows() const { return grid_.rows; }
   int columns() const { return grid_.columns; }
 
   Patch patch(int row, int column) const {
-    const Halfedge top = grid_.top(row, column);
-    Patch patch = patch_from(mesh_, top);
-    make_color_bilinear(patch);
-    Slopes down, right;
-    for (int i : {0, 1})
-      for (int j : {0, 1}) {
-        down[i][j] = down_[column + j][row + i];
-        right[i][j] = right_[row + i][column + j];
-      }
-    set_color_slopes(patch, down, right);
+    Patch patch = patch_from(mesh_, grid_.top(row, column));
+    colors_.apply(patch, row, column);
     return patch;
   }
 
  private:
-  Corner corner(int i, int j) const {
-    const bool below = i == grid_.rows, beside = j == grid_.columns;
-    Halfedge at = grid_.top(i - below, j - beside);
-    if (below) at = mesh_.prev(at);
-    if (beside) at = below ? mesh_.prev(at) : mesh_.next(at);
-    return {mesh_.position(mesh_.origin(at)), glm::dvec3(mesh_[at].color)};
-  }
-
   const Mesh& mesh_;
   const Rectangle grid_;
-  /// Slopes by row of corners and by column of corners.
-  std::vector<std::vector<glm::dvec3>> right_, down_;
+  const SmoothColors colors_;
 };
 
 /// Colours at the corners of a patch's parts.
@@ -150,6 +133,31 @@ void append_row(const Patch& patch, const PartColors& colors, int i, std::vector
 }
 
 }  // namespace
+
+SmoothColors::SmoothColors(int rows, int columns, std::span<const Corner> corners) {
+  const auto corner = [&](int i, int j) { return corners[std::size_t(i * (columns + 1) + j)]; };
+  for (int i = 0; i <= rows; ++i) {
+    std::vector<Corner> line;
+    for (int j = 0; j <= columns; ++j) line.push_back(corner(i, j));
+    right_.push_back(slopes(line));
+  }
+  for (int j = 0; j <= columns; ++j) {
+    std::vector<Corner> line;
+    for (int i = 0; i <= rows; ++i) line.push_back(corner(i, j));
+    down_.push_back(slopes(line));
+  }
+}
+
+void SmoothColors::apply(Patch& patch, int row, int column) const {
+  make_color_bilinear(patch);
+  Slopes down, right;
+  for (int i : {0, 1})
+    for (int j : {0, 1}) {
+      down[i][j] = down_[column + j][row + i];
+      right[i][j] = right_[row + i][column + j];
+    }
+  set_color_slopes(patch, down, right);
+}
 
 MeshParts with_smooth_colors(const Mesh& mesh) {
   const SmoothGrid grid(mesh);

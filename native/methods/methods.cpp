@@ -82,8 +82,7 @@ std::vector<std::string> method_choices() {
 }
 
 bool suits(const Method& method, const Mesh& mesh) {
-  if (method.makes_plain && (mesh.is_smooth() || mesh.color_model() == ColorModel::bicubic))
-    return false;
+  if (method.makes_plain && mesh.color_model() == ColorModel::bicubic) return false;
   return method.keeps_rectangle ? find_grid(mesh).has_value() : !mesh.is_smooth();
 }
 

@@ -22,6 +22,11 @@ std::array<bool, 4> outlines(const PlainGrid& grid, int row, int column) {
   return {row == 0, column + 1 == grid.columns(), row + 1 == grid.rows(), column == 0};
 }
 
+double squares_of(const Patch& patch, const std::array<bool, 4>& are_outlines,
+                  const FitTarget& target) {
+  return normal_equations(patch, {}, are_outlines, Columns(0), target, by_size).squares;
+}
+
 class GridFit {
  public:
   GridFit(PlainGrid& grid, const FitTarget& target, const GridPoints& points, bool with_colors)
@@ -82,11 +87,12 @@ class GridFit {
 
   Equations equations(const PlainGrid& grid) const {
     Equations result;
+    const PaintedGrid painted(grid);
     result.parts.resize(patches_.size());
     parallel_for(patches_.size(), [&](std::size_t n) {
       const InfluencedPatch& p = patches_[n];
       result.parts[n] =
-          normal_equations(grid.patch(p.row, p.column), p.by, outlines(grid, p.row, p.column),
+          normal_equations(painted.patch(p.row, p.column), p.by, outlines(grid, p.row, p.column),
                            unknowns_.columns(), target_, by_size);
     });
     for (const NormalEquations& part : result.parts) result.squares += part.squares;
@@ -95,9 +101,11 @@ class GridFit {
 
   /// Returns the sum of the squares alone, which is enough after the last step.
   Equations squares(const PlainGrid& grid) const {
+    const PaintedGrid painted(grid);
     std::vector<double> of_patches(patches_.size());
     parallel_for(patches_.size(), [&](std::size_t n) {
-      of_patches[n] = patch_squares(grid, patches_[n].row, patches_[n].column, target_);
+      const auto& [row, column, by] = patches_[n];
+      of_patches[n] = squares_of(painted.patch(row, column), outlines(grid, row, column), target_);
     });
     return {{}, std::accumulate(of_patches.begin(), of_patches.end(), 0.0)};
   }
@@ -129,9 +137,7 @@ class GridFit {
 }  // namespace
 
 double patch_squares(const PlainGrid& grid, int row, int column, const FitTarget& target) {
-  return normal_equations(grid.patch(row, column), {}, outlines(grid, row, column), Columns(0),
-                          target, by_size)
-      .squares;
+  return squares_of(PaintedGrid(grid).patch(row, column), outlines(grid, row, column), target);
 }
 
 double fit_grid(PlainGrid& grid, const FitTarget& target, int steps, const GridPoints& points) {

@@ -45,12 +45,13 @@ GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_
           for (const int end : {0, 1}) number_tangent(grid, along, i, j, end);
   }
   columns_ = Columns(count_);
-  if (with_colors) add_colors(grid);
+  if (with_colors && !grid.has_smooth_colors()) add_colors(grid);
   follow_chords(grid);
 }
 
-/// Where something shines through, the picture over white does not tell which colour looks alike
-/// over others, so the colour stays.
+/// Smooth colours follow those of several points, and are left alone. Where something shines
+/// through, the picture over white does not tell which colour looks alike over others, so the
+/// colour stays.
 void GridUnknowns::add_colors(const PlainGrid& grid) {
   for (int i = points_.first_row; i <= points_.last_row; ++i)
     for (int j = points_.first_column; j <= points_.last_column; ++j) {

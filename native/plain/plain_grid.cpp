@@ -43,7 +43,7 @@ PlainGrid::Bend joined(const Cubic<glm::dvec2>& a, const Cubic<glm::dvec2>& b) {
 
 }  // namespace
 
-PlainGrid::PlainGrid(const Mesh& mesh) {
+PlainGrid::PlainGrid(const Mesh& mesh) : has_smooth_colors_(mesh.is_smooth()) {
   const Rectangle grid = find_grid(mesh).value();
   const double rounding = rounding_of(mesh);
   rows_ = grid.rows;
@@ -114,6 +114,7 @@ Patch PlainGrid::patch(int row, int column) const {
 
 MeshParts PlainGrid::parts() const {
   MeshParts parts{{}, grid_curves(rows_, columns_)};
+  parts.smooth = has_smooth_colors_;
   for (int i = 0; i < rows_; ++i)
     for (int j = 0; j < columns_; ++j) parts.patches.push_back(patch(i, j));
   return parts;
@@ -155,6 +156,23 @@ int PlainGrid::handles() const {
       if (i < rows_ && bend(Along::columns, i, j)) count += 2;
     }
   return count;
+}
+
+PaintedGrid::PaintedGrid(const PlainGrid& grid) : grid_(grid) {
+  if (!grid.has_smooth_colors()) return;
+  std::vector<SmoothColors::Corner> corners;
+  for (int i = 0; i <= grid.rows(); ++i)
+    for (int j = 0; j <= grid.columns(); ++j) {
+      const auto& [position, color] = grid.knot(i, j);
+      corners.push_back({position, glm::dvec3(color)});
+    }
+  colors_.emplace(grid.rows(), grid.columns(), corners);
+}
+
+Patch PaintedGrid::patch(int row, int column) const {
+  Patch patch = grid_.patch(row, column);
+  if (colors_) colors_->apply(patch, row, column);
+  return patch;
 }
 
 }  // namespace gradmesh

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "form/smooth_colors.h"
 #include "geom/cubic.h"
 #include "mesh/mesh.h"
 #include "mesh/parts.h"
@@ -34,6 +35,8 @@ class PlainGrid {
   /// between the corners. Where corners at one point differ in colour the first patch's counts.
   explicit PlainGrid(const Mesh& mesh);
 
+  /// Returns true if the colours between the points follow the neighbours (Mesh::is_smooth).
+  bool has_smooth_colors() const { return has_smooth_colors_; }
   int rows() const { return rows_; }
   int columns() const { return columns_; }
 
@@ -81,10 +84,24 @@ class PlainGrid {
   }
 
   int rows_, columns_;
+  bool has_smooth_colors_;
   std::vector<Knot> knots_;
   /// By Along; the entries behind the last point of a row or a column are not used.
   std::array<std::vector<Bend>, 2> bends_;
   std::array<std::vector<bool>, 2> smooth_;
+};
+
+/// The patches of a grid as they are painted. The grid must outlive it, and stay as it is.
+class PaintedGrid {
+ public:
+  explicit PaintedGrid(const PlainGrid& grid);
+
+  /// Returns the patch of a row and a column; one with smooth colours in the model `bicubic`.
+  Patch patch(int row, int column) const;
+
+ private:
+  const PlainGrid& grid_;
+  std::optional<SmoothColors> colors_;
 };
 
 }  // namespace gradmesh

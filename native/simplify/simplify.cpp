@@ -49,7 +49,6 @@ void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
 /// Throws InputError if a grid of points and handles cannot hold the mesh: it has one colour at
 /// each point and nothing between.
 void check_plain(const Mesh& mesh) {
-  check_smooth(mesh, false);
   if (mesh.color_model() == ColorModel::bicubic)
     throw InputError("its colours are bicubic, which a plain mesh gradient cannot hold.");
   if (!find_grid(mesh)) throw InputError("it is not one rectangle of patches without T-junctions.");
