@@ -39,7 +39,7 @@ def error(a, b, *options):
 
 
 def test_info(leaf):
-    assert printed("info", leaf) == "mesh: 20 patches, 30 points, 0 T-junctions\n"
+    assert printed("info", leaf) == "mesh: 128 handles, 20 patches, 1 object, 30 points, 0 T-junctions\n"
     found = json.loads(printed("info", "--json", leaf))
     assert (found["file"], found["kind"]) == (str(leaf), "hemesh")
     (mesh,) = found["meshes"]
