@@ -274,6 +274,10 @@ def test_a_preview_only_tells(run):
         # At 700 pixels there are merges that change none of them.
         (
             ["--id=pear", "--epsilon=0", "--resolution=2000", "--visible_only=false"],
+            "pear: no handle can be taken out within an error of 0",
+        ),
+        (
+            ["--id=pear", "--epsilon=0", "--resolution=2000", "--visible_only=false", "--result=blocks"],
             "pear: nothing can be made simpler within an error of 0",
         ),
     ],
