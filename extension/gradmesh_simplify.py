@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Extensions > Gradient Mesh > Simplify: takes needless patches out of gradient meshes."""
+"""Extensions > Gradient Mesh > Simplify: takes needless handles and patches out of gradient meshes."""
 
 import re
 
@@ -20,10 +20,13 @@ SSIM_SHARE = 0.5
 # calm areas elsewhere: highlights go at 0.2 to 0.5, thin ones in part from 0.12, corners of a mouth
 # lose their colour at 0.18, and at 0.1 what has changed is found only beside the original.
 MAX_LOCAL_ERROR = {"gentle": 0.05, "balanced": 0.1, "strong": 0.1}
-
+# What is counted by the amounts that are a number or a share.
+COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patch-share": "patches"}
 
 # The method of blocks that the dialog begins with; another one there is asked for by the person.
 BLOCKS = "best"
+# The method that takes handles out of one mesh gradient and merges nothing.
+PLAIN = "plain"
 
 
 class Simplify(GradmeshEffect):
@@ -35,6 +38,7 @@ class Simplify(GradmeshEffect):
         # The core checks the values: Inkscape passes on any choice that its preferences hold.
         pars.add_argument("--amount", default="balanced")
         pars.add_argument("--epsilon", type=float, default=0.01)
+        pars.add_argument("--handles", type=int, default=100)
         pars.add_argument("--patches", type=int, default=50)
         pars.add_argument("--share", type=float, default=50)
         pars.add_argument("--result", default="simplest")
@@ -96,7 +100,7 @@ class Simplify(GradmeshEffect):
                 f"results are simplest, one-mesh or blocks, not '{options.result}'"
             )
         if options.result == "one-mesh":
-            chosen["method"] = "plain"
+            chosen["method"] = PLAIN
         elif options.result == "simplest" and chosen["method"] == BLOCKS:
             chosen["method"] = "simplest"
         # The dialog keeps what was typed there for another run.
@@ -105,7 +109,7 @@ class Simplify(GradmeshEffect):
 
     def edges(self):
         """The edges to be merged by hand."""
-        if self.options.amount in ("patches", "share"):
+        if self.options.amount in COUNTED:
             raise ValueError(
                 _("the method Manual merges the edges that are named, not as many as it takes")
             )
@@ -125,13 +129,13 @@ class Simplify(GradmeshEffect):
         bound = {"max_local_error": self.options.max_local_error or None}
         if amount == "custom":
             return {"epsilon": self.options.epsilon, **bound}
-        if amount == "patches":
-            return {"patches": self.options.patches, **bound}
-        if amount == "share":
-            return {"ratio": self.options.share / 100, **bound}
-        raise ValueError(
-            f"how much is one of {', '.join(EPSILON)}, custom, patches and share, not '{amount}'"
-        )
+        if amount not in COUNTED:
+            amounts = ", ".join([*EPSILON, "custom", *COUNTED])
+            raise ValueError(f"how much is one of {amounts}, not '{amount}'")
+        count = COUNTED[amount]
+        if amount == count:
+            return {count: getattr(self.options, count), **bound}
+        return {"ratio": self.options.share / 100, "count": count, **bound}
 
     def simplify(self, ids, options, tell):
         with analysis_cache() as cache:
@@ -140,26 +144,56 @@ class Simplify(GradmeshEffect):
             )
 
     def why_nothing_changed(self, results):
-        names = ", ".join(result.id for result in results)
-        if any(result.stopped == "budget" for result in results):
+        stopped = {result.stopped for result in results}
+        if all(result.method == PLAIN for result in results):
+            text = self.why_no_handle_went(stopped)
+        else:
+            text = self.why_nothing_was_merged(stopped)
+        return text.format(
+            meshes=", ".join(result.id for result in results),
+            seconds=self.options.time_budget,
+            epsilon=self.how_much().get("epsilon"),
+        )
+
+    def why_no_handle_went(self, stopped):
+        if "budget" in stopped:
+            return _(
+                "{meshes}: in {seconds} seconds no handle could be taken out, so the document stays as "
+                "it was."
+            )
+        if "cancelled" in stopped:
+            return _(
+                "{meshes}: stopped before any handle was taken out, so the document stays as it was."
+            )
+        if "epsilon" not in self.how_much():
+            return _(
+                "{meshes}: there is no more than that, or no handle can be taken out, so the document "
+                "stays as it was."
+            )
+        return _(
+            "{meshes}: no handle can be taken out within an error of {epsilon:g}, so the document stays "
+            "as it was."
+        )
+
+    def why_nothing_was_merged(self, stopped):
+        if "budget" in stopped:
             return _(
                 "{meshes}: in {seconds} seconds no patches could be merged, so the document stays as "
                 "it was."
-            ).format(meshes=names, seconds=self.options.time_budget)
-        if any(result.stopped == "cancelled" for result in results):
+            )
+        if "cancelled" in stopped:
             return _(
                 "{meshes}: stopped before any patches were merged, so the document stays as it was."
-            ).format(meshes=names)
-        how_much = self.how_much()
-        if "epsilon" not in how_much:
+            )
+        if "epsilon" not in self.how_much():
             return _(
-                "{meshes}: there are not more patches than that, or none can be merged, so the "
-                "document stays as it was."
-            ).format(meshes=names)
+                "{meshes}: there is no more than that, or no patches can be merged, so the document "
+                "stays as it was."
+            )
         return _(
             "{meshes}: nothing can be made simpler within an error of {epsilon:g}, so the document "
             "stays as it was."
-        ).format(meshes=names, epsilon=how_much["epsilon"])
+        )
 
     def what_would_change(self, result):
         text = _(
@@ -174,6 +208,8 @@ class Simplify(GradmeshEffect):
             metric=self.options.metric.upper(),
             error=result.error,
         )
+        if result.objects > 1:
+            text += " " + _("They would be {objects} objects.").format(objects=result.objects)
         epsilon = self.how_much().get("epsilon", 1)
         if result.error > epsilon:
             text += " " + _("That is above the largest error, {epsilon:g}.").format(epsilon=epsilon)

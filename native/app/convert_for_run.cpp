@@ -12,19 +12,18 @@ constexpr double for_splitting = 0.9;
 
 ConvertedRun convert_for_run(const Document& from, const MeshEntry& entry, const Format& to,
                              RunOptions options) {
-  const bool has_target = options.patches || options.ratio;
   ConvertOptions how;
   how.original = from.given_original(entry);
   how.metric = options.metric;
   how.resolution = options.resolution;
-  if (!has_target) how.epsilon = for_splitting * options.epsilon;
+  if (!options.has_target()) how.epsilon = for_splitting * options.epsilon;
   Conversion conversion = convert(from, entry, to, how);
   if (conversion.lost_opacity)
     throw InputError(
         "{0}: the mesh {1} has opacities, which {2} cannot hold; gradmesh convert shows what is "
         "lost.",
         from.name(), entry.id, to.label);
-  if (!to.holds(ColorModel::bicubic) && !has_target && conversion.error > options.epsilon)
+  if (!to.holds(ColorModel::bicubic) && !options.has_target() && conversion.error > options.epsilon)
     throw InputError("{0}: written as {1} its error is {2} at least, above epsilon.", from.name(),
                      to.label, std::to_string(conversion.error));
   conversion.document->set_translation(from.translation());

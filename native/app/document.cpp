@@ -132,8 +132,9 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
   start.options.padding = padding();
   if (options.visible_only) start.options.visible = visible_area(entry);
   std::string& method = start.options.method;
-  start.may_be_blocks = method == simplest;
-  method = method_for(method, entry, start.mesh, options);
+  start.may_be_blocks = method == simplest && !options.has_target();
+  start.options.count = what_is_counted(options, format().count);
+  method = method_for(method, entry, start.mesh, *start.options.count);
   start.options.rules = rules(entry, method_named(method).keeps_rectangle);
   const PriceTableKey key = naming(entry, [&] { return analysis_key(start.mesh, start.options); });
   if (options.device_if_faster && !start.mesh.is_smooth())
@@ -144,10 +145,9 @@ Document::Start Document::start(const MeshEntry& entry, const RunOptions& option
 }
 
 std::string Document::method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
-                                 const SimplifyOptions& options) const {
-  const bool has_target = options.patches || options.ratio;
+                                 Count count) const {
   const bool can_be_plain = is_one_gradient(entry) && suits(method_named(plain_method), mesh);
-  if (asked == simplest && can_be_plain && !has_target) return plain_method;
+  if (asked == simplest && can_be_plain && count == Count::handles) return plain_method;
   const bool suits_asked = asked == plain_method || method_named(asked).merges_named_edges;
   if (mesh.is_smooth() && !suits_asked) return line_method;
   return asked == simplest ? best_method : asked;
@@ -164,7 +164,7 @@ Message Document::why_not(ColorModel model) const {
 }
 
 void Document::check_start(const SimplifiedMesh& m, const RunOptions& options) const {
-  if (options.patches || options.ratio) return;
+  if (options.has_target()) return;
   if (m.result.changed || m.result.error <= options.epsilon) return;
   // Earlier runs with a larger epsilon may have moved the mesh away from the original.
   if ((m.entry.simplified || originals_) && !options.original) return;
@@ -193,7 +193,7 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
     return *blocks;
   }
   const bool needs_mask = result.changed && result.form.masks_opacity();
-  if (method.merges_named_edges || method.keeps_rectangle || options.patches || options.ratio ||
+  if (method.merges_named_edges || method.keeps_rectangle || options.has_target() ||
       !is_one_gradient(entry) || !find_grid(start.mesh) || (result.changed && !needs_mask))
     return result;
   Mesh other = start.mesh;
@@ -311,18 +311,6 @@ void Document::write_file(const std::filesystem::path& path) const {
     write_bytes(path, bytes());
   else
     write_bytes(path, changed_ || compressed_.empty() ? gzip(bytes()) : compressed_);
-}
-
-Message mesh_label(int patches) { return Message("Gradient mesh: {0} patches", patches); }
-
-Message mesh_label(int patches, int patches_before) {
-  return Message("Gradient mesh: {0} of {1} patches", patches, patches_before);
-}
-
-Message mesh_label(int patches, int patches_before, MetricKind metric, double error) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.4f", error);
-  return Message("{0}, {1} {2}", mesh_label(patches, patches_before), label(metric), digits);
 }
 
 }  // namespace gradmesh

@@ -108,6 +108,8 @@ class Document {
   /// Returns the map from mesh units to what the person sees (y down), up to scale.
   virtual Affine view(const MeshEntry& entry) const = 0;
   virtual FramePadding padding() const = 0;
+  /// Returns the number of objects that paint the mesh: the blocks of a group, 1 otherwise.
+  virtual int objects(const MeshEntry&) const { return 1; }
   /// Returns the frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
   /// Returns the same frame, in which only visible pixels count, as by default.
@@ -135,7 +137,7 @@ class Document {
   /// options with those that this document sets. The document sets the view, the padding, the rules
   /// of writing, the original if that is another mesh, and the analysis, which is one of `files`.
   /// For a smooth mesh the document sets the method `lines` unless the person names edges.
-  /// `simplest` becomes `plain` if the mesh can stay one mesh gradient and there is no target, and
+  /// `simplest` becomes `plain` if handles are counted and the mesh can stay one mesh gradient, and
   /// `best` otherwise.
   struct Start {
     Mesh mesh;
@@ -152,10 +154,11 @@ class Document {
   ///
   /// If nothing is merged, or if the result needs a mask for opacities, the method `lines` is tried
   /// as well. Its result, one mesh gradient, is taken if that has no more patches. If `simplest`
-  /// finds no plain mesh gradient with fewer handles, blocks are tried, and taken if these leave
-  /// less to handle. A mesh that does not become simpler stays as it is. If another colour model
-  /// than the mesh's own is asked for, the mesh is converted first, and the conversion counts
-  /// towards the error. If an analysis is loaded, it must hold prices for each of the meshes.
+  /// finds no plain mesh gradient with fewer handles and there is no target, blocks are tried, and
+  /// taken if these leave less to handle. A mesh that does not become simpler stays as it is. If
+  /// another colour model than the mesh's own is asked for, the mesh is converted first, and the
+  /// conversion counts towards the error. If an analysis is loaded, it must hold prices for each of
+  /// the meshes.
   ///
   /// Throws std::invalid_argument as gradmesh::simplify does, if edges are named for another method
   /// than `manual`, if `manual` has no edges, and if there are no prices to save. The document is
@@ -242,9 +245,9 @@ class Document {
   std::vector<MeshEntry> entries_;
 
  private:
-  /// Returns the method that is used where a person asks for one.
+  /// Returns the method that is used where a person asks for one and `count` is made few.
   std::string method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
-                         const SimplifyOptions& options) const;
+                         Count count) const;
   std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
                                          const RunOptions& options,
                                          const AnalysisPaths& analyses) const;
@@ -270,12 +273,5 @@ class Document {
   bool changed_ = false;
   const Document* originals_ = nullptr;
 };
-
-/// Returns "Gradient mesh: 42 patches".
-Message mesh_label(int patches);
-/// Returns "Gradient mesh: 42 of 144 patches".
-Message mesh_label(int patches, int patches_before);
-/// Returns "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
-Message mesh_label(int patches, int patches_before, MetricKind metric, double error);
 
 }  // namespace gradmesh

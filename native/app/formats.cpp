@@ -24,6 +24,7 @@ const std::vector<Format>& all_formats() {
        .extension = ".svg",
        .compressed_extension = ".svgz",
        .color_models = {ColorModel::bilinear},
+       .count = Count::handles,
        .holds_opacity = true,
        .length = 600,
        .margin = 20,

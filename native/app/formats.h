@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "form/counts.h"
 #include "mesh/mesh.h"
 #include "raster/frame.h"
 
@@ -45,6 +46,8 @@ struct Format {
   std::optional<std::string> compressed_extension = std::nullopt;
   /// The colour models that a document can hold. The first is the one in which its meshes are read.
   std::vector<ColorModel> color_models;
+  /// What is made few unless a person says otherwise (what_is_counted).
+  Count count = Count::patches;
   /// True if colours may be translucent.
   bool holds_opacity = false;
   /// The length of the longer side of a mesh that comes from another format, in the document's

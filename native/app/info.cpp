@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ranges>
 
+#include "form/handles.h"
 #include "formats/json/elements.h"
 
 namespace gradmesh {
@@ -26,7 +27,9 @@ ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
           {"simplified", entry.simplified},
           {"color_model", name(mesh.color_model())},
           {"smooth", mesh.is_smooth()},
+          {"handles", count_handles(mesh)},
           {"patches", mesh.face_count()},
+          {"objects", document.objects(entry)},
           {"points", std::ranges::distance(mesh.points())},
           {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)},
           {"elements", elements_json(mesh)}};

@@ -80,10 +80,12 @@ Report report_on_mesh(const Document& before, const MeshEntry& entry, const Docu
   AnalysisFiles files(options.analyses);
   const Document::Start start = before.start(entry, pricing_options(report.run, options), files);
   report.before = {path_of(before).filename().string(), start.mesh, {}};
+  report.before.objects = before.objects(entry);
   price(report, start.options);
   files.save();
 
   report.after = {path_of(after).filename().string(), after.mesh(entry_after), {}};
+  report.after.objects = after.objects(entry_after);
   Frame &first = report.before.frame, &second = report.after.frame;
   std::tie(first, second) =
       common_frames({&before, entry, start.mesh}, {&after, entry_after, report.after.mesh},

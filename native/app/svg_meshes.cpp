@@ -1,10 +1,12 @@
 #include "app/svg_meshes.h"
 
+#include "app/mesh_label.h"
 #include "app/svg_rules.h"
 
 #include <algorithm>
 
 #include "form/blocks.h"
+#include "form/handles.h"
 #include "formats/svg/read/read_group.h"
 #include "formats/svg/read/read_mesh.h"
 #include "formats/svg/read/restore_shape.h"
@@ -63,10 +65,10 @@ bool SvgMeshes::recognises(std::string_view bytes) { return trimmed(bytes).start
 
 std::string SvgMeshes::write_new(const NewDocument& document) {
   const auto& [mesh, original, frame, page, translation] = document;
-  const int patches = mesh.face_count();
   const WrittenForm form = block_rules()->form(mesh, frame);
-  const std::string label = mesh_label(patches).in(translation);
-  return new_svg({page.x, page.y}, outline_path(original), {mesh, *form.blocks, label, patches})
+  const MeshCounts counts = counts_of(form.surface);
+  const std::string label = mesh_label(counts).in(translation);
+  return new_svg({page.x, page.y}, outline_path(original), {mesh, *form.blocks, label, counts})
       .serialize();
 }
 
@@ -199,6 +201,10 @@ Affine SvgMeshes::view(const MeshEntry& entry) const {
   return to_document(o) * to_user;
 }
 
+int SvgMeshes::objects(const MeshEntry& entry) const {
+  return entry.simplified ? block_count(object(entry).node) : 1;
+}
+
 Message SvgMeshes::describe(const MeshEntry& entry) const {
   return Message("{0}: {1}", name(), gradmesh::describe(object(entry).node));
 }
@@ -231,14 +237,16 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
       write_mesh_gradient(svg_, o, mesh, result.form.coons_tolerance);
       continue;
     }
-    const int before = entry.simplified ? patches_before(o.node) : result.patches_before;
+    const MeshCounts now{result.handles_after, result.patches_after};
+    const MeshCounts before = entry.simplified
+                                  ? counts_before(o.node)
+                                  : MeshCounts{result.handles_before, result.patches_before};
     std::string original;
     if (writing.remember_original) {
       if (!has_given_originals() && remembered_original(entry)) original = *memory(entry);
       if (original.empty()) original = remember(*measured, all_overlaps(*measured, result.frame));
     }
-    const std::string label =
-        mesh_label(result.patches_after, before, metric, result.error).in(translation());
+    const std::string label = mesh_label(now, before, metric, result.error).in(translation());
     write_mesh(svg_, o, {mesh, *result.form.blocks, label, before, original});
   }
   list_meshes();
@@ -280,6 +288,7 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   std::shared_ptr<const Mesh> original = remembered_original(entry);
   if (!original) original = std::make_shared<const Mesh>(mesh(entry));
   SimplifyResult result;
+  result.handles_before = count_handles(*original);
   result.patches_before = original->face_count();
   result.patches_after = edited.face_count();
   result.frame = seen_frame(entry, *original, resolution);
@@ -287,6 +296,7 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   // A rectangle that was one mesh gradient stays one.
   const auto rules = this->rules(entry, find_grid(edited).has_value());
   result.form = naming(entry, [&] { return rules->form(edited, result.frame); });
+  result.handles_after = count_handles(result.form.surface);
   result.error = error.whole_frame(result.form.surface, result.form.masks_opacity()).mean;
   WriteOptions writing;
   writing.remember_original = !entry.simplified || memory(entry);
@@ -311,13 +321,13 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
 
 Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenForm& form) const {
   const xmlNode* node = object(group).node;
-  const int patches = form.surface.face_count(), before = patches_before(node);
+  const MeshCounts now = counts_of(form.surface), before = counts_before(node);
   const std::shared_ptr<const Mesh> original = recalled(group);
-  if (!original) return mesh_label(patches, before);
+  if (!original) return mesh_label(now, before);
   const SimplifyOptions usual;
   const EditError error(*original, form.surface, frame(group, *original, usual.resolution),
                         usual.metric, form.masks_opacity());
-  return mesh_label(patches, before, usual.metric, error.error());
+  return mesh_label(now, before, usual.metric, error.error());
 }
 
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {
@@ -326,7 +336,7 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     const Mesh& mesh;
     WrittenForm form;
     std::string label;
-    int patches_before;
+    MeshCounts before;
     /// The mesh that the group remembers from now on, as the value of its attribute.
     std::string original;
   };
@@ -344,13 +354,13 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     std::string label = updated_label(entry, form).in(translation());
     std::string original = memory(entry) ? remember(mesh, find_overlaps(mesh, frame)) : "";
     edited.push_back({object(entry), mesh, std::move(form), std::move(label),
-                      patches_before(object(entry).node), std::move(original)});
+                      counts_before(object(entry).node), std::move(original)});
   }
   if (reports.empty())
     throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
   for (const Edited& e : edited)
-    write_mesh(svg_, e.group, {e.mesh, *e.form.blocks, e.label, e.patches_before, e.original});
+    write_mesh(svg_, e.group, {e.mesh, *e.form.blocks, e.label, e.before, e.original});
   list_meshes();
   return reports;
 }

@@ -30,6 +30,7 @@ class SvgMeshes : public Document {
   const Mesh& mesh(const MeshEntry& entry) const override { return read(entry).mesh; }
   Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
+  int objects(const MeshEntry& entry) const override;
   void check_conversion(const Format& to) const override;
 
   /// Returns the block whose path has this id. Throws InputError if the id names something else.

@@ -16,6 +16,7 @@
 #include "app/report_on_mesh.h"
 #include "base/error.h"
 #include "files/atomic_file.h"
+#include "form/handles.h"
 #include "mesh/mesh.h"
 #include "report/report.h"
 
@@ -31,13 +32,16 @@ py::dict mesh_dict(const Document& document, const MeshEntry& entry) {
   if (entry.role) role = py::str(*entry.role == PaintRole::fill ? "fill" : "stroke");
   py::dict dict(py::arg("id") = entry.id, py::arg("role") = role,
                 py::arg("simplified") = entry.simplified, py::arg("smooth") = false,
-                py::arg("patches") = 0, py::arg("refused") = py::none());
+                py::arg("handles") = 0, py::arg("patches") = 0, py::arg("objects") = 0,
+                py::arg("refused") = py::none());
   if (entry.refused) {
     dict["refused"] = input_error(*entry.refused);
   } else {
     const Mesh mesh = document.mesh(entry);
     dict["smooth"] = mesh.is_smooth();
+    dict["handles"] = count_handles(mesh);
     dict["patches"] = mesh.face_count();
+    dict["objects"] = document.objects(entry);
   }
   return dict;
 }
@@ -62,8 +66,8 @@ py::dict report_dict(const MeshReport& report) {
   const SimplifyResult& r = report.result;
   return py::dict(
       py::arg("id") = report.id, py::arg("method") = r.method,
-      py::arg("patches_before") = r.patches_before, py::arg("patches_after") = r.patches_after,
       py::arg("handles_before") = r.handles_before, py::arg("handles_after") = r.handles_after,
+      py::arg("patches_before") = r.patches_before, py::arg("patches_after") = r.patches_after,
       py::arg("objects") = r.objects, py::arg("changed") = r.changed, py::arg("error") = r.error,
       py::arg("local_error") = r.local_error, py::arg("evaluations") = r.evaluations,
       py::arg("renderer") = r.renderer,
@@ -307,8 +311,19 @@ void bind_options(py::module_& m) {
           })
       .def_readwrite("epsilon", &RunOptions::epsilon)
       .def_readwrite("max_local_error", &RunOptions::max_local_error)
+      .def_readwrite("handles", &RunOptions::handles)
       .def_readwrite("patches", &RunOptions::patches)
       .def_readwrite("ratio", &RunOptions::ratio)
+      .def_property(
+          "count",
+          [](const RunOptions& o) -> std::optional<std::string> {
+            if (!o.count) return std::nullopt;
+            return name(*o.count);
+          },
+          [](RunOptions& o, const std::optional<std::string>& value) {
+            o.count.reset();
+            if (value) o.count = count_named(*value);
+          })
       .def_readwrite("resolution", &RunOptions::resolution)
       .def_readwrite("visible_only", &RunOptions::visible_only)
       .def_readwrite("seed", &RunOptions::seed)

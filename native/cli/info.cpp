@@ -29,8 +29,10 @@ void run_info(const InfoArguments& a) {
                   mesh["refused"].get<std::string>().c_str());
       continue;
     }
-    std::printf("%s%s: %d patches, %d points, %d T-junctions%s\n",
-                mesh["id"].get<std::string>().c_str(), role.c_str(), mesh["patches"].get<int>(),
+    const int objects = mesh["objects"];
+    std::printf("%s%s: %d handles, %d patches, %d object%s, %d points, %d T-junctions%s\n",
+                mesh["id"].get<std::string>().c_str(), role.c_str(), mesh["handles"].get<int>(),
+                mesh["patches"].get<int>(), objects, objects == 1 ? "" : "s",
                 mesh["points"].get<int>(), mesh["t_junctions"].get<int>(),
                 mesh["simplified"] ? ", simplified" : "");
   }

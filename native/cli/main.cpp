@@ -9,8 +9,9 @@ namespace gradmesh {
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App program("Takes needless patches out of gradient meshes, without visible change.",
-                   "gradmesh");
+  CLI::App program(
+      "Takes needless handles and patches out of gradient meshes, without visible change.",
+      "gradmesh");
   program.set_version_flag("--version", GRADMESH_VERSION);
   program.require_subcommand(1);
   try {

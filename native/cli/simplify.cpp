@@ -13,7 +13,8 @@ namespace gradmesh {
 namespace {
 
 struct SimplifyArguments {
-  std::string in, out, original, report, metric = "flip", renderer = name(Renderer::automatic);
+  std::string in, out, original, report, count, metric = "flip",
+                                                renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
   AnalysisPaths analyses;
@@ -42,14 +43,24 @@ std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyAr
   return std::move(run.document);
 }
 
+/// Returns what a person is told of the end of a run.
+const char* how_it_ended(const SimplifyResult& result) {
+  if (result.changed) return name(result.stopped);
+  if (result.stopped == Stopped::budget) return "no time left";
+  if (result.stopped == Stopped::nothing_to_merge && method_named(result.method).makes_plain)
+    return "no handle could be taken out";
+  return name(result.stopped);
+}
+
 void print_results(const std::vector<MeshReport>& reports, const RunOptions& options) {
   for (const auto& [id, r, refused] : reports) {
     if (refused) continue;
-    std::printf("%s: %d of %d handles, %d of %d patches left, %s %.5f, ", id.c_str(),
-                r.handles_after, r.handles_before, r.patches_after, r.patches_before,
-                label(options.metric), r.error);
+    std::printf("%s: %d of %d handles, %d of %d patches left, ", id.c_str(), r.handles_after,
+                r.handles_before, r.patches_after, r.patches_before);
+    if (r.objects > 1) std::printf("%d objects, ", r.objects);
+    std::printf("%s %.5f, ", label(options.metric), r.error);
     if (options.max_local_error) std::printf("in small parts up to %.5f, ", r.local_error);
-    std::printf("%.2f s (%s)\n", r.seconds.total, name(r.stopped));
+    std::printf("%.2f s (%s)\n", r.seconds.total, how_it_ended(r));
   }
 }
 
@@ -61,6 +72,7 @@ void tell_refused(const std::vector<MeshReport>& reports) {
 
 void run_simplify(SimplifyArguments& a) {
   a.options.metric = metric_named(a.metric);
+  if (!a.count.empty()) a.options.count = count_named(a.count);
   take_renderer(a.renderer, a.options);
   std::unique_ptr<Document> in = Document::read_file(a.in);
   const std::unique_ptr<Document> original = take_original(a.original, *in);
@@ -81,12 +93,33 @@ void run_simplify(SimplifyArguments& a) {
   if (!a.quiet) print_results(reports, a.options);
 }
 
+void add_target_options(CLI::App& command, SimplifyArguments& a) {
+  CLI::Option* handles =
+      command.add_option("--handles", a.options.handles,
+                         "Instead of --epsilon: at most so many handles, with the least error");
+  CLI::Option* patches =
+      command
+          .add_option("--patches", a.options.patches,
+                      "Instead of --epsilon: at most so many patches, with the least error")
+          ->excludes(handles);
+  command
+      .add_option("--ratio", a.options.ratio,
+                  "Instead of --epsilon: this share of the handles, or of the patches")
+      ->excludes(handles)
+      ->excludes(patches);
+  command
+      .add_option("--count", a.count,
+                  "What is made few, and what --ratio is a share of; by default the handles of an "
+                  "SVG document, and patches where a method that merges is named")
+      ->check(CLI::IsMember({name(Count::handles), name(Count::patches)}));
+}
+
 }  // namespace
 
 void add_simplify(CLI::App& program) {
   const auto a = std::make_shared<SimplifyArguments>();
   CLI::App& command =
-      *program.add_subcommand("simplify", "Merge patches while the error allows it");
+      *program.add_subcommand("simplify", "Take out handles and patches while the error allows it");
   command.add_option("IN", a->in, any_document())->required();
   CLI::App& target = *command.add_option_group("Output")->require_option(1);
   target.add_option("-o,--output", a->out, "Where to write the document");
@@ -106,12 +139,7 @@ void add_simplify(CLI::App& program) {
                   "Largest error allowed in any window of 32 x 32 pixels, so that small details "
                   "stay")
       ->check(CLI::Range(0.0, 1.0));
-  CLI::Option* patches =
-      command.add_option("--patches", a->options.patches,
-                         "Instead of --epsilon: at most so many patches, with the least error");
-  command
-      .add_option("--ratio", a->options.ratio, "Instead of --epsilon: this share of the patches")
-      ->excludes(patches);
+  add_target_options(command, *a);
   add_original_option(command, a->original);
   add_resolution_option(command, a->options.resolution);
   add_whole_mesh_option(command, a->options.visible_only);

@@ -7,6 +7,7 @@
 #include "draw/heat_scale.h"
 #include "files/base64.h"
 #include "files/image_file.h"
+#include "form/handles.h"
 #include "formats/json/elements.h"
 #include "methods/method.h"
 #include "metric/local_mean.h"
@@ -96,7 +97,9 @@ Json mesh_json(const ReportedMesh& reported, const Image& picture) {
   return {{"file", reported.file},
           {"picture", address(picture)},
           {"color_model", mesh.color_model() == ColorModel::bicubic ? "bicubic" : "bilinear"},
+          {"handles", count_handles(mesh)},
           {"patches", mesh.face_count()},
+          {"objects", reported.objects},
           {"points", std::ranges::distance(mesh.points())},
           {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)},
           {"elements", elements_json(mesh)},

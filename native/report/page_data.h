@@ -14,7 +14,7 @@ namespace gradmesh {
 ///    "run": {...} or null,
 ///    "before": mesh, "after": mesh}
 /// with pictures as `data:` addresses, and a mesh as
-///   {"file", "picture", "color_model", "patches", "points", "t_junctions",
+///   {"file", "picture", "color_model", "handles", "patches", "objects", "points", "t_junctions",
 ///    "elements": {...},                          formats/json/elements.h
 ///    "curves": [[x0, y0, ..., x3, y3], ...],     Bezier points in pixels, one for each half-edge
 ///    "hermite": [[[x, y, r, g, b, a], x 16], ...],  row by row (Eq. 3), one for each face

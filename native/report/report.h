@@ -20,6 +20,8 @@ struct ReportedMesh {
   Mesh mesh;
   /// Both meshes of a report have frames of one size.
   Frame frame;
+  /// The number of objects that paint the mesh in its document.
+  int objects = 1;
 };
 
 /// A mesh before and after its simplification, and what is known about it.

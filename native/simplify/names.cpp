@@ -8,6 +8,8 @@ const char* name(ColorModel model) {
   return model == ColorModel::bilinear ? "bilinear" : "bicubic";
 }
 
+const char* name(Count count) { return count == Count::handles ? "handles" : "patches"; }
+
 const char* name(Stopped stopped) {
   switch (stopped) {
     case Stopped::done:
@@ -27,6 +29,12 @@ ColorModel color_model_named(const std::string& wanted) {
     if (wanted == name(model)) return model;
   throw std::invalid_argument("the color model '" + wanted +
                               "' is not known; there are: bilinear, bicubic.");
+}
+
+Count count_named(const std::string& wanted) {
+  for (const Count count : {Count::handles, Count::patches})
+    if (wanted == name(count)) return count;
+  throw std::invalid_argument("what is counted is handles or patches, not '" + wanted + "'.");
 }
 
 }  // namespace gradmesh

@@ -320,8 +320,8 @@ void check_resolution(int resolution) {
 
 SimplifyResult simplify(Mesh& mesh, const RunOptions& options) {
   check_smooth(mesh, method_named(options.method).keeps_rectangle);
-  if (const auto patches = target_patches(options, mesh.face_count()))
-    return simplify_to_target(mesh, options, *patches);
+  if (const auto target = target_of(options, mesh))
+    return simplify_to_target(mesh, options, *target);
   return Run(mesh, options).simplify();
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/affine.h"
 #include "base/progress.h"
+#include "form/counts.h"
 #include "mesh/mesh.h"
 #include "methods/edges.h"
 #include "methods/method.h"
@@ -30,11 +31,13 @@ struct SimplifyOptions : MethodOptions {
   double epsilon = 0.01;
   /// The largest error allowed in any window of 32 x 32 pixels, 0..1, beside epsilon (LocalBound).
   std::optional<double> max_local_error;
-  /// A target that replaces epsilon: the largest number of patches that may be left, or the share
-  /// of the patches that may be left, above 0 and at most 1. The error is then as small as the
-  /// method finds.
-  std::optional<int> patches;
+  /// A target that replaces epsilon: the largest number of handles or of patches that may be left,
+  /// or the share that may be left of what is counted, above 0 and at most 1. The error is then as
+  /// small as the method finds.
+  std::optional<int> handles, patches;
   std::optional<double> ratio;
+  /// What is made few, and what `ratio` is a share of; nothing for what_is_counted().
+  std::optional<Count> count;
   /// Pixels along the longer side of the frame, as of check_resolution.
   int resolution = 700;
   /// The colour model in which a document's mesh is merged (Document::simplify); nothing for the
@@ -46,6 +49,8 @@ struct SimplifyOptions : MethodOptions {
   int threads = 0;
   /// True if only the visible area of a document's mesh counts (Document::simplify).
   bool visible_only = true;
+
+  bool has_target() const { return handles || patches || ratio; }
 };
 
 /// The options of a run with those that a person does not set. The document and the caller of the
@@ -80,9 +85,9 @@ enum class Stopped { done, budget, cancelled, nothing_to_merge };
 
 struct SimplifyResult {
   std::string method;
-  int patches_before = 0, patches_after = 0;
   /// What a person has to handle, before and as written (form/handles.h).
   int handles_before = 0, handles_after = 0;
+  int patches_before = 0, patches_after = 0;
   /// The blocks of the group that the mesh becomes, or 1 where it becomes one mesh gradient.
   int objects = 1;
   /// True if the mesh was made simpler; otherwise it is as it was.
@@ -112,10 +117,11 @@ struct SimplifyResult {
 /// error of small parts keeps to the local bound. Merges nothing if the error is above epsilon from
 /// the start. With a target, merges until the target is reached.
 ///
-/// Throws std::invalid_argument if an option is out of range, or if the analysis is that of another
-/// mesh. Throws InputError if the mesh has no size or covers no pixel, if the method cannot work on
-/// the mesh because the mesh is smooth or no rectangle, or if the method is `manual` and an edge
-/// cannot be merged within epsilon and the local bound. The mesh is unchanged after an exception.
+/// Throws std::invalid_argument if an option is out of range, if options contradict each other, or
+/// if the analysis is that of another mesh. Throws InputError if the mesh has no size or covers no
+/// pixel, if the method cannot work on the mesh because the mesh is smooth or no rectangle, or if
+/// the method is `manual` and an edge cannot be merged within epsilon and the local bound. The mesh
+/// is unchanged after an exception.
 SimplifyResult simplify(Mesh& mesh, const RunOptions& options);
 
 /// Return the prices of the preprocessing alone (B.3): those of all single edges, and those of the
@@ -138,9 +144,17 @@ PriceTableKey analysis_key(const Mesh& mesh, const RunOptions& options);
 /// resolutions (base/limits.h).
 void check_resolution(int resolution);
 
+/// Returns what is made few: what the target is a number of, what `options.count` says, handles for
+/// the method `plain` and patches for any other that is named, and `otherwise` for `simplest`.
+/// Throws std::invalid_argument if the options contradict each other.
+Count what_is_counted(const SimplifyOptions& options, Count otherwise = Count::patches);
+
 /// Return the name in options and reports, such as "bilinear" or "nothing to merge".
 const char* name(ColorModel model);
+const char* name(Count count);
 const char* name(Stopped stopped);
+/// Returns what is counted by that name. Throws std::invalid_argument if there is nothing.
+Count count_named(const std::string& name);
 /// Returns the colour model of that name. Throws std::invalid_argument with the names of all models
 /// if there is none.
 ColorModel color_model_named(const std::string& name);

@@ -9,14 +9,21 @@ namespace {
 
 constexpr double first_epsilon = 0.01, smallest_epsilon = 1e-4;
 /// The largest ratio between the epsilon that the search ends with and an epsilon that is too
-/// small.
-constexpr double precision = 1.05;
+/// small: where prices are known after the first epsilon, and where each costs a whole run.
+constexpr double precision = 1.05, coarse_precision = 1.2;
+/// Where each epsilon costs a whole run, the search ends once this share of the target is left.
+constexpr double near_enough = 0.85;
 
 /// Tries one epsilon after another and remembers the best mesh.
 class TargetSearch {
  public:
-  TargetSearch(const Mesh& mesh, const RunOptions& options, int patches)
-      : mesh_(mesh), options_(options), patches_(patches), budget_(options.time_budget) {
+  TargetSearch(const Mesh& mesh, const RunOptions& options, const Target& target)
+      : mesh_(mesh),
+        options_(options),
+        target_(target),
+        is_coarse_(method_named(options.method).makes_plain),
+        budget_(options.time_budget) {
+    options_.handles.reset();
     options_.patches.reset();
     options_.ratio.reset();
     // Each price is found only once for all values of epsilon.
@@ -30,15 +37,15 @@ class TargetSearch {
 
   SimplifyResult run(Mesh& mesh) {
     double enough = first_epsilon;
-    while (!reaches(enough) && enough < 1 && !over_) enough = std::min(1.0, 2 * enough);
+    while (!reaches(enough) && enough < 1 && !is_over()) enough = std::min(1.0, 2 * enough);
     double too_small = enough / 2;
     if (enough == first_epsilon)
-      while (too_small > smallest_epsilon && !over_ && reaches(too_small)) {
+      while (too_small > smallest_epsilon && !is_over() && reaches(too_small)) {
         enough = too_small;
         too_small /= 2;
       }
-    while (enough > precision * too_small && !over_) {
-      const double between = std::sqrt(enough * too_small);
+    while (needed(enough) > (is_coarse_ ? coarse_precision : precision) * too_small && !is_over()) {
+      const double between = std::sqrt(needed(enough) * too_small);
       (reaches(between) ? enough : too_small) = between;
     }
     mesh = std::move(best_mesh_);
@@ -47,7 +54,17 @@ class TargetSearch {
   }
 
  private:
-  /// Simplifies with this epsilon. Returns true if at most `patches_` patches are left.
+  bool has_reached() const { return left(best_) <= target_.most; }
+  bool is_over() const {
+    return over_ || (is_coarse_ && has_reached() && left(best_) >= near_enough * target_.most);
+  }
+  /// Returns an epsilon that is enough if this one is: where few steps are left, an epsilon far
+  /// above the error makes the same mesh.
+  double needed(double enough) const {
+    return is_coarse_ && has_reached() ? std::min(enough, best_.error) : enough;
+  }
+
+  /// Simplifies with this epsilon. Returns true if that reaches the target.
   bool reaches(double epsilon) {
     options_.epsilon = epsilon;
     // A run that begins before the watch ends the search may take only the time that is left.
@@ -57,7 +74,7 @@ class TargetSearch {
     const Stopped stopped = result.stopped;
     over_ = stopped == Stopped::budget || stopped == Stopped::cancelled;
     const int evaluations = best_.evaluations + result.evaluations;
-    const bool reached = result.patches_after <= patches_;
+    const bool reached = left(result) <= target_.most;
     if (!found_ || is_better(result)) {
       best_ = std::move(result);
       best_mesh_ = std::move(mesh);
@@ -69,15 +86,20 @@ class TargetSearch {
   }
 
   bool is_better(const SimplifyResult& result) const {
-    const bool reached = result.patches_after <= patches_, had = best_.patches_after <= patches_;
-    if (reached != had) return reached;
+    const bool reached = left(result) <= target_.most;
+    if (reached != has_reached()) return reached;
     if (reached) return result.error < best_.error;
-    return result.patches_after < best_.patches_after;
+    return left(result) < left(best_);
+  }
+  int left(const SimplifyResult& result) const {
+    return MeshCounts{result.handles_after, result.patches_after}[target_.what];
   }
 
   const Mesh& mesh_;
   RunOptions options_;
-  const int patches_;
+  const Target target_;
+  /// True if the method begins anew with each epsilon.
+  const bool is_coarse_;
   const double budget_;
   StopWatch watch_{0, {}};
   PriceTable analysis_;
@@ -88,22 +110,39 @@ class TargetSearch {
 
 }  // namespace
 
-std::optional<int> target_patches(const SimplifyOptions& options, int patches_before) {
-  if (options.patches && options.ratio)
-    throw std::invalid_argument("a target is a number of patches or a ratio, not both.");
-  if (!options.patches && !options.ratio) return std::nullopt;
+Count what_is_counted(const SimplifyOptions& options, Count otherwise) {
+  if (options.handles.has_value() + options.patches.has_value() + options.ratio.has_value() > 1)
+    throw std::invalid_argument(
+        "a target is a number of handles, a number of patches or a ratio, and one of these only.");
+  if (options.handles && options.count == Count::patches)
+    throw std::invalid_argument("a number of handles is no target where patches are counted.");
+  if (options.patches && options.count == Count::handles)
+    throw std::invalid_argument("a number of patches is no target where handles are counted.");
+  if (options.handles) return Count::handles;
+  if (options.patches) return Count::patches;
+  if (options.count) return *options.count;
+  if (options.method == simplest) return otherwise;
+  return method_named(options.method).makes_plain ? Count::handles : Count::patches;
+}
+
+std::optional<Target> target_of(const SimplifyOptions& options, const Mesh& mesh) {
+  const Count what = what_is_counted(options);
+  if (!options.has_target()) return std::nullopt;
   if (method_named(options.method).merges_named_edges)
     throw std::invalid_argument("the method manual has no target: it merges the edges named.");
+  if (options.handles && *options.handles < 1)
+    throw std::invalid_argument("the number of handles must be at least 1.");
   if (options.patches && *options.patches < 1)
     throw std::invalid_argument("the number of patches must be at least 1.");
   if (options.ratio && !(*options.ratio > 0 && *options.ratio <= 1))
     throw std::invalid_argument("the ratio must be above 0 and at most 1.");
-  if (options.patches) return options.patches;
-  return std::max(1, int(*options.ratio * patches_before));
+  if (options.handles) return Target{what, *options.handles};
+  if (options.patches) return Target{what, *options.patches};
+  return Target{what, std::max(1, int(*options.ratio * counts_of(mesh)[what]))};
 }
 
-SimplifyResult simplify_to_target(Mesh& mesh, const RunOptions& options, int patches) {
-  return TargetSearch(mesh, options, patches).run(mesh);
+SimplifyResult simplify_to_target(Mesh& mesh, const RunOptions& options, const Target& target) {
+  return TargetSearch(mesh, options, target).run(mesh);
 }
 
 }  // namespace gradmesh

@@ -1,4 +1,4 @@
-"""Takes needless patches out of gradient meshes, locally, without visible change.
+"""Takes needless handles and patches out of gradient meshes, locally, without visible change.
 
     import gradmesh
     document = gradmesh.load("drawing.svg")

@@ -28,9 +28,11 @@ class MeshInfo:
     id: str  #: of the object; "mesh" in a .hemesh file
     role: Optional[str]  #: "fill" or "stroke": what of the object it paints; None in a .hemesh file
     simplified: bool  #: whether it is a group of blocks that gradmesh wrote
+    handles: int  #: what the mesh tool shows of it: corners, and handles of curved sides
     patches: int
+    objects: int  #: that paint it: 1, or the blocks of a group
     smooth: bool  #: whether its type is "bicubic": then only whole lines can be taken out
-    #: why it cannot be read, which named by its id it raises; then it has no patches
+    #: why it cannot be read, which named by its id it raises; then all its counts are 0
     refused: Optional[_core.InputError] = None
 
 
@@ -39,10 +41,10 @@ class Result:
     """What became of one mesh."""
 
     id: str
+    handles_before: int  #: as of MeshInfo
+    handles_after: int
     patches_before: int
     patches_after: int
-    handles_before: int  #: what the mesh tool shows of it: corners, and handles of curved sides
-    handles_after: int
     objects: int  #: that it becomes: 1, or the blocks of a group
     changed: bool  #: whether it became simpler
     error: float  #: of what is written, against the mesh as it was, 0 to 1
@@ -141,8 +143,10 @@ def simplify(
     metric: str = "flip",
     epsilon: float = 0.01,
     max_local_error: Optional[float] = None,
+    handles: Optional[int] = None,
     patches: Optional[int] = None,
     ratio: Optional[float] = None,
+    count: Optional[str] = None,
     resolution: int = 700,
     color_model: Optional[str] = None,
     visible_only: bool = True,
@@ -171,15 +175,17 @@ def simplify(
     `resolution` pixels along the mesh's longer side.
     max_local_error: the largest error allowed, beside that, in any window of 32 x 32 pixels, 0 to 1,
     so that a small detail is not given up for calm areas elsewhere. A window that is above it before
-    anything is merged stays as it is. With a target there may then be more patches than asked for.
-    patches, ratio: a target instead of epsilon: at most so many patches, or this share (above 0 and
-    at most 1) of those there are, with as small an error as the method finds.
+    anything is merged stays as it is. With a target there may then be more left than asked for.
+    handles, patches, ratio: a target instead of epsilon: at most so many handles, or so many patches, or
+    this share (above 0 and at most 1) of what is counted, with as small an error as the method finds.
+    count: "handles" or "patches", what is made few. None: what the target is a number of; else handles of
+    an SVG document, unless a method other than "plain" is named, and patches of a .hemesh file.
     color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
     are then made bilinear first, which counts towards the error.
     visible_only: what the object's outline, clip paths and masks hide of the mesh, its own and those
     of groups around it, does not count towards the error.
     method: "simplest", what leaves less to handle: of a mesh gradient of SVG "plain", or "best" where that
-    takes nothing out; "best" where there is a target, for groups and for .hemesh files. "plain" leaves one
+    takes nothing out; "best" where patches are counted, for groups and for .hemesh files. "plain" leaves one
     mesh gradient with few handles: straight sides, fewer lines, points fitted to the picture; only of a
     mesh that is one rectangle, with bilinear colours. Others choose edges that are merged: "random",
     "grid", "dual-grid" and "motorcycle" follow `seed`;
@@ -227,9 +233,11 @@ def simplify(
     options.use_renderer(renderer, device_lost or _warn_without_device)
     options.method = method
     options.max_local_error = max_local_error
+    options.handles = handles
     options.patches = patches
-    options.visible_only = visible_only
     options.ratio = ratio
+    options.count = count
+    options.visible_only = visible_only
     options.seed = seed
     options.omega = omega
     options.kappa = kappa

@@ -54,23 +54,25 @@ function follow(address) {
 
 function describePage() {
   const { before, after } = data;
-  document.title = `${data.id}: ${before.patches} \u2192 ${after.patches} patches`;
+  document.title = `${data.id}: ${before.handles} \u2192 ${after.handles} handles`;
   document.getElementById("title").textContent = data.id;
   document.getElementById("files").textContent = `${before.file} \u2192 ${after.file}`;
   const change = (name, key) => [
     make("dt", {}, name),
     make("dd", {}, `${before[key]} `, make("span", { class: "quiet" }, "\u2192"), ` ${after[key]}`),
   ];
-  const less = Math.round(100 * (1 - after.patches / before.patches));
+  const less = Math.round(100 * (1 - after.handles / before.handles));
   document
     .getElementById("summary")
     .append(
       make(
         "div",
         {},
-        ...change("Patches", "patches"),
+        ...change("Handles", "handles"),
         make("dd", { class: "quiet" }, less > 0 ? `${less} % fewer` : "none fewer"),
       ),
+      make("div", {}, ...change("Patches", "patches")),
+      make("div", {}, ...change("Objects", "objects")),
       make("div", {}, ...change("Points", "points")),
       make("div", {}, ...change("T-junctions", "t_junctions")),
       make(
@@ -88,7 +90,8 @@ function describePage() {
     );
   for (const side of ["before", "after"]) {
     const caption = stage.panes[side].figure.querySelector("figcaption");
-    caption.append(make("span", { class: "quiet" }, ` ${data[side].patches} patches`));
+    const { handles, patches } = data[side];
+    caption.append(make("span", { class: "quiet" }, ` ${handles} handles, ${patches} patches`));
   }
 }
 
@@ -102,8 +105,11 @@ const OPTION_NAMES = {
   seed: "Seed",
   omega: "Weight of size (omega)",
   kappa: "Costly edges from (kappa)",
+  handles_before: "Handles before",
+  handles_after: "Handles after",
   patches_before: "Patches before",
   patches_after: "Patches after",
+  objects: "Objects after",
   error: "Error",
   local_error: "Error in 32 \u00d7 32 px, up to",
   evaluations: "Merges measured",

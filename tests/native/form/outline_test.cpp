@@ -117,7 +117,8 @@ TEST(MeshOutline, parts_that_lie_over_one_another_turn_the_same_way) {
 /// The new document of a bilinear mesh, as it reads back.
 std::unique_ptr<Document> written(const Mesh& mesh) {
   const BlockForm form = block_form(mesh, 1e-6);
-  const SvgDocument svg = new_svg({20, 20}, outline_path(mesh), {mesh, form, "label", 1});
+  const SvgDocument svg =
+      new_svg({20, 20}, outline_path(mesh), {mesh, form, "label", counts_of(mesh)});
   return Document::parse(svg.serialize(), "new.svg");
 }
 

@@ -97,7 +97,8 @@ TEST(Memory, of_what_was_written_has_the_numbers_of_the_document) {
         "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
         "d.svg");
     const Mesh mesh = random_mesh(seed);
-    write_mesh(document, mesh_objects(document).at(0), {mesh, block_form(mesh, 0.01), "", 16});
+    write_mesh(document, mesh_objects(document).at(0),
+               {mesh, block_form(mesh, 0.01), "", {49, 16}});
     const xmlNode* group = mesh_objects(document).at(0).node;
     const auto written = recall(*attribute(group, "written", gradmesh_namespace));
     ASSERT_TRUE(written);

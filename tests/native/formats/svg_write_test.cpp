@@ -36,7 +36,7 @@ SvgDocument document_of(const std::string& body) {
 }
 
 void write(SvgDocument& document, const MeshObject& object, const Mesh& mesh) {
-  write_mesh(document, object, {mesh, block_form(mesh, 0.001), "label", 9});
+  write_mesh(document, object, {mesh, block_form(mesh, 0.001), "label", {24, 9}});
 }
 
 std::string after_writing(const std::string& body, const Mesh& mesh, int which = 0) {
@@ -331,7 +331,8 @@ TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
       child_elements(child_elements(document.root(), "defs").at(0), "meshgradient");
   EXPECT_EQ(gradients.size(), 1u);
   EXPECT_EQ(child_elements(document.find("p")).size(), 1u);
-  EXPECT_EQ(patches_before(document.find("p")), 9);
+  EXPECT_EQ(counts_before(document.find("p")).handles, 24);
+  EXPECT_EQ(counts_before(document.find("p")).patches, 9);
   EXPECT_EQ(read_mesh_group(document, document.find("p")).patches.size(), 2u);
 }
 

@@ -1,6 +1,7 @@
-// A number or share of patches instead of an error (simplify/target.h).
+// A number or share of handles or of patches instead of an error (simplify/target.h).
 #include <gtest/gtest.h>
 
+#include "form/handles.h"
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "simplify/simplify.h"
@@ -49,6 +50,55 @@ TEST(Target, a_share_counts_the_patches_before) {
   EXPECT_LE(result.patches_after, 18);
 }
 
+TEST(Target, at_most_as_many_handles_as_asked_for) {
+  const int before = count_handles(rough_mesh());
+  for (const char* method : {plain_method, best_method, line_method})
+    for (const double share : {0.6, 0.2}) {
+      Mesh by_ratio = rough_mesh(), by_number = rough_mesh();
+      RunOptions options = small_options();
+      options.method = method;
+      options.count = Count::handles;
+      options.ratio = share;
+      const SimplifyResult result = simplify(by_ratio, options);
+      EXPECT_EQ(validate(by_ratio), std::vector<std::string>{});
+      EXPECT_EQ(result.handles_after, count_handles(by_ratio));
+      EXPECT_LE(result.handles_after, share * before) << method;
+      EXPECT_GT(result.error, 0);
+
+      options.count.reset();
+      options.ratio.reset();
+      options.handles = int(share * before);
+      EXPECT_EQ(simplify(by_number, options).error, result.error);
+      EXPECT_EQ(count_handles(by_number), result.handles_after);
+    }
+}
+
+TEST(Target, patches_can_be_counted_where_handles_are_taken_out) {
+  Mesh mesh = rough_mesh();
+  RunOptions options = small_options();
+  options.method = plain_method;
+  options.patches = 16;
+  EXPECT_LE(simplify(mesh, options).patches_after, 16);
+}
+
+TEST(Target, what_is_counted_follows_the_target_then_the_method_then_the_document) {
+  const auto counted = [](auto set) {
+    SimplifyOptions options;
+    set(options);
+    const Count by_default = what_is_counted(options, Count::handles);
+    EXPECT_EQ(what_is_counted(options, Count::patches),
+              options.method == simplest && !options.has_target() ? Count::patches : by_default);
+    return by_default;
+  };
+  EXPECT_EQ(counted([](auto&) {}), Count::handles);
+  EXPECT_EQ(counted([](auto& o) { o.patches = 3; }), Count::patches);
+  EXPECT_EQ(counted([](auto& o) { o.method = "plain", o.patches = 3; }), Count::patches);
+  EXPECT_EQ(counted([](auto& o) { o.method = "best", o.handles = 3; }), Count::handles);
+  for (const Method& method : all_methods())
+    EXPECT_EQ(counted([&](auto& o) { o.method = method.name; }),
+              method.makes_plain ? Count::handles : Count::patches);
+}
+
 TEST(Target, a_mesh_that_has_no_more_patches_stays) {
   Mesh mesh = grid_mesh({.rows = 1, .columns = 1}, 1);
   RunOptions options = small_options();
@@ -90,9 +140,14 @@ TEST(Target, refuses_what_makes_no_sense) {
     EXPECT_THROW(simplify(mesh, options), std::invalid_argument);
   };
   refuses([](RunOptions& o) { o.patches = 0; });
+  refuses([](RunOptions& o) { o.handles = 0; });
   refuses([](RunOptions& o) { o.ratio = 0; });
   refuses([](RunOptions& o) { o.ratio = 1.5; });
   refuses([](RunOptions& o) { o.patches = 3, o.ratio = 0.5; });
+  refuses([](RunOptions& o) { o.handles = 30, o.ratio = 0.5; });
+  refuses([](RunOptions& o) { o.handles = 30, o.patches = 3; });
+  refuses([](RunOptions& o) { o.handles = 30, o.count = Count::patches; });
+  refuses([](RunOptions& o) { o.patches = 3, o.count = Count::handles; });
   refuses([](RunOptions& o) { o.patches = 3, o.method = "manual", o.edges = {1}; });
 }
 

@@ -71,6 +71,11 @@ def test_help_and_version():
         ["simplify", "fruit.svg", "-o", "out.svg", "--time-budget", "-1"],
         ["simplify", "fruit.svg", "-o", "out.svg", "--time-budget", "inf"],
         ["simplify", "fruit.svg", "-o", "out.svg", "--threads", "-1"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--handles", "9", "--patches", "3"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--handles", "9", "--ratio", "0.5"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--handles", "9", "--count", "patches"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--patches", "9", "--count", "handles"],
+        ["simplify", "fruit.svg", "-o", "out.svg", "--count", "corners"],
     ],
 )
 def test_wrong_usage_is_exit_code_2(fruit, arguments):
@@ -86,6 +91,8 @@ def test_info():
     found = json.loads(gradmesh("info", "--json", SAMPLES / "two.svg").stdout)
     assert found["file"] == str(SAMPLES / "two.svg")
     assert [mesh["patches"] for mesh in found["meshes"]] == [36, 280]
+    assert lines[0].startswith("stalk (fill): 181 handles, 36 patches, 1 object, ")
+    assert [(mesh["handles"], mesh["objects"]) for mesh in found["meshes"]][0] == (181, 1)
     assert {mesh["role"] for mesh in found["meshes"]} == {"fill"}
     assert not any(mesh["simplified"] for mesh in found["meshes"])
 
@@ -100,7 +107,7 @@ def test_simplify_and_its_report(fruit):
     (mesh,) = json.loads(report.read_text())["meshes"]
     assert list(mesh) == (
         "id method color_model metric epsilon max_local_error original resolution seed omega "
-        "kappa patches_before patches_after handles_before handles_after objects error local_error "
+        "kappa handles_before handles_after patches_before patches_after objects error local_error "
         "evaluations renderer seconds stopped".split()
     )
     assert (mesh["id"], mesh["method"], mesh["metric"]) == ("pear", "grid", "ssim")
@@ -111,6 +118,7 @@ def test_simplify_and_its_report(fruit):
     assert mesh["seconds"]["total"] > 0 and mesh["stopped"] == "done"
     (after,) = json.loads(gradmesh("info", "--json", out).stdout)["meshes"]
     assert after["patches"] == mesh["patches_after"] and after["simplified"]
+    assert after["handles"] == mesh["handles_after"] and after["objects"] == mesh["objects"] > 1
     assert fruit.read_bytes() == before
 
 
@@ -161,6 +169,39 @@ def test_nothing_to_merge_keeps_every_byte(tmp_path):
     (mesh,) = json.loads(report.read_text())["meshes"]
     assert mesh["stopped"] == "nothing to merge"
     assert mesh["patches_after"] == mesh["patches_before"]
+
+
+def test_what_happened_to_handles_is_told_of_handles(tmp_path):
+    one, out = tmp_path / "one.svg", tmp_path / "out.svg"
+    assert gradmesh("simplify", SAMPLES / "fruit.svg", "-o", one, "--handles", "4").returncode == 0
+    done = gradmesh("simplify", one, "-o", out, "--method", "plain")
+    assert done.stdout.startswith("pear: 4 of 4 handles, 1 of 1 patches left, FLIP 0.00000, ")
+    assert done.stdout.endswith(" s (no handle could be taken out)\n")
+    options = ["--resolution", "4096", "--time-budget", "0.001"]
+    done = gradmesh("simplify", SAMPLES / "fruit.svg", "-o", out, *options)
+    assert done.stdout.startswith("pear: 660 of 660 handles, ")
+    assert done.stdout.endswith(" s (no time left)\n")
+
+
+@pytest.mark.parametrize(
+    "options, left",
+    [
+        (["--handles", "120"], ("handles", 120)),
+        (["--ratio", "0.5"], ("handles", 330)),
+        (["--ratio", "0.5", "--count", "patches"], ("patches", 66)),
+        (["--ratio", "0.5", "--method", "motorcycle"], ("patches", 66)),
+        (["--ratio", "0.5", "--method", "motorcycle", "--count", "handles"], ("handles", 330)),
+        (["--patches", "40"], ("patches", 40)),
+    ],
+)
+def test_targets(fruit, options, left):
+    report = fruit.with_name("report.json")
+    done = gradmesh("simplify", fruit, "--preview", "--resolution", "200", "--report", report, *options)
+    assert (done.returncode, done.stderr) == (0, "")
+    (mesh,) = json.loads(report.read_text())["meshes"]
+    what, most = left
+    assert most / 2 <= mesh[f"{what}_after"] <= most < mesh[f"{what}_before"]
+    assert (mesh["method"] == "plain") == (what == "handles" and "motorcycle" not in options)
 
 
 def test_the_time_budget_ends_a_run(tmp_path):

@@ -60,6 +60,9 @@ def test_the_page_tells_what_the_run_did(fruit):
     assert data["run"] == fruit.told
     assert data["before"]["patches"] == fruit.told["patches_before"] == 132
     assert data["after"]["patches"] == fruit.told["patches_after"] < 132
+    assert data["before"]["handles"] == fruit.told["handles_before"] == 660
+    assert data["after"]["handles"] == fruit.told["handles_after"]
+    assert data["before"]["objects"] == 1 < data["after"]["objects"] == fruit.told["objects"]
     # Resolution and metric are those of the run; the document is measured as a reader finds it.
     assert data["error"] == pytest.approx(fruit.told["error"], abs=1e-6)
     assert data["local_error"] == pytest.approx(fruit.told["local_error"], abs=1e-6)
@@ -272,10 +275,10 @@ def by_id(mesh, kind):
 
 def test_the_head_of_the_page(page, fruit):
     after = fruit.data["after"]
-    assert page.browser.title == f"pear: 132 \u2192 {after['patches']} patches"
+    assert page.browser.title == f"pear: 660 \u2192 {after['handles']} handles"
     assert page.text("#files") == "fruit.svg \u2192 after.svg"
     summary = page.text("#summary")
-    for key in ("patches", "points", "t_junctions"):
+    for key in ("handles", "patches", "objects", "points", "t_junctions"):
         assert f"{fruit.data['before'][key]} \u2192 {after[key]}" in summary
     assert float(page.text("#error")) == pytest.approx(fruit.told["error"], rel=0.01)
     local = fruit.told["local_error"]

@@ -39,7 +39,7 @@ def error(a, b, *options):
 
 
 def test_info(leaf):
-    assert printed("info", leaf) == "mesh: 20 patches, 30 points, 0 T-junctions\n"
+    assert printed("info", leaf) == "mesh: 128 handles, 20 patches, 1 object, 30 points, 0 T-junctions\n"
     found = json.loads(printed("info", "--json", leaf))
     assert (found["file"], found["kind"]) == (str(leaf), "hemesh")
     (mesh,) = found["meshes"]
@@ -154,7 +154,7 @@ def test_exact_parts_become_one_patch_again(leaf, tmp_path, method):
 def test_python(leaf, tmp_path):
     document = gradmesh.load(leaf)
     assert document.ids == ["mesh"]
-    assert [astuple(mesh) for mesh in document.meshes] == [("mesh", None, False, 20, False, None)]
+    assert [astuple(mesh) for mesh in document.meshes] == [("mesh", None, False, 128, 20, 1, False, None)]
     assert gradmesh.loads(leaf.read_text()).to_bytes() == leaf.read_bytes()
     (result,) = gradmesh.simplify(document, "mesh", epsilon=0.004)
     assert (result.id, result.patches_after) == ("mesh", 1)
@@ -226,7 +226,7 @@ def test_colors_may_be_made_bilinear(leaf, tmp_path):
 @pytest.mark.parametrize("name", NUMBERS)
 def test_the_authors_meshes(tmp_path, name):
     path, out = SHARED / f"{name}.hemesh", tmp_path / "out.hemesh"
-    assert f"mesh: {NUMBERS[name]} patches" in printed("info", path)
+    assert f" handles, {NUMBERS[name]} patches, 1 object, " in printed("info", path)
     check_elements(elements(path))
     said = printed("simplify", path, "-o", out, "--resolution", 200, "--method", "motorcycle")
     check_elements(elements(out))

@@ -31,7 +31,7 @@ def test_info_lists_it(svg):
     done = gradmesh("info", svg)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.splitlines() == [
-        "good (fill): 2 patches, 6 points, 0 T-junctions",
+        "good (fill): 6 handles, 2 patches, 1 object, 6 points, 0 T-junctions",
         f"bad (fill): cannot be read: {svg}: {REASON}",
     ]
     good, bad = json.loads(gradmesh("info", "--json", svg).stdout)["meshes"]

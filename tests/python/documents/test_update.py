@@ -42,6 +42,12 @@ def update(group):
     return result
 
 
+def label(group, patches):
+    """What a label begins with: the handles are those that the mesh tool finds in the file."""
+    (mesh,) = gradmesh.load(group.path).meshes
+    return f"Gradient mesh: {mesh.handles} of 660 handles, {patches} of 132 patches"
+
+
 def corners_near(group, place):
     """In how many blocks there is a corner at this place, to the digits that are written."""
     return sum((abs(net[::3, ::3] - place) < ROUNDING).any() for net in group.blocks.values())
@@ -73,7 +79,8 @@ def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(g
     group.move(group.owners(corner)[0], corner, 5)
     update(group)
     error = float(run("compare", FRUIT, group.path).stdout)
-    assert group.node.get(LABEL) == f"Gradient mesh: 64 of 132 patches, FLIP {error:.4f}"
+    assert group.node.get(LABEL) == label(group, 64) + f", FLIP {error:.4f}"
+    assert group.node.get(GRADMESH + "handles-before") == "660"
     assert group.node.get(GRADMESH + "patches-before") == "132"
     assert group.node.get(GRADMESH + "original") not in (None, original)
     edited = gradmesh.load(group.path)
@@ -81,7 +88,7 @@ def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(g
     assert result.patches_before == 64 and 0 < result.error <= 0.005
     gradmesh.save(edited, group.path)
     group.read()
-    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 132 patches")
+    assert group.node.get(LABEL).startswith(label(group, result.patches_after))
 
 
 def test_without_an_original_the_label_knows_no_error(group):
@@ -89,8 +96,17 @@ def test_without_an_original_the_label_knows_no_error(group):
     del group.node.attrib[GRADMESH + "original"]
     group.move(group.owners(corner)[0], corner, 5)
     update(group)
-    assert group.node.get(LABEL) == "Gradient mesh: 64 of 132 patches"
+    assert group.node.get(LABEL) == label(group, 64)
     assert group.node.get(GRADMESH + "original") is None
+
+
+def test_a_group_of_an_older_gradmesh_has_not_counted_its_handles(group):
+    corner = group.shared_corner(3)
+    del group.node.attrib[GRADMESH + "handles-before"]
+    group.move(group.owners(corner)[0], corner, 5)
+    update(group)
+    assert group.node.get(LABEL).startswith(label(group, 64).replace(" of 660", ""))
+    assert group.node.get(GRADMESH + "handles-before") is None
 
 
 def test_paths_grow_with_the_mesh(group):
@@ -157,7 +173,7 @@ def test_simplifying_an_edited_group_measures_against_the_edited_mesh(group):
     assert result.patches_after < 64 and result.error <= 0.005
     gradmesh.save(edited, group.path)
     group.read()
-    assert group.node.get(LABEL).startswith(f"Gradient mesh: {result.patches_after} of 132 patches")
+    assert group.node.get(LABEL).startswith(label(group, result.patches_after))
     # The very picture that it started from is what it remembers.
     again = gradmesh.load(group.path)
     (result,) = gradmesh.simplify(again, method="random", epsilon=0.005)

@@ -65,7 +65,9 @@ def test_the_object_becomes_a_labelled_group_and_nothing_is_said(run):
     pear = by_id(done.stdout)["pear"]
     assert pear.tag == SVG + "g"
     assert pear.get(LABEL).startswith("Gradient mesh: ")
-    assert " of 132 patches, FLIP 0.0" in pear.get(LABEL)
+    assert re.fullmatch(
+        r"Gradient mesh: \d+ of 660 handles, \d+ of 132 patches, FLIP 0\.0\d+", pear.get(LABEL)
+    )
 
 
 @pytest.mark.parametrize("options", [[], ["--result=simplest"], ["--result=one-mesh"]])
@@ -143,7 +145,7 @@ def test_how_much_by_name_or_number(run):
         options = ("--result=blocks", "--resolution=150", *options)
         done = run(SAMPLES / "fruit.svg", "--id=pear", *options)
         label = by_id(done.stdout)["pear"].get(LABEL)
-        patches, error = re.fullmatch(r"Gradient mesh: (\d+) of 132 .+ (0\.\d+)", label).groups()
+        patches, error = re.fullmatch(r".+ handles, (\d+) of 132 .+ (0\.\d+)", label).groups()
         return int(patches), float(error)
 
     amounts = [left(f"--amount={name}") for name in ("gentle", "balanced", "strong")]
@@ -152,14 +154,26 @@ def test_how_much_by_name_or_number(run):
         assert error <= epsilon
     assert left() == amounts[1]
     assert left("--amount=patches", "--patches=40")[0] <= 40
-    assert left("--amount=share", "--share=50")[0] <= 66
+    assert left("--amount=patch-share", "--share=50")[0] <= 66
     assert left("--amount=strong", "--metric=ssim")[1] <= 0.01
+
+
+@pytest.mark.parametrize("result", ["simplest", "one-mesh", "blocks"])
+@pytest.mark.parametrize(
+    "amount, most", [(["handles", "--handles=330"], 330), (["share", "--share=50"], 330)]
+)
+def test_how_many_handles(run, result, amount, most):
+    options = [f"--amount={amount[0]}", amount[1], f"--result={result}", "--resolution=150"]
+    done = run(SAMPLES / "fruit.svg", "--id=pear", *options)
+    assert done.stderr == ""
+    (mesh,) = gradmesh.loads(done.stdout).meshes
+    assert mesh.handles <= most and mesh.simplified == (result == "blocks")
 
 
 def test_small_parts_have_a_limit_of_their_own(run):
     def left(*options):
         done = run(SAMPLES / "two.svg", "--id=stalk", "--result=blocks", *options)
-        return int(re.search(r": (\d+) of 36", by_id(done.stdout)["stalk"].get(LABEL))[1])
+        return int(re.search(r", (\d+) of 36", by_id(done.stdout)["stalk"].get(LABEL))[1])
 
     free = left("--amount=custom", "--epsilon=0.02")
     assert left("--amount=custom", "--epsilon=0.02", "--max_local_error=0.15") > free
@@ -218,7 +232,10 @@ def test_a_preview_only_tells(run):
 
     stalk = ["--id=stalk", "--method=manual", "--edges=100,120"]
     error = r"an error of FLIP 0\.\d{4}\."
-    would = f"stalk: 198 of 181 handles and 34 of 36 patches would be left, with {error}"
+    would = (
+        f"stalk: 198 of 181 handles and 34 of 36 patches would be left, with {error}"
+        r" They would be \d objects\."
+    )
     assert re.fullmatch(would + "\n", told(*stalk))
     above = r" That is above the largest error, 0\.0001\."
     assert re.fullmatch(would + above + "\n", told(*stalk, "--epsilon=0.0001"))
@@ -257,6 +274,10 @@ def test_a_preview_only_tells(run):
         # At 700 pixels there are merges that change none of them.
         (
             ["--id=pear", "--epsilon=0", "--resolution=2000", "--visible_only=false"],
+            "pear: no handle can be taken out within an error of 0",
+        ),
+        (
+            ["--id=pear", "--epsilon=0", "--resolution=2000", "--visible_only=false", "--result=blocks"],
             "pear: nothing can be made simpler within an error of 0",
         ),
     ],

@@ -28,7 +28,9 @@ SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
 VIEW, FILE_NAME = SODIPODI + "namedview", SODIPODI + "docname"
-LABEL_TEXT = re.compile(r"Gradient mesh: (\d+) of (\d+) patches, (FLIP|1 - SSIM) (\d\.\d{4})")
+LABEL_TEXT = re.compile(
+    r"Gradient mesh: \d+ of \d+ handles, (\d+) of (\d+) patches, (FLIP|1 - SSIM) (\d\.\d{4})"
+)
 EPSILON = 0.01
 PAGE = 0.003  # the page has other pixels than the mesh was measured at
 RAW_ID = "org.gradmesh.simplify"

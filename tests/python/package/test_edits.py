@@ -65,7 +65,10 @@ def test_blocks_become_one_patch(simplified):
     assert edit.id == "pear" and edit.patches_before == patches
     assert edit.patches_after == simplified.meshes[0].patches < patches
     label = elements(simplified)["pear"].get(LABEL)
-    assert label == f"Gradient mesh: {edit.patches_after} of 132 patches, FLIP {edit.error:.4f}"
+    assert label == (
+        f"Gradient mesh: {simplified.meshes[0].handles} of 660 handles, {edit.patches_after} of 132 patches, "
+        f"FLIP {edit.error:.4f}"
+    )
     # The error is that of what is written, against the mesh before it was simplified.
     original = gradmesh.load(SAMPLES / "fruit.svg")
     same = np.array_equal(gradmesh.render(original, **SMALL), gradmesh.render(simplified, **SMALL))

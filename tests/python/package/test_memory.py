@@ -72,7 +72,9 @@ def test_ten_runs_keep_to_epsilon_of_the_very_first_mesh(copy):
     for result in ten_runs(copy):
         merged += result.patches_after < result.patches_before
         assert flip(FRUIT, copy) <= EPSILON
-        assert label(copy).startswith(f"Gradient mesh: {result.patches_after} of 132 patches")
+        assert label(copy).startswith(
+            f"Gradient mesh: {result.handles_after} of 660 handles, {result.patches_after} of 132 patches, FLIP"
+        )
     assert merged >= 3
 
 

@@ -46,10 +46,53 @@ def test_by_default_one_object_with_few_handles_is_left(tmp_path):
     assert [data for _, data in results] == 3 * [out.read_bytes()]
 
 
-@pytest.mark.parametrize("target", [{"patches": 60}, {"ratio": 0.5}])
-def test_with_a_target_best_is_the_default(target):
-    (result, data), best = simplified(**target), simplified(method="best", **target)
+@pytest.mark.parametrize("options", [{"patches": 60}, {"ratio": 0.5, "count": "patches"}, {"count": "patches"}])
+def test_where_patches_are_counted_best_is_the_default(options):
+    (result, data), best = simplified(**options), simplified(method="best", **options)
     assert result.method == "best" and data == best[1]
+    assert result.patches_after <= options.get("patches", 66)
+
+
+@pytest.mark.parametrize("target, most", [({"handles": 120}, 120), ({"ratio": 0.5}, 330), ({"handles": 30}, 30)])
+def test_of_svg_handles_are_counted(target, most):
+    (result, data), plain = simplified(**target), simplified(method="plain", **target)
+    assert (result.method, result.handles_before) == ("plain", 660) and data == plain[1]
+    # Far fewer than asked for would have a needlessly large error.
+    assert most / 2 <= result.handles_after <= most
+
+
+def test_a_named_method_counts_patches_unless_told():
+    best = simplified(method="best", ratio=0.5)[0]
+    assert best.patches_after <= 66 and best.handles_after > 330
+    assert simplified(method="best", ratio=0.5, count="handles")[0].handles_after <= 330
+    assert simplified(method="plain", ratio=0.5, count="patches")[0].patches_after <= 66
+
+
+def test_of_hemesh_files_patches_are_counted():
+    def left(**target):
+        document = gradmesh.loads(grid(4, 5), "leaf.hemesh")
+        (result,) = gradmesh.simplify(document, resolution=200, **target)
+        return result
+
+    assert left(ratio=0.2).patches_after <= 4
+    shared, counted = left(ratio=0.5, count="handles"), left(handles=64)
+    assert shared.handles_after == counted.handles_after <= 64 == counted.handles_before / 2
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"handles": 9, "patches": 3}, "one of these only"),
+        ({"handles": 9, "ratio": 0.5}, "one of these only"),
+        ({"handles": 9, "count": "patches"}, "a number of handles is no target"),
+        ({"patches": 9, "count": "handles"}, "a number of patches is no target"),
+        ({"count": "corners"}, "handles or patches, not 'corners'"),
+        ({"handles": 0}, "at least 1"),
+    ],
+)
+def test_targets_that_contradict_themselves_are_refused(options, words):
+    with pytest.raises(ValueError, match=words):
+        simplified(**options)
 
 
 def test_best_is_the_default_of_hemesh_files():
@@ -110,14 +153,14 @@ def test_named_edges_are_merged_after_a_look_at_their_error(tmp_path):
     out = tmp_path / "out.svg"
     manual = ["--method", "manual", "--edges", edge]
     done = run("simplify", FRUIT, "--preview", *manual)
-    assert f"131 of 132 patches left, FLIP {told.error:.5f}" in done.stdout
+    assert f"131 of 132 patches left, {told.objects} objects, FLIP {told.error:.5f}" in done.stdout
     assert list(tmp_path.iterdir()) == []
     assert run("simplify", FRUIT, "-o", out, *manual, "--epsilon", 1).returncode == 0
     assert out.read_bytes() == document.to_bytes()
     # Above epsilon the preview still tells the error; the simplification refuses.
     strict = ["--epsilon", told.error / 2]
     again = run("simplify", FRUIT, "--preview", *manual, *strict)
-    assert f"131 of 132 patches left, FLIP {told.error:.5f}" in again.stdout
+    assert f"131 of 132 patches left, {told.objects} objects, FLIP {told.error:.5f}" in again.stdout
     refused = run("simplify", FRUIT, "-o", out, *manual, *strict)
     assert refused.returncode == 1 and f"half-edge {edge}" in refused.stderr
 

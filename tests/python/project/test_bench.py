@@ -141,5 +141,5 @@ def test_revisions_side_by_side():
 def test_drawings_have_their_patches(tmp_path):
     file = tmp_path / "cloth.svg"
     file.write_text(cloth(5, 6))
-    assert gradmesh("info", file).stdout.startswith("cloth (fill): 120 patches")
+    assert gradmesh("info", file).stdout.startswith("cloth (fill): 579 handles, 120 patches, ")
     assert cloth(5, 6) == cloth(5, 6)

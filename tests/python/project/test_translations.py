@@ -122,12 +122,12 @@ def test_labels_are_german_and_go_with_the_blocks(run):
     options = ("--id=pear", "--result=blocks", "--resolution=150")
     simplified = run(SAMPLES / "fruit.svg", *options, **GERMAN).stdout
     german = label(simplified)
-    assert re.fullmatch(r"Verlaufsgitter: \d+ von 132 Feldern, FLIP 0\.\d{4}", german)
+    assert re.fullmatch(r"Verlaufsgitter: \d+ von 660 Anfassern, \d+ von 132 Feldern, FLIP 0\.\d{4}", german)
     assert label(run(simplified, "--id=pear", item="to_one_mesh").stdout) is None
     own = simplified.replace(f'inkscape:label="{german}"', 'inkscape:label="Verlaufsgitter"')
     assert label(run(own, "--id=pear", item="to_one_mesh").stdout) == "Verlaufsgitter"
     saved = run(SAMPLES / "fruit.svg", item="save").stdout
-    assert 'inkscape:label="Verlaufsgitter: 132 Felder"' in run(saved, item="open", **GERMAN).stdout
+    assert 'inkscape:label="Verlaufsgitter: 660 Anfasser, 132 Felder"' in run(saved, item="open", **GERMAN).stdout
 
 
 @pytest.mark.parametrize("show", ["edges", "errors", "faces", "motorcycle", "regions"])

@@ -156,10 +156,16 @@ PaintRole group_role(const xmlNode* group) {
   return own_attribute(group, "role") == "stroke" ? PaintRole::stroke : PaintRole::fill;
 }
 
-int patches_before(const xmlNode* group) {
-  const auto count = own_number(group, "patches-before");
-  if (!count) fail(group, Message("its gradmesh:patches-before is not a number"));
-  return *count;
+MeshCounts counts_before(const xmlNode* group) {
+  const auto patches = own_number(group, "patches-before");
+  if (!patches) fail(group, Message("its gradmesh:patches-before is not a number"));
+  return {own_number(group, "handles-before").value_or(0), *patches};
+}
+
+int block_count(const xmlNode* group) {
+  int count = 0;
+  for (const xmlNode* path : child_elements(group)) count += own_number(path, "face").has_value();
+  return count;
 }
 
 bool is_opacity_mask(const xmlNode* node) {

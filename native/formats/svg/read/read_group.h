@@ -6,6 +6,7 @@
 #include <string>
 
 #include "form/blocks.h"
+#include "form/counts.h"
 #include "formats/svg/read/document.h"
 #include "formats/svg/read/objects.h"
 #include "mesh/parts.h"
@@ -16,7 +17,9 @@ namespace gradmesh {
 /// the blocks are connected; shapes and colours are those of the blocks themselves.
 ///   version         on the group: 1
 ///   role            on the group: fill or stroke, what the mesh paints
-///   patches-before  on the group: patches of the mesh before it was first simplified
+///   handles-before  on the group: handles of the mesh before it was first simplified; absent in
+///                   documents of gradmesh 0.1
+///   patches-before  on the group: patches of the same mesh
 ///   curves          on the group: the curves with more than one block along them, see below
 ///   original        on the group: the mesh before it was first simplified, or as a person has
 ///                   edited it since; may be absent (formats/svg/write/memory.h)
@@ -39,8 +42,11 @@ bool is_mesh_group(const xmlNode* node);
 
 /// Returns `role`. Throws InputError if `version` is not 1.
 PaintRole group_role(const xmlNode* group);
-/// Returns `patches-before`. Throws InputError if that is not a number.
-int patches_before(const xmlNode* group);
+/// Returns `handles-before`, 0 if it is absent or not a number, and `patches-before`. Throws
+/// InputError if the latter is not a number.
+MeshCounts counts_before(const xmlNode* group);
+/// Returns the number of blocks of a group.
+int block_count(const xmlNode* group);
 
 /// Returns true if the element is the mask that holds the opacities of some group's mesh.
 bool is_opacity_mask(const xmlNode* node);

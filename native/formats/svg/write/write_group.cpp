@@ -180,7 +180,8 @@ class MeshWriter {
     };
     own("version", "1");
     own("role", is_stroke() ? "stroke" : "fill");
-    own("patches-before", std::to_string(written_.patches_before));
+    own("handles-before", written_.before.handles ? std::to_string(written_.before.handles) : "");
+    own("patches-before", std::to_string(written_.before.patches));
     own("curves", format_curves(written_.mesh, written_.form.blocks));
     own("original", written_.original);
     own("written", remember_as_written(written_.mesh, written_.form));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "form/blocks.h"
+#include "form/counts.h"
 #include "formats/svg/read/document.h"
 #include "formats/svg/read/objects.h"
 #include "mesh/mesh.h"
@@ -14,9 +15,10 @@ struct WrittenMesh {
   /// The mesh in the object's user space, colour model `bilinear`.
   const Mesh& mesh;
   const BlockForm& form;
-  /// The label that the person sees, such as "Gradient mesh: 42 of 144 patches, FLIP 0.0098".
+  /// The label that the person sees, such as "Gradient mesh: 140 of 660 handles, ...".
   std::string label;
-  int patches_before;
+  /// The counts before the mesh was first simplified, as of counts_before.
+  MeshCounts before;
   /// The mesh before it was first simplified, as of remember(), for the group to remember; empty if
   /// there is none.
   std::string original = {};

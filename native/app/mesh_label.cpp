@@ -1,0 +1,26 @@
+#include "app/mesh_label.h"
+
+#include <cstdio>
+
+namespace gradmesh {
+
+Message mesh_label(const MeshCounts& now) {
+  return Message("Gradient mesh: {0} handles, {1} patches", now.handles, now.patches);
+}
+
+Message mesh_label(const MeshCounts& now, const MeshCounts& before) {
+  if (before.handles == 0)
+    return Message("Gradient mesh: {0} handles, {1} of {2} patches", now.handles, now.patches,
+                   before.patches);
+  return Message("Gradient mesh: {0} of {1} handles, {2} of {3} patches", now.handles,
+                 before.handles, now.patches, before.patches);
+}
+
+Message mesh_label(const MeshCounts& now, const MeshCounts& before, MetricKind metric,
+                   double error) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.4f", error);
+  return Message("{0}, {1} {2}", mesh_label(now, before), label(metric), digits);
+}
+
+}  // namespace gradmesh
