@@ -16,6 +16,14 @@ struct MeshCounts {
   int operator[](Count what) const { return what == Count::handles ? handles : patches; }
 };
 
+/// At most how many of what a mesh may have in the end.
+struct Target {
+  Count what = Count::patches;
+  int most = 0;
+
+  bool is_reached(const MeshCounts& counts) const { return counts[what] <= most; }
+};
+
 /// Returns the counts of a mesh as a reader finds it (WrittenForm).
 MeshCounts counts_of(const Mesh& surface);
 

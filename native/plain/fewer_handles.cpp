@@ -43,6 +43,7 @@ class Selection {
     list_lines();
     do pass();
     while (made_ > made_when_too_much_ && !is_over_);
+    if (has_reached_target()) polish();
   }
 
   const PlainGrid& grid() const { return grid_; }
@@ -76,7 +77,7 @@ class Selection {
   /// pass: those that are left change the picture more.
   static constexpr int most_in_a_row = 40;
   /// Lines are first looked at when sides cost more than this times epsilon over all handles.
-  static constexpr double first_line_price = 3;
+  static constexpr double first_line_price = 3, usual_epsilon = 0.01;
   /// The error that a step adds falls as others are made and the grid is fitted anew, but hardly
   /// below this share.
   static constexpr double least_share_of_rise = 0.5;
@@ -107,7 +108,8 @@ class Selection {
   }
 
   void list_lines() {
-    const double price = first_line_price * task_.epsilon / first_handles_;
+    const double epsilon = task_.target ? usual_epsilon : task_.epsilon;
+    const double price = first_line_price * epsilon / first_handles_;
     for (int i = 1; i < grid_.rows(); ++i) candidates_.push_back({{{}, Along::rows, i}, price});
     for (int j = 1; j < grid_.columns(); ++j)
       candidates_.push_back({{{}, Along::columns, j}, price});
@@ -127,11 +129,11 @@ class Selection {
     if (sides.empty()) return;
     std::vector<std::pair<double, std::size_t>> order(sides.size());
     parallel_for(sides.size(), [&](std::size_t n) {
-      order[n] = {rise_if_straight(grid_, sides[n], task_.coarse), n};
+      order[n] = {rise_if_straight(grid_, sides[n], task_.coarse_picture), n};
     });
     std::ranges::sort(order);
-    const std::size_t count =
-        std::min(most_sides_, (sides.size() + share_at_once - 1) / share_at_once);
+    const std::size_t count = std::min(
+        {most_sides_, (sides.size() + share_at_once - 1) / share_at_once, sides_to_target()});
     Step step;
     for (std::size_t n = 0; n < count; ++n) step.sides.push_back(sides[order[n].second]);
     candidates_.push_back({std::move(step), -std::numeric_limits<double>::infinity()});
@@ -158,9 +160,9 @@ class Selection {
       const GridPoints points = points_near(c.step, grid);
       // Where a line is gone the colours beside it have more to show.
       if (c.step.takes_line())
-        fit_grid_and_colors(grid, task_.target, fit_steps, points);
+        fit_grid_and_colors(grid, task_.picture, fit_steps, points);
       else
-        fit_grid(grid, task_.target, fit_steps, points);
+        fit_grid(grid, task_.picture, fit_steps, points);
       c.outcome = measured(std::move(grid));
       c.rise = c.outcome->measured.error - error_;
       c.price = c.rise / (grid_.handles() - c.outcome->grid.handles());
@@ -205,7 +207,7 @@ class Selection {
   bool polish() {
     if (polished_at_ == made_) return false;
     PlainGrid grid = grid_;
-    fit_grid_and_colors(grid, task_.target, polish_steps, GridPoints::all(grid));
+    fit_grid_and_colors(grid, task_.picture, polish_steps, GridPoints::all(grid));
     Outcome outcome = measured(std::move(grid));
     ++evaluations_;
     constexpr double worth_it = 0.99;
@@ -231,11 +233,23 @@ class Selection {
     }
   }
 
+  bool has_reached_target() const {
+    return task_.target && task_.target->is_reached(grid_.counts());
+  }
+
+  /// Returns how many sides must become straight to reach a number of handles.
+  std::size_t sides_to_target() const {
+    if (!task_.target || task_.target->what != Count::handles)
+      return std::numeric_limits<std::size_t>::max();
+    const int too_many = grid_.handles() - task_.target->most;
+    return std::size_t(std::max(1, (too_many + 1) / 2));
+  }
+
   bool should_stop() {
     const int handles = grid_.handles();
-    is_over_ =
-        watch_.should_stop({std::size_t(first_handles_ - handles), std::size_t(first_handles_),
-                            grid_.rows() * grid_.columns(), error_});
+    is_over_ = has_reached_target() || watch_.should_stop({std::size_t(first_handles_ - handles),
+                                                           std::size_t(first_handles_),
+                                                           grid_.rows() * grid_.columns(), error_});
     return is_over_;
   }
 
@@ -270,7 +284,7 @@ std::optional<SimplerGrid> with_fewer_handles(const PlainGrid& grid, const GridT
   if (!measured.keeps) {
     // The twists that are lost.
     constexpr int steps = 8;
-    fit_grid(start, task.target, steps);
+    fit_grid(start, task.picture, steps);
     measured = task.measure(start);
     if (!measured.keeps) return std::nullopt;
   }

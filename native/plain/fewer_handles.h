@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "fit/target.h"
+#include "form/counts.h"
 #include "plain/plain_grid.h"
 
 namespace gradmesh {
@@ -12,9 +13,9 @@ namespace gradmesh {
 /// What a grid with fewer handles must keep to, and how that is found out.
 struct GridTask {
   /// The picture of the original, in the frame in which the error is measured.
-  const FitTarget& target;
+  const FitTarget& picture;
   /// The same in a smaller frame: enough to tell which sides are cheaper than others.
-  const FitTarget& coarse;
+  const FitTarget& coarse_picture;
   struct Measured {
     double error;
     /// True if the error is at most epsilon and the grid keeps to the local bound.
@@ -23,6 +24,8 @@ struct GridTask {
   /// Measures a grid as it will be written. Called from several threads at once.
   std::function<Measured(const PlainGrid&)> measure;
   double epsilon;
+  /// Ends the selection once it is reached; nothing if epsilon alone does.
+  std::optional<Target> target = std::nullopt;
 };
 
 struct SimplerGrid {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "form/counts.h"
 #include "form/smooth_colors.h"
 #include "geom/cubic.h"
 #include "mesh/mesh.h"
@@ -77,6 +78,7 @@ class PlainGrid {
   /// Returns the number of handles that a person sees: points, and two for every side that is a
   /// curve.
   int handles() const;
+  MeshCounts counts() const { return {handles(), rows_ * columns_}; }
 
  private:
   std::size_t index(int row, int column) const {

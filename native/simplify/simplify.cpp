@@ -248,7 +248,7 @@ class Run {
   /// one.
   std::optional<FittedMesh> select_plain(SimplifyResult& result) {
     check_plain(mesh_);
-    const FitTarget target(original_, frame_), coarse(original_, coarse_frame());
+    const FitTarget picture(original_, frame_), coarse(original_, coarse_frame());
     const auto measured = [this](const PlainGrid& grid) {
       SimplifyResult as_written;
       as_written.frame = frame_;
@@ -256,8 +256,9 @@ class Run {
           measure(build_derived_mesh(grid.parts()), trial_.measure(), options_, as_written);
       return GridTask::Measured{as_written.error, keeps};
     };
-    const auto simpler =
-        with_fewer_handles(PlainGrid(mesh_), {target, coarse, measured, options_.epsilon}, watch_);
+    const auto simpler = with_fewer_handles(
+        PlainGrid(mesh_), {picture, coarse, measured, options_.epsilon, target_of(options_, mesh_)},
+        watch_);
     if (!simpler) {
       merge_nothing(result);
       return std::nullopt;
@@ -320,9 +321,13 @@ void check_resolution(int resolution) {
 
 SimplifyResult simplify(Mesh& mesh, const RunOptions& options) {
   check_smooth(mesh, method_named(options.method).keeps_rectangle);
-  if (const auto target = target_of(options, mesh))
-    return simplify_to_target(mesh, options, *target);
-  return Run(mesh, options).simplify();
+  const std::optional<Target> target = target_of(options, mesh);
+  if (!target) return Run(mesh, options).simplify();
+  if (!method_named(options.method).makes_plain) return simplify_to_target(mesh, options, *target);
+  // This selection knows what is left as it goes.
+  RunOptions without_epsilon = options;
+  without_epsilon.epsilon = 1;
+  return Run(mesh, without_epsilon).simplify();
 }
 
 std::vector<EdgePrice> analyze_edges(const Mesh& mesh, const RunOptions& options) {

@@ -9,20 +9,14 @@ namespace {
 
 constexpr double first_epsilon = 0.01, smallest_epsilon = 1e-4;
 /// The largest ratio between the epsilon that the search ends with and an epsilon that is too
-/// small: where prices are known after the first epsilon, and where each costs a whole run.
-constexpr double precision = 1.05, coarse_precision = 1.2;
-/// Where each epsilon costs a whole run, the search ends once this share of the target is left.
-constexpr double near_enough = 0.85;
+/// small.
+constexpr double precision = 1.05;
 
 /// Tries one epsilon after another and remembers the best mesh.
 class TargetSearch {
  public:
   TargetSearch(const Mesh& mesh, const RunOptions& options, const Target& target)
-      : mesh_(mesh),
-        options_(options),
-        target_(target),
-        is_coarse_(method_named(options.method).makes_plain),
-        budget_(options.time_budget) {
+      : mesh_(mesh), options_(options), target_(target), budget_(options.time_budget) {
     options_.handles.reset();
     options_.patches.reset();
     options_.ratio.reset();
@@ -37,15 +31,15 @@ class TargetSearch {
 
   SimplifyResult run(Mesh& mesh) {
     double enough = first_epsilon;
-    while (!reaches(enough) && enough < 1 && !is_over()) enough = std::min(1.0, 2 * enough);
+    while (!reaches(enough) && enough < 1 && !over_) enough = std::min(1.0, 2 * enough);
     double too_small = enough / 2;
     if (enough == first_epsilon)
-      while (too_small > smallest_epsilon && !is_over() && reaches(too_small)) {
+      while (too_small > smallest_epsilon && !over_ && reaches(too_small)) {
         enough = too_small;
         too_small /= 2;
       }
-    while (needed(enough) > (is_coarse_ ? coarse_precision : precision) * too_small && !is_over()) {
-      const double between = std::sqrt(needed(enough) * too_small);
+    while (enough > precision * too_small && !over_) {
+      const double between = std::sqrt(enough * too_small);
       (reaches(between) ? enough : too_small) = between;
     }
     mesh = std::move(best_mesh_);
@@ -54,16 +48,6 @@ class TargetSearch {
   }
 
  private:
-  bool has_reached() const { return left(best_) <= target_.most; }
-  bool is_over() const {
-    return over_ || (is_coarse_ && has_reached() && left(best_) >= near_enough * target_.most);
-  }
-  /// Returns an epsilon that is enough if this one is: where few steps are left, an epsilon far
-  /// above the error makes the same mesh.
-  double needed(double enough) const {
-    return is_coarse_ && has_reached() ? std::min(enough, best_.error) : enough;
-  }
-
   /// Simplifies with this epsilon. Returns true if that reaches the target.
   bool reaches(double epsilon) {
     options_.epsilon = epsilon;
@@ -74,7 +58,7 @@ class TargetSearch {
     const Stopped stopped = result.stopped;
     over_ = stopped == Stopped::budget || stopped == Stopped::cancelled;
     const int evaluations = best_.evaluations + result.evaluations;
-    const bool reached = left(result) <= target_.most;
+    const bool reached = has_reached(result);
     if (!found_ || is_better(result)) {
       best_ = std::move(result);
       best_mesh_ = std::move(mesh);
@@ -86,20 +70,22 @@ class TargetSearch {
   }
 
   bool is_better(const SimplifyResult& result) const {
-    const bool reached = left(result) <= target_.most;
-    if (reached != has_reached()) return reached;
+    const bool reached = has_reached(result);
+    if (reached != has_reached(best_)) return reached;
     if (reached) return result.error < best_.error;
     return left(result) < left(best_);
   }
-  int left(const SimplifyResult& result) const {
-    return MeshCounts{result.handles_after, result.patches_after}[target_.what];
+  static MeshCounts counts(const SimplifyResult& result) {
+    return {result.handles_after, result.patches_after};
+  }
+  int left(const SimplifyResult& result) const { return counts(result)[target_.what]; }
+  bool has_reached(const SimplifyResult& result) const {
+    return target_.is_reached(counts(result));
   }
 
   const Mesh& mesh_;
   RunOptions options_;
   const Target target_;
-  /// True if the method begins anew with each epsilon.
-  const bool is_coarse_;
   const double budget_;
   StopWatch watch_{0, {}};
   PriceTable analysis_;
