@@ -34,6 +34,7 @@ Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) c
   const Box mesh_box = bounding_box(written_.mesh, {});
   const GradientFormat format{.coons_tolerance = written_.form.coons_tolerance,
                               .channel = channel,
+                              .in_style = !document_.styles().is_empty(),
                               .rounding = rounding_within(mesh_box)};
   Box box;
   int face = 0;
