@@ -29,10 +29,11 @@ void run_info(const InfoArguments& a) {
                   mesh["refused"].get<std::string>().c_str());
       continue;
     }
-    std::printf("%s%s: %d patches, %d points, %d T-junctions%s\n",
+    std::printf("%s%s: %d patches, %d points, %d T-junctions%s%s\n",
                 mesh["id"].get<std::string>().c_str(), role.c_str(), mesh["patches"].get<int>(),
                 mesh["points"].get<int>(), mesh["t_junctions"].get<int>(),
-                mesh["simplified"] ? ", simplified" : "");
+                mesh["simplified"] ? ", simplified" : "",
+                mesh["remembers"] ? ", remembers its original" : "");
   }
   for (const auto& mesh : info["unused"])
     std::printf("%s: %d patches, unused: no object is painted by it\n",

@@ -1,5 +1,6 @@
 #include "formats/svg/write/write_group.h"
 
+#include "formats/svg/read/curves.h"
 #include "formats/svg/read/paint.h"
 #include "formats/svg/read/read_group.h"
 #include "formats/svg/write/memory.h"
@@ -183,7 +184,7 @@ class MeshWriter {
     own("patches-before", std::to_string(written_.patches_before));
     own("curves", format_curves(written_.mesh, written_.form.blocks));
     own("original", written_.original);
-    own("written", remember_as_written(written_.mesh, written_.form));
+    own("written", remember_blocks(written_.mesh, written_.form));
     own("label", written_.label);
     set_attribute(group, "label", written_.label, inkscape_namespace, "inkscape");
     // The group around it, where there is one, is what the person sees first.
