@@ -384,7 +384,8 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
   for (const Edited& e : edited)
-    write_mesh(svg_, e.group, {e.mesh, *e.form.blocks, e.label, e.patches_before, e.original});
+    write_mesh(svg_, e.group,
+               {e.mesh, *e.form.blocks, e.label, e.patches_before, e.original, true});
   list_meshes();
   return reports;
 }

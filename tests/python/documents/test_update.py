@@ -65,6 +65,20 @@ def test_a_point_moved_in_one_block_moves_in_all(group):
     assert update(group).changed is False
 
 
+def test_blocks_keep_their_ids(group):
+    """So what was selected stays selected."""
+    nets = group.blocks
+    before = {block: group.gradient(block).get("id") for block in nets}
+    corner = group.shared_corner(3)
+    group.move(group.owners(corner)[0], corner, 4 + 3j)
+    assert update(group).changed
+    assert {block: group.gradient(block).get("id") for block in group.blocks} == before
+    assert len(before) > 10
+    for block, net in nets.items():
+        assert group.blocks[block].shape == net.shape
+        assert abs(group.blocks[block] - net).max() <= 6
+
+
 def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(group):
     corner = group.shared_corner(3)
     original = group.node.get(GRADMESH + "original")
