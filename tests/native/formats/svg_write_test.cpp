@@ -391,7 +391,7 @@ TEST(SvgGroup, says_what_is_missing) {
               xmlUnlinkNode(block);
               xmlFreeNode(block);
             }),
-            "d.svg: g \"p\": one of its blocks is missing.");
+            "d.svg: g \"p\": one of its blocks is missing: undo what removed it.");
   EXPECT_EQ(complaint([&](xmlNode* g) { own(child_elements(g)[1], "face", "0"); }),
             "d.svg: g \"p\": one of its blocks is there twice.");
   EXPECT_EQ(complaint([&](xmlNode* g) { own(g, "curves", "1 | x"); }),

@@ -79,6 +79,20 @@ def test_blocks_keep_their_ids(group):
         assert abs(group.blocks[block] - net).max() <= 6
 
 
+def test_a_block_that_was_cut_or_removed_is_refused_with_a_way_out(group):
+    paths = sorted(group.paths(), key=lambda path: int(path.get(GRADMESH + "face")))
+    second = paths[1]
+    face = int(second.get(GRADMESH + "face"))
+    assert face > 1
+    for number, sentence in ((face - 1, "more rows or columns"), (face + 1, "undo what removed it")):
+        second.set(GRADMESH + "face", str(number))
+        group.save()
+        paths = sorted(group.paths(), key=lambda path: int(path.get(GRADMESH + "face")))
+        second = paths[1]
+        with pytest.raises(gradmesh.InputError, match=sentence):
+            update(group)
+
+
 def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(group):
     corner = group.shared_corner(3)
     original = group.node.get(GRADMESH + "original")

@@ -62,7 +62,12 @@ std::vector<PatchGrid> read_blocks(const SvgDocument& document, const xmlNode* g
   std::vector<PatchGrid> blocks;
   int faces = 0;
   for (auto& [first_face, block] : found) {
-    if (first_face != faces) fail(group, Message("one of its blocks is missing"));
+    if (first_face > faces)
+      fail(group, Message("one of its blocks is missing: undo what removed it"));
+    if (first_face < faces)
+      fail(group,
+           Message("one of its blocks has more rows or columns than before: undo that, and cut "
+                   "its patches by Refine Here instead"));
     faces += int(block.patches.size());
     blocks.push_back(std::move(block));
   }
@@ -140,7 +145,8 @@ MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
   for (const CurveParts& curve : *curves)
     for (const CurveSide* side : {&curve.a, &curve.b})
       for (const int h : side->halfedges)
-        if (h < 0 || h >= halfedges) fail(group, Message("one of its blocks is missing"));
+        if (h < 0 || h >= halfedges)
+          fail(group, Message("one of its blocks is missing: undo what removed it"));
   parts.curves.insert(parts.curves.end(), curves->begin(), curves->end());
   return parts;
 }
