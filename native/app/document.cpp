@@ -167,7 +167,7 @@ void Document::check_start(const SimplifiedMesh& m, const RunOptions& options) c
   if (options.has_target()) return;
   if (m.result.changed || m.result.error <= options.epsilon) return;
   // Earlier runs with a larger epsilon may have moved the mesh away from the original.
-  if ((m.entry.simplified || originals_) && !options.original) return;
+  if ((m.entry.simplified || remembers(m.entry) || originals_) && !options.original) return;
   char error[32];
   std::snprintf(error, sizeof error, "%.5f", m.result.error);
   throw InputError(

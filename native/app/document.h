@@ -147,6 +147,10 @@ class Document {
   };
   Start start(const MeshEntry& entry, const RunOptions& options, AnalysisFiles& files) const;
 
+  /// Returns true if runs measure against an original that the mesh remembers, unless they are told
+  /// otherwise: it can be read, and no person has edited the mesh since.
+  bool remembers(const MeshEntry& entry) const { return remembered_original(entry) != nullptr; }
+
   /// Simplifies the selected meshes in place. A mesh is measured against the first of these that
   /// there is: `options.original`, its given_original, the original that the mesh remembers unless
   /// a person has edited the mesh since, and the mesh as it was. Meshes that cannot be read are

@@ -25,6 +25,7 @@ ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
   return {{"id", entry.id},
           {"role", role},
           {"simplified", entry.simplified},
+          {"remembers", document.remembers(entry)},
           {"color_model", name(mesh.color_model())},
           {"smooth", mesh.is_smooth()},
           {"handles", count_handles(mesh)},

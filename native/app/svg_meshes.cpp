@@ -11,6 +11,7 @@
 #include "formats/svg/read/read_mesh.h"
 #include "formats/svg/read/restore_shape.h"
 #include "formats/svg/read/visible.h"
+#include "formats/svg/read/written_gradient.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/write/keep_original.h"
 #include "formats/svg/write/memory.h"
@@ -23,6 +24,7 @@
 #include "formats/text/scanner.h"
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
+#include "mesh/subdivide.h"
 #include "raster/overlaps.h"
 #include "trial/edit_error.h"
 
@@ -161,7 +163,7 @@ const SvgMeshes::ReadMesh& SvgMeshes::read(const MeshEntry& entry) const {
     known = {naming(entry, [&] { return build_mesh(group.parts); }), group.edited};
   } else {
     const MeshParts parts = read_mesh(svg_, object(entry));
-    known = {naming(entry, [&] { return build_mesh(parts); })};
+    known = {naming(entry, [&] { return build_mesh(parts); }), !is_as_written(svg_, object(entry))};
   }
   return *known;
 }
@@ -170,29 +172,36 @@ Reconciled SvgMeshes::group_mesh(const MeshEntry& group) const {
   const xmlNode* node = object(group).node;
   const MeshParts read = read_mesh_group(svg_, node);
   const auto memory = attribute(node, "written", gradmesh_namespace);
-  const auto written = memory ? recall(*memory) : std::nullopt;
+  const auto blocks = memory ? recall_blocks(*memory) : std::nullopt;
   return naming(group, [&] {
-    return written && same_curves(read, *written) ? reconcile(read, *written) : reconcile(read);
+    MeshParts written = parts_of(blocks.value_or(std::vector<PatchGrid>()));
+    if (written.patches.size() != read.patches.size()) return reconcile(read);
+    written.curves = read.curves;
+    return reconcile(read, written);
   });
 }
 
-std::optional<std::string> SvgMeshes::memory(const MeshEntry& group) const {
-  return attribute(object(group).node, "original", gradmesh_namespace);
+std::optional<std::string> SvgMeshes::memory(const MeshEntry& entry) const {
+  const MeshObject& o = object(entry);
+  const std::string name = o.gradient ? original_name(o.role) : "original";
+  return attribute(o.node, name.c_str(), gradmesh_namespace);
 }
 
-std::shared_ptr<const Mesh> SvgMeshes::recalled(const MeshEntry& group) const {
-  read(group);
-  std::optional<std::shared_ptr<const Mesh>>& known = read_[std::size_t(group.index)]->recalled;
+std::shared_ptr<const Mesh> SvgMeshes::recalled(const MeshEntry& entry) const {
+  read(entry);
+  std::optional<std::shared_ptr<const Mesh>>& known = read_[std::size_t(entry.index)]->recalled;
   if (!known) {
-    const auto text = memory(group);
-    const auto parts = text ? recall(*text) : std::nullopt;
+    const auto text = memory(entry);
+    auto parts = text ? recall(*text) : std::nullopt;
+    const MeshObject& o = object(entry);
+    if (parts && o.gradient) transform(*parts, mesh_to_gradient(svg_, o).inverse());
     known = parts ? std::make_shared<const Mesh>(build_mesh(*parts)) : nullptr;
   }
   return *known;
 }
 
 std::shared_ptr<const Mesh> SvgMeshes::remembered_original(const MeshEntry& entry) const {
-  return entry.simplified && !read(entry).edited ? recalled(entry) : nullptr;
+  return read(entry).edited ? nullptr : recalled(entry);
 }
 
 Affine SvgMeshes::view(const MeshEntry& entry) const {
@@ -231,25 +240,46 @@ void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind me
                         const WriteOptions& writing) {
   if (writing.keep_original)
     for (const SimplifiedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
-  for (const auto& [entry, mesh, result, measured] : meshes) {
-    const MeshObject& o = object(entry);
+  for (const SimplifiedMesh& m : meshes) {
+    const auto& [entry, mesh, result, measured] = m;
+    const std::string original = writing.remember_original ? new_memory(m) : "";
     if (!result.form.blocks) {
-      write_mesh_gradient(svg_, o, mesh, result.form.coons_tolerance);
+      replace_gradient(m, original);
       continue;
     }
+    const MeshObject& o = object(entry);
     const MeshCounts now{result.handles_after, result.patches_after};
     const MeshCounts before = entry.simplified
                                   ? counts_before(o.node)
                                   : MeshCounts{result.handles_before, result.patches_before};
-    std::string original;
-    if (writing.remember_original) {
-      if (!has_given_originals() && remembered_original(entry)) original = *memory(entry);
-      if (original.empty()) original = remember(*measured, all_overlaps(*measured, result.frame));
-    }
     const std::string label = mesh_label(now, before, metric, result.error).in(translation());
     write_mesh(svg_, o, {mesh, *result.form.blocks, label, before, original});
   }
   list_meshes();
+}
+
+std::string SvgMeshes::new_memory(const SimplifiedMesh& m) const {
+  const bool stays_one = !m.result.form.blocks;
+  const bool stays_what_it_is = stays_one != m.entry.simplified;
+  if (stays_what_it_is && !has_given_originals() && remembered_original(m.entry))
+    return *memory(m.entry);
+  const std::vector<Overlap> overlaps = all_overlaps(*m.original, m.result.frame);
+  const Affine place = stays_one ? mesh_to_gradient(svg_, object(m.entry)) : Affine();
+  if (place == Affine()) return remember(*m.original, overlaps);
+  MeshParts parts = subdivided(*m.original, 1);
+  transform(parts, place);
+  return remember(build_derived_mesh(parts), overlaps);
+}
+
+void SvgMeshes::replace_gradient(const SimplifiedMesh& m, const std::string& original) {
+  constexpr std::size_t names = 120;  // Of the attributes and their namespace, and a fingerprint.
+  const bool has_remembered = remembered_original(m.entry) != nullptr;
+  const double tolerance = m.result.form.coons_tolerance;
+  const std::size_t before = svg_.serialize().size();
+  const MeshObject written = write_mesh_gradient(svg_, object(m.entry), m.mesh, tolerance);
+  if (original.empty()) return;
+  if (has_remembered || svg_.serialize().size() + original.size() + names <= before)
+    remember_original(svg_, written, tolerance, original);
 }
 
 ChosenPatches SvgMeshes::block(const std::string& id) const {
@@ -312,9 +342,13 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
     tolerances.push_back(coons_tolerance(frame(entry, mesh, resolution)));
   // All are looked at before the first is changed.
   for (const auto& [entry, mesh] : meshes) check_restorable(svg_, object(entry));
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-    write_mesh_gradient(svg_, restore_shape(svg_, object(meshes[i].first)), meshes[i].second,
-                        tolerances[i]);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const MeshEntry& entry = meshes[i].first;
+    const std::string original = remembered_original(entry) ? *memory(entry) : "";
+    const MeshObject shape = restore_shape(svg_, object(entry));
+    const MeshObject written = write_mesh_gradient(svg_, shape, meshes[i].second, tolerances[i]);
+    if (!original.empty()) remember_original(svg_, written, tolerances[i], original);
+  }
   list_meshes();
   mark_changed();
 }
@@ -360,7 +394,7 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
   for (const Edited& e : edited)
-    write_mesh(svg_, e.group, {e.mesh, *e.form.blocks, e.label, e.before, e.original});
+    write_mesh(svg_, e.group, {e.mesh, *e.form.blocks, e.label, e.before, e.original, true});
   list_meshes();
   return reports;
 }

@@ -65,7 +65,8 @@ class SvgMeshes : public Document {
   /// An entry's mesh once it has been read.
   struct ReadMesh {
     Mesh mesh;
-    /// True if a person has changed the mesh of a group since it was written.
+    /// True if a person has changed the mesh of a group since it was written, or if that is not
+    /// known of a mesh gradient.
     bool edited = false;
     /// The result of recalled(), once that has been called.
     std::optional<std::shared_ptr<const Mesh>> recalled = std::nullopt;
@@ -76,11 +77,16 @@ class SvgMeshes : public Document {
   const ReadMesh& read(const MeshEntry& entry) const;
   /// Returns the mesh of a group as a person has left it, reconciled.
   Reconciled group_mesh(const MeshEntry& group) const;
-  /// Returns the mesh before it was first simplified, as the value of the group's attribute;
-  /// nothing if the group remembers none.
-  std::optional<std::string> memory(const MeshEntry& group) const;
-  /// Returns that mesh; null if the group remembers none that can be read.
-  std::shared_ptr<const Mesh> recalled(const MeshEntry& group) const;
+  /// Returns the mesh before it was first simplified, as the value of the attribute of the group or
+  /// the object; nothing if that remembers none.
+  std::optional<std::string> memory(const MeshEntry& entry) const;
+  /// Returns that mesh; null if none is remembered that can be read.
+  std::shared_ptr<const Mesh> recalled(const MeshEntry& entry) const;
+  /// Returns what a simplified mesh remembers from now on, as the value of the attribute.
+  std::string new_memory(const SimplifiedMesh& mesh) const;
+  /// Writes a mesh as one mesh gradient. It remembers its original if it did so before, or if the
+  /// document becomes no larger by that.
+  void replace_gradient(const SimplifiedMesh& mesh, const std::string& original);
   /// Returns the label of a group that was edited: how far the mesh, as it will be written, is from
   /// the one that the group remembers.
   Message updated_label(const MeshEntry& group, const WrittenForm& form) const;

@@ -30,11 +30,12 @@ void run_info(const InfoArguments& a) {
       continue;
     }
     const int objects = mesh["objects"];
-    std::printf("%s%s: %d handles, %d patches, %d object%s, %d points, %d T-junctions%s\n",
+    std::printf("%s%s: %d handles, %d patches, %d object%s, %d points, %d T-junctions%s%s\n",
                 mesh["id"].get<std::string>().c_str(), role.c_str(), mesh["handles"].get<int>(),
                 mesh["patches"].get<int>(), objects, objects == 1 ? "" : "s",
                 mesh["points"].get<int>(), mesh["t_junctions"].get<int>(),
-                mesh["simplified"] ? ", simplified" : "");
+                mesh["simplified"] ? ", simplified" : "",
+                mesh["remembers"] ? ", remembers its original" : "");
   }
   for (const auto& mesh : info["unused"])
     std::printf("%s: %d patches, unused: no object is painted by it\n",

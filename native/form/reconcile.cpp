@@ -31,14 +31,30 @@ double position_tolerance(const MeshParts& parts) {
   return std::max(1e-5 * glm::length(box.size()), 1e-7 * std::max(farthest.x, farthest.y));
 }
 
-bool is_edited(const Patch& read, const Patch& written, double tolerance) {
-  const BezierNet a = bezier_net(read), b = bezier_net(written);
+/// Gives what nobody has edited of a patch as written the very numbers of what was read, which
+/// rounding may have changed. Returns true if something is left that somebody has edited.
+bool settle(Patch& written, const Patch& read, double tolerance) {
+  const BezierNet now = bezier_net(read);
+  BezierNet before = bezier_net(written);
+  bool edited = false, rounded = false;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      if (glm::distance(a[i][j].position, b[i][j].position) > tolerance) return true;
-  for (int k = 0; k < 4; ++k)
-    if (change(read.corner(k).color, written.corner(k).color) > color_tolerance) return true;
-  return false;
+    for (int j = 0; j < 4; ++j) {
+      Value& value = before[i][j];
+      const bool moved = glm::distance(now[i][j].position, value.position) > tolerance;
+      const bool recolored = change(now[i][j].color, value.color) > color_tolerance;
+      edited = edited || moved || recolored;
+      const Value settled{moved ? value.position : now[i][j].position,
+                          recolored ? value.color : now[i][j].color};
+      rounded = rounded || settled != value;
+      value = settled;
+    }
+  if (!edited) {
+    written = read;
+  } else if (rounded) {
+    written = patch_from_bezier(before);
+    make_color_bilinear(written);
+  }
+  return edited;
 }
 
 /// Returns the parameter in [low, high] at which the curve comes nearest to the point.
@@ -277,26 +293,21 @@ class Reconciler {
 
 }  // namespace
 
-bool same_curves(const MeshParts& a, const MeshParts& b) {
-  return a.patches.size() == b.patches.size() && a.curves == b.curves;
-}
-
 Reconciled reconcile(const MeshParts& read, const MeshParts& written) {
   const double tolerance = position_tolerance(written);
+  MeshParts before = written;
   bool edited = false;
   for (std::size_t f = 0; f < read.patches.size(); ++f)
-    edited = edited || is_edited(read.patches[f], written.patches[f], tolerance);
-  if (!edited) return {written, false};
-  return {Reconciler(read, written, tolerance).run(), true};
+    edited |= settle(before.patches[f], read.patches[f], tolerance);
+  if (!edited) return {read, false};
+  return {Reconciler(read, before, tolerance).run(), true};
 }
 
 Reconciled reconcile(const MeshParts& read) {
   MeshParts written = read;
   const Mesh mesh = build_mesh(read);
   for (const Face f : mesh.faces()) written.patches[f.value] = mesh.patch(f);
-  Reconciled reconciled = reconcile(read, written);
-  if (!reconciled.edited) reconciled.parts = read;
-  return reconciled;
+  return reconcile(read, written);
 }
 
 }  // namespace gradmesh

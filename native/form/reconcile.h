@@ -12,7 +12,7 @@ struct Reconciled {
 
 /// Makes patches fit together again that a person may have edited one by one since they were
 /// `written`: each patch holds copies of the points, handles and colours that it shares. Both
-/// meshes are `bilinear` and have the same patches and curves (same_curves()).
+/// meshes are `bilinear` and have as many patches and equal curves.
 ///   - Of the copies of a point, a handle or a colour the one that moved farthest wins, and stays
 ///     where it was put. Copies that were not moved stay too, but handles follow their point where
 ///     their own patches were left alone.
@@ -20,14 +20,10 @@ struct Reconciled {
 ///     that was moved goes to the nearest place on the curve between its neighbours there; handles
 ///     of the curves that start at it follow it.
 ///   - A patch that is a Coons patch as read stays one.
-/// If nothing was edited, the parts are as written. Throws InputError as build_mesh.
+/// If nothing was edited, the parts are as read. Throws InputError as build_mesh.
 Reconciled reconcile(const MeshParts& read, const MeshParts& written);
 
 /// Does the same where it is not known how the mesh was written: the first copy counts as unmoved.
 Reconciled reconcile(const MeshParts& read);
-
-/// Returns true if two meshes have as many patches and equal curves, with the same sides of
-/// patches, breaks and tangents.
-bool same_curves(const MeshParts& a, const MeshParts& b);
 
 }  // namespace gradmesh

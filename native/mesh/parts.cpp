@@ -1,5 +1,7 @@
 #include "mesh/parts.h"
 
+#include <utility>
+
 namespace gradmesh {
 
 void transform(MeshParts& parts, const Affine& affine) {
@@ -22,6 +24,20 @@ std::vector<CurveParts> grid_curves(int rows, int columns) {
         curves.push_back({{{halfedge(row, column, 2)}, {}}, {{halfedge(row + 1, column, 0)}, {}}});
     }
   return curves;
+}
+
+MeshParts parts_of(const std::vector<PatchGrid>& grids) {
+  MeshParts parts;
+  for (const PatchGrid& grid : grids) {
+    const int first = 4 * int(parts.patches.size());
+    parts.patches.insert(parts.patches.end(), grid.patches.begin(), grid.patches.end());
+    for (CurveParts& curve : grid_curves(grid.rows, grid.columns)) {
+      for (CurveSide* side : {&curve.a, &curve.b})
+        for (int& h : side->halfedges) h += first;
+      parts.curves.push_back(std::move(curve));
+    }
+  }
+  return parts;
 }
 
 }  // namespace gradmesh

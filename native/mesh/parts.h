@@ -44,10 +44,20 @@ struct MeshParts {
   bool smooth = false;
 };
 
+/// A rectangle of patches without T-junctions, row by row: `rows * columns` of them, both at least
+/// 1.
+struct PatchGrid {
+  int rows = 0, columns = 0;
+  std::vector<Patch> patches;
+};
+
 /// Applies an affine map to the positions of the parts.
 void transform(MeshParts& parts, const Affine& affine);
 
 /// Returns the curves of a plain grid of `rows` x `columns` patches stored row by row.
 std::vector<CurveParts> grid_curves(int rows, int columns);
+
+/// Returns the patches of all grids in their order, and the curves inside each of them.
+MeshParts parts_of(const std::vector<PatchGrid>& grids);
 
 }  // namespace gradmesh

@@ -203,8 +203,9 @@ def simplify(
     is none for "egl", `device_lost` is called with the reason, by default a RuntimeWarning, and it
     goes on in software.
     remember_original: an SVG document keeps the mesh as it was before it was first simplified,
-    compressed, and later runs measure against it. Without, files are smaller. Only groups of blocks
-    remember it: one mesh gradient is measured against itself as the run before left it.
+    in a tenth of its bytes, and later runs measure against it until a person edits the mesh. Without,
+    files are smaller. One mesh gradient does not begin to remember where the document would be
+    larger by that than before.
     keep_original: an SVG document also keeps each object as it was, hidden, directly below the
     result, with an id that ends in "-original". It is left out unless its own id is given.
     original: a document whose meshes those here are measured against, whatever they remember: the only

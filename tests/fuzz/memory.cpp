@@ -20,8 +20,9 @@ void check_packing(const std::string& text) {
   if (const auto bytes = base64_bytes(text)) unzip(*bytes, 1 << 16);
 }
 
-/// The text as the document in a memory.
+/// The text as what a memory unpacks to, and as the packed patches in that.
 void check_recall(const std::string& text) {
+  recall_blocks(base64(zip(text)));
   const auto parts = recall(base64(zip(text)));
   if (!parts) return;
   const Mesh mesh = build_mesh(*parts);
@@ -40,5 +41,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(gradmesh::fuzz::as_text(data, size));
   gradmesh::fuzz::check_packing(text);
   gradmesh::fuzz::check_recall(text);
+  gradmesh::fuzz::check_recall("p\n" + text);
   return 0;
 }

@@ -1,6 +1,7 @@
 #include <string>
 
 #include "form/reconcile.h"
+#include "formats/svg/read/curves.h"
 #include "formats/svg/read/document.h"
 #include "formats/svg/read/read_group.h"
 #include "formats/svg/xml/edit.h"

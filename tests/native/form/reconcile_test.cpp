@@ -175,7 +175,7 @@ TEST(Reconcile, rounding_is_no_edit) {
         for (Value& v : row) v.position += glm::dvec2{shift(random), shift(random)};
     const Reconciled result = reconcile(read, written);
     EXPECT_EQ(result.edited, size > 0.01);
-    EXPECT_EQ(result.parts.patches == written.patches, size < 0.01);
+    EXPECT_EQ(result.parts.patches == read.patches, size < 0.01);
   }
 }
 
@@ -338,16 +338,6 @@ TEST_F(Hanging, without_memory_a_copy_beside_the_first_counts_as_moved) {
   const Reconciled sound = reconcile(written);
   EXPECT_FALSE(sound.edited);
   EXPECT_EQ(sound.parts.patches, written.patches);
-}
-
-TEST(SameCurves, compares_sides_and_breaks) {
-  const MeshParts a = random_parts(3);
-  MeshParts b = a;
-  EXPECT_TRUE(same_curves(a, b));
-  for (CurveParts& curve : b.curves)
-    for (double& t : curve.a.breaks) t += 0.01;
-  EXPECT_FALSE(same_curves(a, b));
-  EXPECT_FALSE(same_curves(a, random_parts(4)));
 }
 
 }  // namespace

@@ -291,8 +291,7 @@ TEST(SvgWrite, opacities_are_a_mask_of_greys) {
         for (const xmlNode* row : child_elements(g))
           for (const xmlNode* patch : child_elements(row))
             for (const xmlNode* stop : child_elements(patch))
-              EXPECT_EQ(attribute(stop, "style").value_or("").find("stop-opacity"),
-                        std::string::npos);
+              EXPECT_EQ(attribute(stop, "stop-opacity"), std::nullopt);
       const Mesh back = build_mesh(read_mesh_group(document, objects[0].node));
       EXPECT_EQ(match(mesh, back, 1e-4).size(), std::size_t(mesh.face_count()));
       write(document, objects[0], mesh);
@@ -393,7 +392,7 @@ TEST(SvgGroup, says_what_is_missing) {
               xmlUnlinkNode(block);
               xmlFreeNode(block);
             }),
-            "d.svg: g \"p\": one of its blocks is missing.");
+            "d.svg: g \"p\": one of its blocks is missing: undo what removed it.");
   EXPECT_EQ(complaint([&](xmlNode* g) { own(child_elements(g)[1], "face", "0"); }),
             "d.svg: g \"p\": one of its blocks is there twice.");
   EXPECT_EQ(complaint([&](xmlNode* g) { own(g, "curves", "1 | x"); }),

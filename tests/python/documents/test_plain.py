@@ -11,7 +11,7 @@ pytest.importorskip("numpy")
 import inkscape_harness
 from built import SAMPLES, gradmesh as run
 from sample_meshes import OBJECTS, PAINTED, mesh_of
-from svg_meshes import SVG
+from svg_meshes import GRADMESH, SVG
 
 import gradmesh
 
@@ -63,7 +63,7 @@ def declarations(element):
 def all_but_meshes(root):
     """All elements in their order, with their depths, texts and attributes, without mesh gradients.
     Of an object that is painted by one the name of the gradient does not count, nor whether the
-    paint is in its style."""
+    paint is in its style, nor what it remembers."""
     found = []
     meshes = {e.get("id") for e in root.iter(SVG + "meshgradient")}
 
@@ -75,6 +75,7 @@ def all_but_meshes(root):
             declared = declarations(node)
             for name in ("style", *PAINTS):
                 attributes.pop(name, None)
+        attributes = {name: v for name, v in attributes.items() if not name.startswith(GRADMESH)}
         text = (node.text or "").strip(), (node.tail or "").strip()
         found.append((depth, node.tag, attributes, declared, text))
         for child in node:

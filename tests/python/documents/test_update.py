@@ -1,7 +1,5 @@
 """Update after editing: blocks that a person has moved or recoloured fit together again."""
 
-import re
-
 import pytest
 
 np = pytest.importorskip("numpy")
@@ -73,6 +71,34 @@ def test_a_point_moved_in_one_block_moves_in_all(group):
     assert update(group).changed is False
 
 
+def test_blocks_keep_their_ids(group):
+    """So what was selected stays selected."""
+    nets = group.blocks
+    before = {block: group.gradient(block).get("id") for block in nets}
+    corner = group.shared_corner(3)
+    group.move(group.owners(corner)[0], corner, 4 + 3j)
+    assert update(group).changed
+    assert {block: group.gradient(block).get("id") for block in group.blocks} == before
+    assert len(before) > 10
+    for block, net in nets.items():
+        assert group.blocks[block].shape == net.shape
+        assert abs(group.blocks[block] - net).max() <= 6
+
+
+def test_a_block_that_was_cut_or_removed_is_refused_with_a_way_out(group):
+    paths = sorted(group.paths(), key=lambda path: int(path.get(GRADMESH + "face")))
+    second = paths[1]
+    face = int(second.get(GRADMESH + "face"))
+    assert face > 1
+    for number, sentence in ((face - 1, "more rows or columns"), (face + 1, "undo what removed it")):
+        second.set(GRADMESH + "face", str(number))
+        group.save()
+        paths = sorted(group.paths(), key=lambda path: int(path.get(GRADMESH + "face")))
+        second = paths[1]
+        with pytest.raises(gradmesh.InputError, match=sentence):
+            update(group)
+
+
 def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(group):
     corner = group.shared_corner(3)
     original = group.node.get(GRADMESH + "original")
@@ -126,7 +152,7 @@ def test_a_colour_changed_in_one_block_changes_in_all(group):
         name for name, net in group.blocks.items() if group.corners()[net[0, 0]] == 3
     )
     stop = next(group.gradient(block).iter(SVG + "stop"))
-    before = re.search("stop-color:(#[0-9a-f]{6})", stop.get("style"))[1]
+    before = stop.get("stop-color")
     count = group.path.read_text().count(before)
     stop.set("style", "stop-color:#00ff7f;stop-opacity:1")
     group.save()

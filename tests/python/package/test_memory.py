@@ -17,6 +17,7 @@ from svg_meshes import GRADMESH
 import gradmesh
 
 EPSILON = 0.01
+ROUNDING = 5e-5  # of what is remembered
 FRUIT = SAMPLES / "fruit.svg"
 
 
@@ -87,7 +88,7 @@ def test_ten_runs_drift_away_without_memory(copy):
 def test_the_error_is_that_against_the_original(simplified):
     first = label(simplified)
     result = run_again(simplified)
-    assert result.stopped == "nothing to merge" and 0.009 < result.error <= EPSILON
+    assert result.stopped == "nothing to merge" and 0.009 < result.error <= EPSILON + ROUNDING
     assert label(simplified) == first
 
 
@@ -158,5 +159,5 @@ def test_inkscape_keeps_the_memory(simplified):
     for name in ("original", "written"):
         assert group(saved).get(GRADMESH + name) == group(simplified).get(GRADMESH + name)
     result = run_again(saved, "random", seed=1)
-    assert 0.009 < result.error <= EPSILON  # an edited mesh would begin with 0
+    assert 0.009 < result.error <= EPSILON + ROUNDING  # an edited mesh would begin with 0
     assert flip(FRUIT, saved) <= EPSILON

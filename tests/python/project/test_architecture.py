@@ -35,7 +35,10 @@ RANK = {
 
 #: Folders inside of others; those that are not named come before all of these.
 INNER = {
-    "formats": {"text": 0, "json": 1, "hemesh": 1, "svg/xml": 1, "svg/values": 2, "svg/read": 3, "svg/write": 4},
+    "formats": {
+        "text": 0, "json": 1, "hemesh": 1, "packed": 1,
+        "svg/xml": 1, "svg/values": 2, "svg/read": 3, "svg/write": 4,
+    },
     "ops": {"merge": 1, "split": 2},
 }
 

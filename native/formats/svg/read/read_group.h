@@ -4,8 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "form/blocks.h"
 #include "form/counts.h"
 #include "formats/svg/read/document.h"
 #include "formats/svg/read/objects.h"
@@ -20,11 +20,12 @@ namespace gradmesh {
 ///   handles-before  on the group: handles of the mesh before it was first simplified; absent in
 ///                   documents of gradmesh 0.1
 ///   patches-before  on the group: patches of the same mesh
-///   curves          on the group: the curves with more than one block along them, see below
+///   curves          on the group: the curves with more than one block along them
+///                   (formats/svg/read/curves.h)
 ///   original        on the group: the mesh before it was first simplified, or as a person has
 ///                   edited it since; may be absent (formats/svg/write/memory.h)
-///   written         on the group: the mesh as it was last written, which tells what a person has
-///                   moved; may be absent
+///   written         on the group: its blocks as they were last written, which tells what a person
+///                   has moved; may be absent
 ///   label           on the group: its inkscape:label as it was written
 ///   face            on a block's path: number of its first face; the others follow row by row
 ///   opacity         on the mask whose blocks hold the opacities as luminances, if those of the
@@ -32,10 +33,6 @@ namespace gradmesh {
 ///   kept-for        on a hidden original (formats/svg/write/keep_original.h): the id of the object
 ///                   that was simplified
 ///   outer           on each group around the group that belongs to the same object
-/// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A curve
-/// is `side | side`, a side `halfedge break halfedge ... halfedge`; curves are separated by
-/// semicolons. A side that is not named is joined as in a grid inside its block, or is on the
-/// boundary.
 inline constexpr std::string_view gradmesh_namespace = "urn:gradmesh";
 
 bool is_mesh_group(const xmlNode* node);
@@ -62,11 +59,12 @@ struct BlockFaces {
 /// Throws InputError if its gradient cannot be read.
 std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode* path);
 
+/// Returns the blocks of a group in the order of their faces, in the group's user space. Throws
+/// InputError if blocks are missing.
+std::vector<PatchGrid> read_mesh_blocks(const SvgDocument& document, const xmlNode* group);
+
 /// Returns the mesh of a group, in the group's user space. Throws InputError if blocks are missing
 /// or do not fit together.
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group);
-
-/// Returns the value of `curves` for a mesh in these blocks.
-std::string format_curves(const Mesh& mesh, const std::vector<Rectangle>& blocks);
 
 }  // namespace gradmesh

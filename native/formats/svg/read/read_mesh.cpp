@@ -91,7 +91,7 @@ class GridReader {
   GridReader(const StyleSheet& styles, const xmlNode* holder, glm::dvec2 start)
       : styles_(styles), holder_(holder), start_(start) {}
 
-  GradientPatches read() {
+  PatchGrid read() {
     std::vector<std::vector<xmlNode*>> patches;
     for (const xmlNode* row : mesh_rows(holder_)) patches.push_back(mesh_patches(row));
     while (patches.size() > 1 && patches.back().empty()) patches.pop_back();
@@ -236,8 +236,8 @@ class GridReader {
     fail(holder_, Message("{0} is degenerate: all its points coincide", place.name()));
   }
 
-  GradientPatches finish() {
-    GradientPatches grid{rows_, columns_, {}};
+  PatchGrid finish() {
+    PatchGrid grid{rows_, columns_, {}};
     for (int row = 0; row < rows_; ++row)
       for (int column = 0; column < columns_; ++column) {
         const BezierNet points = net({row, column});
@@ -255,14 +255,12 @@ class GridReader {
   std::vector<Node> nodes_;
 };
 
-void check_limits(const GradientPatches& grid, const xmlNode* node) {
+void check_limits(const PatchGrid& grid, const xmlNode* node) {
   for (std::size_t i = 0; i < grid.patches.size(); ++i)
     if (!is_within_limits(grid.patches[i]))
       fail(node, Message("{0} reaches beyond 5e8 user units",
                          place_name(int(i) / grid.columns, int(i) % grid.columns)));
 }
-
-bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
 
 /// Returns the map from the gradient's coordinates to the object's user space.
 Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
@@ -290,7 +288,21 @@ Affine gradient_to_user(const SvgDocument& document, const MeshObject& object) {
   return to_user;
 }
 
-GradientPatches read_grid(const SvgDocument& document, const xmlNode* gradient) {
+}  // namespace
+
+bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
+
+bool is_within_limits(const Patch& patch) {
+  const BezierNet net = bezier_net(patch);
+  return std::all_of(net.begin(), net.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [](const Value& value) {
+      const glm::dvec2 p = value.position;
+      return std::abs(p.x) <= largest_reach && std::abs(p.y) <= largest_reach;
+    });
+  });
+}
+
+PatchGrid gradient_patches(const SvgDocument& document, const xmlNode* gradient) {
   const HrefChain chain = href_chain(document, gradient);
   const std::size_t most = limits().links, count = chain.gradients.size();
   if (count > most)
@@ -305,38 +317,29 @@ GradientPatches read_grid(const SvgDocument& document, const xmlNode* gradient) 
   }
   // Inkscape takes a percentage for a fraction of one unit, whatever the units are.
   const glm::dvec2 start(read_box_length(gradient, "x"), read_box_length(gradient, "y"));
-  GradientPatches grid = GridReader(document.styles(), *holder, start).read();
+  PatchGrid grid = GridReader(document.styles(), *holder, start).read();
   check_limits(grid, *holder);
   return grid;
 }
 
-}  // namespace
-
-bool is_within_limits(const Patch& patch) {
-  const BezierNet net = bezier_net(patch);
-  return std::all_of(net.begin(), net.end(), [](const auto& row) {
-    return std::all_of(row.begin(), row.end(), [](const Value& value) {
-      const glm::dvec2 p = value.position;
-      return std::abs(p.x) <= largest_reach && std::abs(p.y) <= largest_reach;
-    });
-  });
-}
-
-GradientPatches read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
+PatchGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient) {
   if (is_smooth(gradient))
     fail(gradient, Message("its type \"bicubic\" is not supported here, where a mesh has several "
                            "gradients"));
-  return read_grid(document, gradient);
+  return gradient_patches(document, gradient);
 }
 
-MeshParts read_mesh(const SvgDocument& document, const MeshObject& object) {
-  GradientPatches grid = read_grid(document, object.gradient), in_user = grid;
+PatchGrid read_mesh_patches(const SvgDocument& document, const MeshObject& object) {
+  PatchGrid grid = gradient_patches(document, object.gradient), in_user = grid;
   const Affine to_user = gradient_to_user(document, object);
   for (Patch& patch : in_user.patches) transform(patch, to_user);
   check_limits(in_user, object.gradient);
-  MeshParts parts{{}, grid_curves(grid.rows, grid.columns)};
+  return is_smooth(object.gradient) ? grid : in_user;
+}
+
+MeshParts read_mesh(const SvgDocument& document, const MeshObject& object) {
+  MeshParts parts = parts_of({read_mesh_patches(document, object)});
   parts.smooth = is_smooth(object.gradient);
-  parts.patches = std::move(parts.smooth ? grid.patches : in_user.patches);
   return parts;
 }
 

@@ -11,13 +11,6 @@
 
 namespace gradmesh {
 
-/// Patches of a rectangular mesh, row by row, `rows * columns` of them, both at least 1. Colours
-/// are bilinear in each patch.
-struct GradientPatches {
-  int rows = 0, columns = 0;
-  std::vector<Patch> patches;
-};
-
 /// The largest coordinate of a patch. It keeps the distances between its points, which are what a
 /// document holds, within Scanner's limit.
 inline constexpr double largest_reach = 5e8;
@@ -26,10 +19,16 @@ inline constexpr double largest_reach = 5e8;
 bool is_within_limits(const Patch& patch);
 
 /// Returns the patches of a <meshgradient> in its own coordinates (of x, y and the paths, before
-/// gradientTransform). As in Inkscape 1.2 the element that `href` leads to gives only its rows and
-/// gradientUnits; x, y, type and gradientTransform are the element's own (SVG 2 would inherit
-/// them). Throws InputError at all that Inkscape could not paint, and at type="bicubic".
-GradientPatches read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient);
+/// gradientTransform), with bilinear colours whatever its type is. As in Inkscape 1.2 the element
+/// that `href` leads to gives only its rows and gradientUnits; x, y, type and gradientTransform are
+/// the element's own (SVG 2 would inherit them). Throws InputError at all that Inkscape could not
+/// paint.
+PatchGrid gradient_patches(const SvgDocument& document, const xmlNode* gradient);
+/// Does the same, and throws InputError at type="bicubic" too.
+PatchGrid read_mesh_gradient(const SvgDocument& document, const xmlNode* gradient);
+
+/// Returns true if the meshgradient has smooth colours (type="bicubic").
+bool is_smooth(const xmlNode* gradient);
 
 /// Returns the object's mesh in its user space, with gradientTransform and gradientUnits applied. A
 /// smooth mesh (type="bicubic") stays in the coordinates of its meshgradient, where Inkscape
@@ -37,6 +36,8 @@ GradientPatches read_mesh_gradient(const SvgDocument& document, const xmlNode* g
 /// but for that type, and if the units are the object's bounding box and that is not known or has
 /// no width or height.
 MeshParts read_mesh(const SvgDocument& document, const MeshObject& object);
+/// Does the same, and returns the patches in their rows and columns.
+PatchGrid read_mesh_patches(const SvgDocument& document, const MeshObject& object);
 
 /// Return the maps from the coordinates of read_mesh to the object's user space, and to the
 /// coordinates of its meshgradient. Throw as read_mesh does.

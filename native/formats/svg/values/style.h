@@ -22,6 +22,9 @@ class StyleSheet {
   /// Reads all <style> elements below `root`.
   explicit StyleSheet(const xmlNode* root);
 
+  /// Returns true if there are no rules.
+  bool is_empty() const { return rules_.empty(); }
+
   /// Returns the property's value on this element alone: from the `style` attribute, else from a
   /// rule, else from the presentation attribute. `inherit` is returned as such. As in Inkscape a
   /// value that `accepts` refuses is ignored: in the `style` attribute the value before it counts,

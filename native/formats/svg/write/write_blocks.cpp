@@ -28,21 +28,32 @@ BlocksWriter::BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMe
       id_(std::move(id)),
       fallback_(std::move(fallback)) {}
 
-Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) const {
+Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel,
+                        const BlockIds& ids) const {
   const bool color = channel != MeshChannel::opacity;
   const double margin = seam_margin();
   const Box mesh_box = bounding_box(written_.mesh, {});
   const GradientFormat format{.coons_tolerance = written_.form.coons_tolerance,
                               .channel = channel,
+                              .in_style = !document_.styles().is_empty(),
                               .rounding = rounding_within(mesh_box)};
   Box box;
   int face = 0;
   for (const Rectangle& block : written_.form.blocks) {
-    const std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block,
-                                                      format, id_ + (color ? "-mesh" : "-opacity"));
+    const auto [path_id, gradient_id] = ids_of(block, ids);
+    std::string gradient = write_block_gradient(document_, defs_, written_.mesh, block, format,
+                                                id_ + (color ? "-mesh" : "-opacity"));
+    const auto is_free = [&](const std::string& id) { return !id.empty() && !document_.find(id); };
+    if (is_free(gradient_id)) {
+      document_.set_id(document_.find(gradient), gradient_id);
+      gradient = gradient_id;
+    }
     xmlNode* path = add_child(parent, "path");
     if (before) xmlAddPrevSibling(before, path);
-    document_.give_id(path, id_ + (color ? "-block" : "-opacity-block"));
+    if (is_free(path_id))
+      document_.set_id(path, path_id);
+    else
+      document_.give_id(path, id_ + (color ? "-block" : "-opacity-block"));
     const std::vector<glm::dvec2> outline = grown_outline(written_.mesh, block, margin);
     for (const glm::dvec2 p : outline) box.add(p);
     set_attribute(path, "d", path_data(outline, digits_within(mesh_box, outline_digits)));
@@ -51,6 +62,20 @@ Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel) c
     face += int(block.tops.size());
   }
   return box;
+}
+
+std::pair<std::string, std::string> BlocksWriter::ids_of(const Rectangle& block,
+                                                         const BlockIds& ids) const {
+  if (ids.empty()) return {};
+  int first = written_.mesh.face(block.tops.front()).value, last = first;
+  for (const Halfedge top : block.tops) {
+    const int face = written_.mesh.face(top).value;
+    first = std::min(first, face);
+    last = std::max(last, face);
+  }
+  const int count = int(block.tops.size());
+  const auto found = ids.find({first, count});
+  return found != ids.end() && last - first + 1 == count ? found->second : BlockIds::mapped_type();
 }
 
 std::string BlocksWriter::style(const std::string& gradient, MeshChannel channel) const {

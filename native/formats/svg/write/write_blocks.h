@@ -2,7 +2,9 @@
 
 #include <libxml/tree.h>
 
+#include <map>
 #include <string>
+#include <utility>
 
 #include "formats/svg/read/document.h"
 #include "formats/svg/write/write_gradient.h"
@@ -10,6 +12,9 @@
 #include "geom/box.h"
 
 namespace gradmesh {
+
+/// The ids of a block's path and gradient, by the block's first face and the number of its faces.
+using BlockIds = std::map<std::pair<int, int>, std::pair<std::string, std::string>>;
 
 /// Writes the blocks of a mesh as paths with a meshgradient each.
 class BlocksWriter {
@@ -20,10 +25,12 @@ class BlocksWriter {
                std::string fallback);
 
   /// Adds the blocks to `parent`, the largest below, before the node `before` or at the end.
-  /// Returns the box around their paths.
-  Box write(xmlNode* parent, xmlNode* before, MeshChannel channel) const;
+  /// Blocks of the same faces get these ids, where they are free. Returns the box around the paths.
+  Box write(xmlNode* parent, xmlNode* before, MeshChannel channel, const BlockIds& ids = {}) const;
 
  private:
+  /// Returns the ids that a block gets, if any.
+  std::pair<std::string, std::string> ids_of(const Rectangle& block, const BlockIds& ids) const;
   std::string style(const std::string& gradient, MeshChannel channel) const;
   double seam_margin() const;
 

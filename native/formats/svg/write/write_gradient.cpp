@@ -19,9 +19,8 @@ class GradientWriter {
       : mesh_(mesh),
         block_(block),
         format_(format),
-        straight_within_(format.exact      ? -1
-                         : format.step > 0 ? straight_tolerance(format.coons_tolerance)
-                                           : rounding_share * format.coons_tolerance) {}
+        straight_within_(format.step > 0 ? straight_tolerance(format.coons_tolerance)
+                                         : rounding_share * format.coons_tolerance) {}
 
   void write(xmlNode* gradient) {
     const Halfedge first = block_.top(0, 0);
@@ -47,7 +46,7 @@ class GradientWriter {
       const Cubic<Value> curve = mesh_.side_of(side_from(mesh_, top, side));
       set_attribute(stop, "path", path(curve));
       const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
-      if (!given) set_attribute(stop, "style", color_style(curve.p0.color));
+      if (!given) write_color(stop, curve.p0.color);
     }
     if (needs_tensor(patch, format_.coons_tolerance)) write_tensor(node, patch);
   }
@@ -75,35 +74,28 @@ class GradientWriter {
                       from_corner(2, 2, 3, 3) + " " + from_corner(2, 1, 3, 0));
   }
 
-  std::string color_style(const glm::dvec4& color) const {
+  void write_color(xmlNode* stop, const glm::dvec4& color) const {
     const glm::dvec4 limited = glm::clamp(color, 0.0, 1.0);
     const bool opaque = format_.channel != MeshChannel::both;
     const glm::dvec3 shown =
         format_.channel == MeshChannel::opacity ? mask_color(limited.a) : glm::dvec3(limited);
-    const std::string opacity = opaque ? "1" : opacity_text(limited.a);
-    return "stop-color:" + color_text(shown) + (opacity == "1" ? "" : ";stop-opacity:" + opacity);
-  }
-
-  std::string opacity_text(double opacity) const {
-    if (format_.exact) return format_exactly(opacity);
-    return format_.masked_opacity ? format_exactly(mask_opacity(mask_color(opacity)))
-                                  : format_number(opacity);
+    const std::string opacity = opaque ? "1" : format_number(limited.a);
+    if (format_.in_style) {
+      set_attribute(stop, "style", "stop-color:" + color_text(shown) + ";stop-opacity:" + opacity);
+    } else {
+      set_attribute(stop, "stop-color", color_text(shown));
+      if (opacity != "1") set_attribute(stop, "stop-opacity", opacity);
+    }
   }
 
   std::string color_text(const glm::dvec3& color) const {
     const glm::dvec3 bytes = glm::round(color * 255.0);
-    if (format_.exact && bytes / 255.0 != color)
-      return "rgb(" + format_exactly(100 * color.r) + "%," + format_exactly(100 * color.g) + "%," +
-             format_exactly(100 * color.b) + "%)";
     char hex[8];
     std::snprintf(hex, sizeof hex, "#%02x%02x%02x", unsigned(bytes.r), unsigned(bytes.g),
                   unsigned(bytes.b));
     return hex;
   }
 
-  std::string number(double x) const {
-    return format_.exact ? format_exactly(x) : format_number(x, format_.rounding.digits);
-  }
   bool is_relative() const { return format_.step > 0; }
   /// Returns a point of the mesh where it is written.
   glm::dvec2 placed(glm::dvec2 p) const {
@@ -114,7 +106,7 @@ class GradientWriter {
 
   std::string coordinate(double x) const {
     if (is_relative()) return format_multiple(x, format_.step);
-    return std::abs(x) < format_.rounding.zero ? "0" : number(x);
+    return std::abs(x) < format_.rounding.zero ? "0" : format_number(x, format_.rounding.digits);
   }
   std::string pair(glm::dvec2 p) const { return coordinate(p.x) + "," + coordinate(p.y); }
   std::string point(glm::dvec2 p) const { return pair(format_.place.point(p)); }
@@ -124,8 +116,7 @@ class GradientWriter {
   const GradientFormat& format_;
   /// What counts as a rounding of absolute coordinates, as a share of the tolerance.
   static constexpr double rounding_share = 1e-3;
-  /// In the unit of the mesh's positions; below 0 where all sides are written as curves, to the
-  /// last bit.
+  /// In the unit of the mesh's positions.
   const double straight_within_;
 };
 

@@ -21,11 +21,9 @@ struct GradientFormat {
   /// written.
   double coons_tolerance = 0;
   MeshChannel channel = MeshChannel::both;
-  /// True if numbers and colours are written to the last bit, false if numbers have as many digits
-  /// as Inkscape keeps, and colours 8 bits.
-  bool exact = false;
-  /// True if opacities are rounded to those that a mask can hold.
-  bool masked_opacity = false;
+  /// True if colours are in `style`, which rules of the document do not override. Attributes are
+  /// shorter.
+  bool in_style = false;
   /// The map from the mesh's coordinates to those of the gradient.
   Affine place = {};
   Rounding rounding = {};

@@ -1,5 +1,6 @@
 #include "formats/svg/write/write_group.h"
 
+#include "formats/svg/read/curves.h"
 #include "formats/svg/read/paint.h"
 #include "formats/svg/read/read_group.h"
 #include "formats/svg/write/memory.h"
@@ -43,10 +44,23 @@ class MeshWriter {
   void renew_group() {
     xmlNode* group = object_.node;
     remove_opacity_mask(group);
-    std::vector<std::string> gradients = remove_blocks(group);
-    write_blocks(group, group->children);
+    const BlockIds ids = written_.keeps_faces ? block_ids(group) : BlockIds();
+    // The gradients go first, so that their ids are free.
+    for (const std::string& id : remove_blocks(group)) remove_if_unused(document_, id);
+    write_blocks(group, group->children, ids);
     describe_group(group);
-    for (const std::string& id : gradients) remove_if_unused(document_, id);
+  }
+
+  BlockIds block_ids(const xmlNode* group) const {
+    BlockIds ids;
+    for (const xmlNode* path : child_elements(group)) {
+      const auto faces = block_faces(document_, path);
+      if (!faces) continue;
+      const auto fill = document_.styles().declared(path, "fill");
+      ids[{faces->first, faces->rows * faces->columns}] = {
+          attribute(path, "id").value_or(""), referenced_id(fill.value_or("")).value_or("")};
+    }
+    return ids;
   }
 
   /// Removes the blocks in a group or mask. Returns the ids of the gradients that they used.
@@ -184,7 +198,7 @@ class MeshWriter {
     own("patches-before", std::to_string(written_.before.patches));
     own("curves", format_curves(written_.mesh, written_.form.blocks));
     own("original", written_.original);
-    own("written", remember_as_written(written_.mesh, written_.form));
+    own("written", remember_blocks(written_.mesh, written_.form));
     own("label", written_.label);
     set_attribute(group, "label", written_.label, inkscape_namespace, "inkscape");
     // The group around it, where there is one, is what the person sees first.
@@ -195,10 +209,10 @@ class MeshWriter {
 
   /// Writes the blocks and, if they do not hold the opacities, the mask that does. Returns the box
   /// around the blocks' paths.
-  Box write_blocks(xmlNode* group, xmlNode* before) {
+  Box write_blocks(xmlNode* group, xmlNode* before, const BlockIds& ids = {}) {
     const BlocksWriter writer(document_, defs_, written_, id_, fallback_);
     const Box box = writer.write(
-        group, before, written_.form.masks_opacity ? MeshChannel::color : MeshChannel::both);
+        group, before, written_.form.masks_opacity ? MeshChannel::color : MeshChannel::both, ids);
     if (written_.form.masks_opacity) {
       xmlNode* mask = add_child(defs_, "mask");
       const std::string id = document_.give_id(mask, id_ + "-opacity-mask");

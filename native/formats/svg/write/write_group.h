@@ -22,6 +22,9 @@ struct WrittenMesh {
   /// The mesh before it was first simplified, as of remember(), for the group to remember; empty if
   /// there is none.
   std::string original = {};
+  /// True if the mesh has the faces of the group whose place it takes. Blocks of the same faces
+  /// then keep the ids of their paths and gradients.
+  bool keeps_faces = false;
 };
 
 /// Puts a simplified mesh in the place of the object: a group of blocks with the object's id,

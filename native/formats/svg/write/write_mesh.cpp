@@ -8,7 +8,9 @@
 #include "form/handles.h"
 #include "form/written_patch.h"
 #include "formats/svg/read/paint.h"
+#include "formats/svg/read/read_group.h"
 #include "formats/svg/read/read_mesh.h"
+#include "formats/svg/read/written_gradient.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/write/write_gradient.h"
 #include "formats/svg/xml/edit.h"
@@ -35,11 +37,11 @@ xmlNode* add_gradient(SvgDocument& document, const MeshObject& object) {
   return gradient;
 }
 
-/// Returns the decimal step of coordinates in a gradient: at most a tenth of what a control point
-/// may be off without anybody seeing it. Returns 0 where that has so many decimals that significant
-/// digits are shorter.
+/// Returns the decimal step of coordinates in a gradient: rounding moves a control point by no more
+/// than it may be off without anybody seeing it. Returns 0 where that has so many decimals that
+/// significant digits are shorter.
 double step_in(const Affine& to_gradient, double coons_tolerance) {
-  constexpr double share = 0.1, least = 1e-9;
+  constexpr double share = 2, least = 1e-9;
   const glm::dmat2 from_gradient = to_gradient.inverse().linear;
   const double step = share * coons_tolerance /
                       std::hypot(glm::length(from_gradient[0]), glm::length(from_gradient[1]));
@@ -88,15 +90,19 @@ Patch rounded(const Patch& patch, double coons_tolerance, const Affine& to_gradi
 
 }  // namespace
 
-void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const Mesh& mesh,
-                         double coons_tolerance) {
+MeshObject write_mesh_gradient(SvgDocument& document, const MeshObject& object, const Mesh& mesh,
+                               double coons_tolerance) {
   xmlNode* gradient = add_gradient(document, object);
   const Affine place = mesh_to_gradient(document, object);
+  const double step = step_in(place, coons_tolerance);
   write_block_rows(gradient, mesh, find_grid(mesh).value(),
                    {.coons_tolerance = coons_tolerance,
+                    .in_style = !document.styles().is_empty(),
                     .place = place,
                     .rounding = rounding_within(bounding_box(mesh, place)),
-                    .step = step_in(place, coons_tolerance)});
+                    .step = step});
+  for (const std::string& name : {original_name(object.role), fingerprint_name(object.role)})
+    remove_attribute(object.node, name.c_str(), gradmesh_namespace);
 
   const char* property = object.role == PaintRole::fill ? "fill" : "stroke";
   const std::string fallback =
@@ -104,6 +110,18 @@ void write_mesh_gradient(SvgDocument& document, const MeshObject& object, const 
   const std::string url = "url(#" + attribute(gradient, "id").value_or("") + ")";
   set_style(object.node, property, fallback.empty() ? url : url + " " + fallback);
   remove_if_unused(document, attribute(object.gradient, "id").value_or(""));
+  return {object.node, object.id, object.role, gradient, object.kept};
+}
+
+void remember_original(SvgDocument& document, const MeshObject& written, double coons_tolerance,
+                       const std::string& original) {
+  const double step = step_in(mesh_to_gradient(document, written), coons_tolerance);
+  if (step == 0) return;
+  const auto set = [&](const std::string& name, const std::string& value) {
+    set_attribute(written.node, name.c_str(), value, gradmesh_namespace, "gradmesh");
+  };
+  set(original_name(written.role), original);
+  set(fingerprint_name(written.role), gradient_fingerprint(document, written.gradient, step));
 }
 
 MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient) {
