@@ -145,6 +145,24 @@ class Selection {
     return {std::move(grid), measured};
   }
 
+  /// Returns what a step leads to, with the points near it fitted anew. Where a line is gone the
+  /// colours beside it have more to show. A grid that breaks the local bound alone is fitted once
+  /// more, which lowers the peaks.
+  Outcome after(const Step& step) const {
+    PlainGrid grid = grid_;
+    make(step, grid);
+    const GridPoints points = points_near(step, grid);
+    if (step.takes_line())
+      fit_grid_and_colors(grid, task_.picture, fit_steps, points);
+    else
+      fit_grid(grid, task_.picture, fit_steps, points);
+    Outcome first = measured(grid);
+    if (first.measured.keeps || first.measured.error > task_.epsilon) return first;
+    fit_grid_and_colors(grid, task_.picture, fit_steps, points);
+    Outcome second = measured(std::move(grid));
+    return second.measured.keeps ? second : first;
+  }
+
   /// Prices the first candidate, and with a line the next one that has no price of this grid.
   void price_first() {
     std::vector<Candidate*> stale;
@@ -155,15 +173,7 @@ class Selection {
     evaluations_ += int(stale.size());
     parallel_for(stale.size(), [&](std::size_t n) {
       Candidate& c = *stale[n];
-      PlainGrid grid = grid_;
-      make(c.step, grid);
-      const GridPoints points = points_near(c.step, grid);
-      // Where a line is gone the colours beside it have more to show.
-      if (c.step.takes_line())
-        fit_grid_and_colors(grid, task_.picture, fit_steps, points);
-      else
-        fit_grid(grid, task_.picture, fit_steps, points);
-      c.outcome = measured(std::move(grid));
+      c.outcome = after(c.step);
       c.rise = c.outcome->measured.error - error_;
       c.price = c.rise / (grid_.handles() - c.outcome->grid.handles());
       c.priced_at = made_;
