@@ -59,7 +59,8 @@ class Selection {
   /// A step, and what it led to from the grid of when `made_` was `priced_at`.
   struct Candidate {
     Step step;
-    /// By how much the error rises for each handle saved, and by how much in all.
+    /// By how much the error rises for each handle saved, with a share for the largest error of a
+    /// small part, and by how much the error rises in all.
     double price, rise = 0;
     int priced_at = -1;
     std::optional<Outcome> outcome = std::nullopt;
@@ -77,7 +78,11 @@ class Selection {
   /// pass: those that are left change the picture more.
   static constexpr int most_in_a_row = 40;
   /// Lines are first looked at when sides cost more than this times epsilon over all handles.
-  static constexpr double first_line_price = 3, usual_epsilon = 0.01;
+  static constexpr double first_line_price = 3;
+  /// How much it counts if the largest error of a small part comes nearer to its bound: a step that
+  /// exhausts the bound in one place keeps others from being made, since most change that place a
+  /// little.
+  static constexpr double local_weight = 0.3;
   /// The error that a step adds falls as others are made and the grid is fitted anew, but hardly
   /// below this share.
   static constexpr double least_share_of_rise = 0.5;
@@ -108,8 +113,7 @@ class Selection {
   }
 
   void list_lines() {
-    const double epsilon = task_.target ? usual_epsilon : task_.epsilon;
-    const double price = first_line_price * epsilon / first_handles_;
+    const double price = first_line_price * usual_epsilon() / first_handles_;
     for (int i = 1; i < grid_.rows(); ++i) candidates_.push_back({{{}, Along::rows, i}, price});
     for (int j = 1; j < grid_.columns(); ++j)
       candidates_.push_back({{{}, Along::columns, j}, price});
@@ -175,7 +179,9 @@ class Selection {
       Candidate& c = *stale[n];
       c.outcome = after(c.step);
       c.rise = c.outcome->measured.error - error_;
-      c.price = c.rise / (grid_.handles() - c.outcome->grid.handles());
+      const double local_rise = std::max(0.0, c.outcome->measured.local - local_);
+      c.price = (c.rise + local_weight * usual_epsilon() * local_rise) /
+                (grid_.handles() - c.outcome->grid.handles());
       c.priced_at = made_;
     });
   }
@@ -198,6 +204,7 @@ class Selection {
   void take(Outcome& outcome) {
     grid_ = std::move(outcome.grid);
     error_ = outcome.measured.error;
+    local_ = outcome.measured.local;
     ++made_;
   }
 
@@ -243,6 +250,9 @@ class Selection {
     }
   }
 
+  /// Returns the error that is about as large as the result's.
+  double usual_epsilon() const { return task_.target ? 0.01 : task_.epsilon; }
+
   bool has_reached_target() const {
     return task_.target && task_.target->is_reached(grid_.counts());
   }
@@ -265,6 +275,8 @@ class Selection {
 
   PlainGrid grid_;
   double error_;
+  /// As of GridTask::Measured.
+  double local_ = 0;
   /// Fits after a step may turn corners a little further.
   const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid_));
   const GridTask& task_;

@@ -18,6 +18,8 @@ struct GridTask {
   const FitTarget& coarse_picture;
   struct Measured {
     double error;
+    /// The largest error of a small part, as a share of the local bound; 0 if there is none.
+    double local;
     /// True if the error is at most epsilon and the grid keeps to the local bound.
     bool keeps;
   };

@@ -254,7 +254,9 @@ class Run {
       as_written.frame = frame_;
       const bool keeps =
           measure(build_derived_mesh(grid.parts()), trial_.measure(), options_, as_written);
-      return GridTask::Measured{as_written.error, keeps};
+      const double bound = options_.max_local_error.value_or(0);
+      return GridTask::Measured{as_written.error, bound > 0 ? as_written.local_error / bound : 0,
+                                keeps};
     };
     const auto simpler = with_fewer_handles(
         PlainGrid(mesh_), {picture, coarse, measured, options_.epsilon, target_of(options_, mesh_)},
