@@ -180,18 +180,7 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
   SimplifyResult result = gradmesh::simplify(mesh, options);
   if (result.stopped == Stopped::cancelled || result.stopped == Stopped::budget) return result;
   const Method& method = method_named(options.method);
-  if (method.makes_plain && start.may_be_blocks && !result.changed) {
-    // What blocks leave to handle counts, each of them as an object.
-    Mesh other = start.mesh;
-    const auto blocks = simplified_anew(
-        entry, start, start.mesh.is_smooth() ? line_method : best_method, result, other);
-    const auto weight = [](const SimplifyResult& r) {
-      return r.handles_after + handles_of_an_object * r.objects;
-    };
-    if (!blocks || !blocks->changed || weight(*blocks) >= weight(result)) return result;
-    mesh = std::move(other);
-    return *blocks;
-  }
+  if (method.makes_plain && start.may_be_blocks) return simplest_of(entry, start, result, mesh);
   const bool needs_mask = result.changed && result.form.masks_opacity();
   if (method.merges_named_edges || method.keeps_rectangle || options.has_target() ||
       !is_one_gradient(entry) || !find_grid(start.mesh) || (result.changed && !needs_mask))
@@ -201,6 +190,29 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
   if (!lines || !lines->changed || lines->patches_after > result.patches_after) return result;
   mesh = std::move(other);
   return *lines;
+}
+
+SimplifyResult Document::simplest_of(const MeshEntry& entry, const Start& start,
+                                     SimplifyResult result, Mesh& mesh) const {
+  // What a result leaves to handle, each object counting too.
+  const auto weight = [](const SimplifyResult& r) {
+    return r.handles_after + handles_of_an_object * r.objects;
+  };
+  for (const char* method : {line_method, best_method}) {
+    const bool is_simple = result.changed && 2 * result.handles_after <= result.handles_before;
+    if (is_simple || !suits(method_named(method), start.mesh)) continue;
+    Mesh other = start.mesh;
+    const auto found = simplified_anew(entry, start, method, result, other);
+    if (!found) break;
+    if (found->changed && weight(*found) < weight(result)) {
+      mesh = std::move(other);
+      result = *found;
+    } else {
+      result.evaluations = found->evaluations;
+      result.seconds = found->seconds;
+    }
+  }
+  return result;
 }
 
 std::optional<SimplifyResult> Document::simplified_anew(const MeshEntry& entry, const Start& start,

@@ -158,11 +158,11 @@ class Document {
   ///
   /// If nothing is merged, or if the result needs a mask for opacities, the method `lines` is tried
   /// as well. Its result, one mesh gradient, is taken if that has no more patches. If `simplest`
-  /// finds no plain mesh gradient with fewer handles and there is no target, blocks are tried, and
-  /// taken if these leave less to handle. A mesh that does not become simpler stays as it is. If
-  /// another colour model than the mesh's own is asked for, the mesh is converted first, and the
-  /// conversion counts towards the error. If an analysis is loaded, it must hold prices for each of
-  /// the meshes.
+  /// leaves more than half of the handles as a plain mesh gradient and there is no target, lines
+  /// and blocks are tried, and taken if these leave less to handle. A mesh that does not become
+  /// simpler stays as it is. If another colour model than the mesh's own is asked for, the mesh is
+  /// converted first, and the conversion counts towards the error. If an analysis is loaded, it
+  /// must hold prices for each of the meshes.
   ///
   /// Throws std::invalid_argument as gradmesh::simplify does, if edges are named for another method
   /// than `manual`, if `manual` has no edges, and if there are no prices to save. The document is
@@ -257,6 +257,10 @@ class Document {
                                          const AnalysisPaths& analyses) const;
   /// Simplifies the mesh of `start`, also by another method where simplify() says so.
   SimplifyResult simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const;
+  /// Returns whatever is simplest, `result` being that of the method `plain`, which made `mesh`:
+  /// where more than half of the handles are left, lines and blocks are tried as well.
+  SimplifyResult simplest_of(const MeshEntry& entry, const Start& start, SimplifyResult result,
+                             Mesh& mesh) const;
   /// Simplifies the mesh of `start` by that method, after a run that found `before`: its time
   /// counts towards the budget. Returns nothing if no time is left.
   std::optional<SimplifyResult> simplified_anew(const MeshEntry& entry, const Start& start,

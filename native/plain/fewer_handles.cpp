@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/parallel.h"
+#include "plain/border.h"
 #include "plain/corners.h"
 #include "plain/grid_fit.h"
 #include "plain/steps.h"
@@ -38,11 +39,17 @@ class Selection {
         first_handles_(grid_.handles()) {}
 
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
-  /// to epsilon now that the points have been fitted anew.
+  /// to epsilon now that the points have been fitted anew. A target that cannot be reached without
+  /// corners that are seen is reached with these.
   void run() {
     list_lines();
-    do pass();
-    while (made_ > made_when_too_much_ && !is_over_);
+    for (const bool may_have_corners : {false, true}) {
+      may_have_corners_ = may_have_corners;
+      for (Candidate& c : candidates_) c.priced_at = -1;
+      do pass();
+      while (made_ > made_when_too_much_ && !is_over_);
+      if (!task_.target || is_over_) break;
+    }
     if (has_reached_target()) polish();
   }
 
@@ -88,7 +95,8 @@ class Selection {
   static constexpr double least_share_of_rise = 0.5;
 
   void pass() {
-    for (Candidate& c : candidates_) c.is_too_much = false;
+    // What was too much for this very grid still is.
+    for (Candidate& c : candidates_) c.is_too_much = c.is_too_much && c.priced_at == made_;
     too_much_.clear();
     too_much_in_a_row_ = 0;
     sides_proposed_at_ = -1;
@@ -128,7 +136,8 @@ class Selection {
     if (too_much_in_a_row_ >= most_in_a_row) return;
     std::vector<Side> sides = curved_sides(grid_);
     std::erase_if(sides, [&](const Side& side) {
-      return std::ranges::find(too_much_, side) != too_much_.end() || makes_corner(grid_, side);
+      return std::ranges::find(too_much_, side) != too_much_.end() ||
+             (!may_have_corners_ && makes_corner(grid_, side));
     });
     if (sides.empty()) return;
     std::vector<std::pair<double, std::size_t>> order(sides.size());
@@ -145,7 +154,8 @@ class Selection {
 
   Outcome measured(PlainGrid grid) const {
     GridTask::Measured measured = task_.measure(grid);
-    if (largest_corner(grid) > most_corner_) measured.keeps = false;
+    if (!may_have_corners_ && largest_corner(grid) > most_corner_) measured.keeps = false;
+    if (border_gap(grid, task_.picture) > most_gap_) measured.keeps = false;
     return {std::move(grid), measured};
   }
 
@@ -279,7 +289,9 @@ class Selection {
   double local_ = 0;
   /// Fits after a step may turn corners a little further.
   const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid_));
+  bool may_have_corners_ = false;
   const GridTask& task_;
+  const double most_gap_ = std::max(seen_gap, border_gap(grid_, task_.picture));
   StopWatch& watch_;
   const int first_handles_;
   std::vector<Candidate> candidates_;

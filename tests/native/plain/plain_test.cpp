@@ -6,6 +6,7 @@
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "meshes.h"
+#include "plain/border.h"
 #include "plain/fewer_handles.h"
 #include "plain/grid_fit.h"
 #include "raster/folds.h"
@@ -161,6 +162,19 @@ TEST(GridFit, leaves_the_colours_of_translucent_points_alone) {
   }
 }
 
+TEST(BorderGap, is_how_far_the_border_is_from_where_it_was) {
+  const Mesh mesh = noisy_grid(4, 4, 2);
+  const FitTarget picture(mesh, fit_frame(mesh, {}, 200));
+  PlainGrid grid(mesh);
+  EXPECT_LT(border_gap(grid, picture), 0.6);
+  const glm::dvec2 in = grid.knot(1, 2).position - grid.knot(0, 2).position;
+  const double pixels = glm::length(picture.frame().to_pixels.vector(in));
+  grid.knot(0, 2).position += 4 / pixels * in;
+  EXPECT_NEAR(border_gap(grid, picture), 4, 1);
+  grid.knot(0, 2).position += 0.8 * in;
+  EXPECT_GT(border_gap(grid, picture), 8);
+}
+
 /// A grid of 4 x 4 patches whose middle row of points lies on a smooth wave.
 PlainGrid waved_grid() {
   PlainGrid grid(grid_mesh({.rows = 4, .columns = 4, .color_noise = 0.1}, 5));
@@ -184,6 +198,30 @@ TEST(GridFit, keeps_a_line_smooth_where_it_was_and_one_side_is_a_curve) {
     fit_grid(grid, target, 4);
     EXPECT_NE(grid.knot(2, 2), original.knot(2, 2));
     for (int j = 1; j < 4; ++j) EXPECT_NEAR(grid.turn(Along::rows, 2, j), 0, 1e-6);
+  }
+}
+
+TEST(Plain, keeps_a_smooth_mesh_smooth_with_fewer_handles) {
+  MeshParts parts = PlainGrid(noisy_grid(6, 6, 3)).parts();
+  parts.smooth = true;
+  Mesh mesh = build_mesh(parts);
+  const int before = count_handles(mesh);
+  const SimplifyResult result = simplify(mesh, plain_options(0.02));
+  EXPECT_TRUE(result.changed);
+  EXPECT_LE(result.error, 0.02);
+  EXPECT_TRUE(mesh.is_smooth());
+  EXPECT_LT(count_handles(mesh), before / 2);
+}
+
+TEST(Plain, reaches_a_target_in_handles) {
+  for (const int most : {60, 30, 4}) {
+    Mesh mesh = noisy_grid(5, 5, 6);
+    RunOptions options = plain_options(0.01);
+    options.handles = most;
+    const SimplifyResult result = simplify(mesh, options);
+    EXPECT_LE(count_handles(mesh), most);
+    EXPECT_GT(count_handles(mesh), most / 2 - 1);
+    EXPECT_EQ(result.handles_after, count_handles(mesh));
   }
 }
 
