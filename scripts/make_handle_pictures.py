@@ -5,6 +5,7 @@
 
 mesh-tool-ID.png    what the tool shows of samples, before and after
 edited.png          a point of the pear dragged: of the sample, by default, and of blocks
+amounts.png         what the amounts leave of two samples where that is seen, twice as large
 
 Each picture is taken when every knot that gradmesh counts is drawn; a knot that is drawn where none
 is counted, or a count that is not the number of their places, ends the script.
@@ -30,6 +31,8 @@ STRAIGHT = 1e-3
 COLORS = 256
 # The sample's own page, and what is dragged there.
 PEAR_PAGE, DRAGGED, DRAG = (0, 0, 480, 600), 170 + 360j, 22 - 16j
+# Where in the samples, painted at 200 %, the amounts are seen.
+AMOUNTS = [("photo", (420, 370, 780, 670)), ("smooth", (280, 290, 640, 530))]
 
 
 def net_of(document, mesh_id):
@@ -185,10 +188,7 @@ def dragged(svg, folder, out):
     with Image.open(painted) as bare:
         left, top = round(origin.real), PAGE_TOP
         below = bare.convert("RGB").crop((x - left, y - top, x - left + wide, y - top + high))
-    both = Image.new("RGB", (wide, 2 * high + 6), "white")
-    both.paste(picture.crop((x, y, x + wide, y + high)), (0, 0))
-    both.paste(below, (0, high + 6))
-    return both
+    return below_each_other([picture.crop((x, y, x + wide, y + high)), below])
 
 
 def edited(folder):
@@ -205,13 +205,42 @@ def edited(folder):
     return side_by_side(panels)
 
 
+def amounts(folder):
+    columns = []
+    for caption, epsilon in (("the sample", 0), ("Balanced", 0.01), ("Strong", 0.02)):
+        column = []
+        for sample, area in AMOUNTS:
+            svg = SAMPLES / f"{sample}.svg"
+            if epsilon:
+                document = gradmesh.load(svg)
+                gradmesh.simplify(document, epsilon=epsilon, max_local_error=0.1)
+                svg = folder / f"{sample}.svg"
+                gradmesh.save(document, svg)
+            with Inkscape() as inkscape:
+                png = inkscape.export_png(svg, folder / "picture.png", dpi=192)
+            with Image.open(png) as picture:
+                column.append(picture.convert("RGB").crop(area))
+        columns.append((caption, below_each_other(column)))
+    return side_by_side(columns)
+
+
+def below_each_other(pictures, gap=6):
+    height = sum(picture.height + gap for picture in pictures) - gap
+    sheet = Image.new("RGB", (max(picture.width for picture in pictures), height), "white")
+    top = 0
+    for picture in pictures:
+        sheet.paste(picture, (0, top))
+        top += picture.height + gap
+    return sheet
+
+
 def save(sheet, file):
     sheet.quantize(COLORS, kmeans=2, dither=Image.Dither.NONE).save(file, optimize=True)
 
 
 def main(images, names):
     pictures = {f"mesh-tool-{shown[1]}": (mesh_tool, shown) for shown in SHOWN}
-    pictures["edited"] = (edited, ())
+    pictures.update(edited=(edited, ()), amounts=(amounts, ()))
     for name in names or pictures:
         make, of = pictures[name]
         with tempfile.TemporaryDirectory() as folder:
