@@ -40,11 +40,11 @@ class Selection {
 
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
   /// to epsilon now that the points have been fitted anew. A target that cannot be reached without
-  /// corners that are seen is reached with these.
+  /// corners and gaps that are seen is reached with these.
   void run() {
     list_lines();
-    for (const bool may_have_corners : {false, true}) {
-      may_have_corners_ = may_have_corners;
+    for (const bool may_be_seen : {false, true}) {
+      may_be_seen_ = may_be_seen;
       for (Candidate& c : candidates_) c.priced_at = -1;
       do pass();
       while (made_ > made_when_too_much_ && !is_over_);
@@ -137,7 +137,7 @@ class Selection {
     std::vector<Side> sides = curved_sides(grid_);
     std::erase_if(sides, [&](const Side& side) {
       return std::ranges::find(too_much_, side) != too_much_.end() ||
-             (!may_have_corners_ && makes_corner(grid_, side));
+             (!may_be_seen_ && makes_corner(grid_, side));
     });
     if (sides.empty()) return;
     std::vector<std::pair<double, std::size_t>> order(sides.size());
@@ -154,8 +154,9 @@ class Selection {
 
   Outcome measured(PlainGrid grid) const {
     GridTask::Measured measured = task_.measure(grid);
-    if (!may_have_corners_ && largest_corner(grid) > most_corner_) measured.keeps = false;
-    if (border_gap(grid, task_.picture) > most_gap_) measured.keeps = false;
+    if (!may_be_seen_ &&
+        (largest_corner(grid) > most_corner_ || border_gap(grid, task_.picture) > most_gap_))
+      measured.keeps = false;
     return {std::move(grid), measured};
   }
 
@@ -289,7 +290,7 @@ class Selection {
   double local_ = 0;
   /// Fits after a step may turn corners a little further.
   const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid_));
-  bool may_have_corners_ = false;
+  bool may_be_seen_ = false;
   const GridTask& task_;
   const double most_gap_ = std::max(seen_gap, border_gap(grid_, task_.picture));
   StopWatch& watch_;
