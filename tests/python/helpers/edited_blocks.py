@@ -77,7 +77,8 @@ class Group:
             mesh.split_row(row, t)
         for column, t in columns:
             mesh.split_column(column, t)
-        written = ET.fromstring(meshgradient(mesh, "cut", "", Notation(digits=7)))
+        notation = Notation(relative=False, digits=7)
+        written = ET.fromstring(meshgradient(mesh, "cut", "", notation))
         gradient[:] = [self._in_svg(row) for row in written]
         self.save()
 
