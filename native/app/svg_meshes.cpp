@@ -25,6 +25,7 @@
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
+#include "ops/split/without_faces.h"
 #include "raster/overlaps.h"
 #include "trial/edit_error.h"
 
@@ -159,8 +160,7 @@ const SvgMeshes::ReadMesh& SvgMeshes::read(const MeshEntry& entry) const {
   std::optional<ReadMesh>& known = read_[std::size_t(entry.index)];
   if (known) return *known;
   if (entry.simplified) {
-    const Reconciled group = group_mesh(entry);
-    known = {naming(entry, [&] { return build_mesh(group.parts); }), group.edited};
+    known = group_mesh(entry);
   } else {
     const MeshParts parts = read_mesh(svg_, object(entry));
     known = {naming(entry, [&] { return build_mesh(parts); }), !is_as_written(svg_, object(entry))};
@@ -168,16 +168,19 @@ const SvgMeshes::ReadMesh& SvgMeshes::read(const MeshEntry& entry) const {
   return *known;
 }
 
-Reconciled SvgMeshes::group_mesh(const MeshEntry& group) const {
+SvgMeshes::ReadMesh SvgMeshes::group_mesh(const MeshEntry& group) const {
   const xmlNode* node = object(group).node;
-  const MeshParts read = read_mesh_group(svg_, node);
   const auto memory = attribute(node, "written", gradmesh_namespace);
-  const auto blocks = memory ? recall_blocks(*memory) : std::nullopt;
+  const auto written = memory ? recall_blocks(*memory) : std::nullopt;
+  const EditedBlocks blocks =
+      read_edited_group(svg_, node, written.value_or(std::vector<PatchGrid>()));
   return naming(group, [&] {
-    MeshParts written = parts_of(blocks.value_or(std::vector<PatchGrid>()));
-    if (written.patches.size() != read.patches.size()) return reconcile(read);
-    written.curves = read.curves;
-    return reconcile(read, written);
+    const Reconciled whole = reconcile(blocks);
+    std::vector<Face> removed;
+    for (const int patch : removed_patches(blocks)) removed.push_back(Face{patch});
+    ReadMesh read{build_mesh(whole.parts), whole.edited || !removed.empty()};
+    if (!removed.empty()) read.mesh = without_faces(std::move(read.mesh), removed);
+    return read;
   });
 }
 
@@ -285,13 +288,21 @@ void SvgMeshes::replace_gradient(const SimplifiedMesh& m, const std::string& ori
 ChosenPatches SvgMeshes::block(const std::string& id) const {
   const xmlNode* node = svg_.find(id);
   if (!node) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
-  const auto faces = block_faces(svg_, node);
-  if (!faces) fail(node, Message("it is no block of a simplified mesh"));
-  ChosenPatches chosen{{}, {faces->rows, faces->columns, {}}};
+  const xmlNode* group = parent_element(node);
+  const auto blocks = group && is_mesh_group(group) ? block_faces(svg_, group)
+                                                    : std::map<const xmlNode*, BlockFaces>();
+  const auto found = blocks.find(node);
+  if (found == blocks.end()) fail(node, Message("it is no block of a simplified mesh"));
+  const auto [first, rows, columns] = found->second;
+  ChosenPatches chosen{{}, {rows, columns, {}}};
   for (const MeshEntry& entry : entries_)
-    if (object(entry).node == parent_element(node)) chosen.entry = entry;
-  for (int i = 0; i < faces->rows * faces->columns; ++i)
-    chosen.rectangle.tops.push_back(mesh(chosen.entry).sides(Face{faces->first + i})[0]);
+    if (object(entry).node == group) chosen.entry = entry;
+  int faces = 0;
+  for (const auto& [path, block] : blocks) faces += block.rows * block.columns;
+  if (faces != mesh(chosen.entry).face_count())
+    fail(group, Message("one of its blocks is missing: use Update after Editing first"));
+  for (int i = 0; i < rows * columns; ++i)
+    chosen.rectangle.tops.push_back(mesh(chosen.entry).sides(Face{first + i})[0]);
   return chosen;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/document.h"
-#include "form/reconcile.h"
 #include "formats/svg/read/document.h"
 #include "mesh/rectangle.h"
 
@@ -75,8 +74,9 @@ class SvgMeshes : public Document {
   const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
   /// Returns the mesh, which is read at the first call.
   const ReadMesh& read(const MeshEntry& entry) const;
-  /// Returns the mesh of a group as a person has left it, reconciled.
-  Reconciled group_mesh(const MeshEntry& group) const;
+  /// Returns the mesh of a group as a person has left it, reconciled, with holes where blocks were
+  /// removed.
+  ReadMesh group_mesh(const MeshEntry& group) const;
   /// Returns the mesh before it was first simplified, as the value of the attribute of the group or
   /// the object; nothing if that remembers none.
   std::optional<std::string> memory(const MeshEntry& entry) const;

@@ -125,23 +125,28 @@ class BlockFinder {
       : mesh_(mesh),
         order_(order),
         used_(mesh.face_slots(), false),
-        taken_in_(mesh.face_slots(), 0) {}
+        taken_in_(mesh.face_slots(), 0),
+        widths_(mesh.halfedge_slots(), 0) {}
 
   std::vector<Rectangle> run() {
     // A rectangle can only shrink as others take its faces, so the first that is still whole when
-    // its turn comes is the largest there is.
+    // its turn comes is the largest there is. It is searched for only where it may be that one.
     std::priority_queue<Candidate> queue;
     for (const Face f : mesh_.faces())
-      for (int top = 0; top < 4; ++top) queue.push(candidate(f, top));
+      for (int top = 0; top < 4; ++top) queue.push(promise(f, top));
     std::vector<Rectangle> blocks;
     while (!queue.empty()) {
       const Candidate best = queue.top();
       queue.pop();
       if (used_[best.face.value]) continue;
+      if (best.block.tops.empty()) {
+        queue.push(candidate(best.face, best.top));
+        continue;
+      }
       const bool whole = std::ranges::none_of(
           best.block.tops, [&](Halfedge top) { return used_[mesh_.face(top).value]; });
       if (!whole || !order_.allows(best.block.tops)) {
-        queue.push(candidate(best.face, best.top));
+        queue.push(promise(best.face, best.top));
         continue;
       }
       for (const Halfedge top : best.block.tops) used_[mesh_.face(top).value] = true;
@@ -153,20 +158,57 @@ class BlockFinder {
 
  private:
   struct Candidate {
+    /// Without tops until it has been searched for.
     Rectangle block;
     /// The face with which the block begins, and which of its sides is the top there.
     Face face;
     int top;
+    /// The number of its patches, or at least as many.
+    std::size_t size;
 
     bool operator<(const Candidate& o) const {
-      const std::size_t a = block.tops.size(), b = o.block.tops.size();
-      if (a != b) return a < b;
+      if (size != o.size) return size < o.size;
       return std::pair(top, face) > std::pair(o.top, o.face);
     }
   };
 
   Candidate candidate(Face face, int top) {
-    return {largest_from(mesh_.sides(face)[std::size_t(top)]), face, top};
+    Rectangle block = largest_from(mesh_.sides(face)[std::size_t(top)]);
+    const std::size_t size = block.tops.size();
+    return {std::move(block), face, top, size};
+  }
+
+  /// Returns a candidate that has not been searched for, of the size that the lengths of rows
+  /// allow.
+  Candidate promise(Face face, int top) {
+    const Halfedge seed = mesh_.sides(face)[std::size_t(top)];
+    std::size_t rows = 0, width = mesh_.face_slots(), size = 0;
+    for (std::optional<Halfedge> first = seed; first && rows < mesh_.face_slots();
+         first = across(*first, 2)) {
+      width = std::min(width, width_from(*first));
+      size = std::max(size, ++rows * width);
+      if (across(*first, 2) == seed) break;
+    }
+    return {{}, face, top, size};
+  }
+
+  /// Returns how many patches at most lie side by side from this top to the right, which only
+  /// becomes less.
+  std::size_t width_from(Halfedge top) {
+    std::vector<Halfedge> row;
+    std::optional<Halfedge> at = top;
+    for (; at && widths_[at->value] == 0; at = across(*at, 1)) {
+      if (!row.empty() && *at == top) break;
+      row.push_back(*at);
+    }
+    const bool is_ring = at == top && !row.empty();
+    std::size_t width = is_ring ? row.size() : at ? widths_[at->value] : 0;
+    while (!row.empty()) {
+      width = is_ring ? width : width + 1;
+      widths_[row.back().value] = width;
+      row.pop_back();
+    }
+    return widths_[top.value];
   }
 
   /// Returns the top of the patch across side `side` of the patch with this top, if the surface
@@ -231,6 +273,8 @@ class BlockFinder {
   std::vector<bool> used_;
   /// For each face, the last search that has met it.
   std::vector<int> taken_in_;
+  /// For each top, how wide the row from it was when that was asked for, or 0.
+  std::vector<std::size_t> widths_;
   int search_ = 0;
 };
 

@@ -26,7 +26,7 @@ std::vector<CurveParts> grid_curves(int rows, int columns) {
   return curves;
 }
 
-MeshParts parts_of(const std::vector<PatchGrid>& grids) {
+MeshParts parts_of(const std::vector<PatchGrid>& grids, const std::vector<CurveParts>& between) {
   MeshParts parts;
   for (const PatchGrid& grid : grids) {
     const int first = 4 * int(parts.patches.size());
@@ -37,6 +37,7 @@ MeshParts parts_of(const std::vector<PatchGrid>& grids) {
       parts.curves.push_back(std::move(curve));
     }
   }
+  parts.curves.insert(parts.curves.end(), between.begin(), between.end());
   return parts;
 }
 

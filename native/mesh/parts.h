@@ -57,7 +57,9 @@ void transform(MeshParts& parts, const Affine& affine);
 /// Returns the curves of a plain grid of `rows` x `columns` patches stored row by row.
 std::vector<CurveParts> grid_curves(int rows, int columns);
 
-/// Returns the patches of all grids in their order, and the curves inside each of them.
-MeshParts parts_of(const std::vector<PatchGrid>& grids);
+/// Returns the patches of all grids in their order, and the curves inside each of them and then
+/// those between them.
+MeshParts parts_of(const std::vector<PatchGrid>& grids,
+                   const std::vector<CurveParts>& between = {});
 
 }  // namespace gradmesh

@@ -5,7 +5,9 @@ from collections import Counter
 
 import numpy as np
 
+import random_meshes  # noqa: F401, which knows where meshgrid is
 import svg_meshes
+from meshgrid import Mesh, Notation, meshgradient
 from svg_meshes import GRADMESH, SVG
 
 
@@ -65,3 +67,57 @@ class Group:
             stop.set("path", f"{letter} {text}")
         assert moved
         self.save()
+
+    def cut(self, block, rows=(), columns=()):
+        """Cuts a block as the mesh tool does at a double click: pairs of a row, or a column, and a
+        parameter, each of the block as those before have left it."""
+        gradient = self.gradient(block)
+        mesh = read_mesh(gradient)
+        for row, t in rows:
+            mesh.split_row(row, t)
+        for column, t in columns:
+            mesh.split_column(column, t)
+        notation = Notation(relative=False, digits=7)
+        written = ET.fromstring(meshgradient(mesh, "cut", "", notation))
+        gradient[:] = [self._in_svg(row) for row in written]
+        self.save()
+
+    def _in_svg(self, row):
+        for element in row.iter():
+            element.tag = SVG + element.tag
+        return row
+
+    def remove(self, block):
+        path = self.document.by_id[block]
+        self.node.remove(path)
+        self.save()
+
+
+def read_mesh(gradient):
+    """A block's mesh, in the gradient's own space."""
+    start = complex(float(gradient.get("x")), float(gradient.get("y")))
+    mesh = Mesh.__new__(Mesh)
+    mesh.points = [list(line) for line in svg_meshes.read_net(gradient, start)]
+    rows = [list(row.iter(SVG + "meshpatch")) for row in gradient.iter(SVG + "meshrow")]
+    mesh.colours = [[None] * (len(rows[0]) + 1) for _ in range(len(rows) + 1)]
+    mesh.tensor = set()
+    for i, row in enumerate(rows):
+        for j, patch in enumerate(row):
+            stops = [_colour(stop) for stop in patch.iter(SVG + "stop")]
+            places = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
+            # Sides that an earlier patch has given are left out, and what begins there with them.
+            given = [k for k in range(4) if (k or i == 0) and (k < 3 or j == 0)]
+            for k, colour in zip(given, stops):
+                if colour:
+                    mesh.colours[places[k][0]][places[k][1]] = colour
+            if patch.get("tensor"):
+                mesh.tensor.add((i, j))
+    assert all(colour for line in mesh.colours for colour in line)
+    return mesh
+
+
+def _colour(stop):
+    style = dict(part.split(":", 1) for part in stop.get("style", "").split(";") if part)
+    text = style.get("stop-color", stop.get("stop-color"))
+    alpha = float(style.get("stop-opacity", stop.get("stop-opacity", 1)))
+    return (*(int(text[k : k + 2], 16) / 255 for k in (1, 3, 5)), alpha) if text else None

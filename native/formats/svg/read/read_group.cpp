@@ -49,47 +49,98 @@ PatchGrid read_block(const SvgDocument& document, const xmlNode* group, xmlNode*
   return block;
 }
 
-/// Returns all blocks below `parent`, the group or its mask, in the order of their faces.
-std::vector<PatchGrid> read_blocks(const SvgDocument& document, const xmlNode* group,
-                                   const xmlNode* parent) {
-  std::map<int, PatchGrid> found;
+/// The blocks below a group or its mask, by the number of their first face as it was written.
+using NumberedBlocks = std::map<int, PatchGrid>;
+
+NumberedBlocks numbered_blocks(const SvgDocument& document, const xmlNode* group,
+                               const xmlNode* parent) {
+  NumberedBlocks blocks;
   for (xmlNode* path : child_elements(parent)) {
     const auto face = own_number(path, "face");
     if (!face) continue;
-    if (!found.emplace(*face, read_block(document, group, path)).second)
+    if (!blocks.emplace(*face, read_block(document, group, path)).second)
       fail(group, Message("one of its blocks is there twice"));
-  }
-  std::vector<PatchGrid> blocks;
-  int faces = 0;
-  for (auto& [first_face, block] : found) {
-    if (first_face > faces)
-      fail(group, Message("one of its blocks is missing: undo what removed it"));
-    if (first_face < faces)
-      fail(group,
-           Message("one of its blocks has more rows or columns than before: undo that, and cut "
-                   "its patches by Refine Here instead"));
-    faces += int(block.patches.size());
-    blocks.push_back(std::move(block));
   }
   if (blocks.empty()) fail(group, Message("it holds no blocks"));
   return blocks;
 }
 
-void set_opacities(const xmlNode* group, const std::vector<PatchGrid>& lights,
-                   std::vector<PatchGrid>& blocks) {
-  const auto same_shape = [](const PatchGrid& a, const PatchGrid& b) {
-    return a.rows == b.rows && a.columns == b.columns;
-  };
-  if (!std::ranges::equal(lights, blocks, same_shape))
+Message is_missing() { return Message("one of its blocks is missing: undo what removed it"); }
+
+/// Returns the blocks in the order of their faces, of which none is missing.
+std::vector<PatchGrid> read_blocks(const SvgDocument& document, const xmlNode* group,
+                                   const xmlNode* parent) {
+  std::vector<PatchGrid> blocks;
+  int faces = 0;
+  for (auto& [first_face, block] : numbered_blocks(document, group, parent)) {
+    if (first_face > faces) fail(group, is_missing());
+    if (first_face < faces)
+      fail(group,
+           Message("one of its blocks has more rows or columns than before: undo that, and cut "
+                   "its patches by Refine Here instead"));
+    faces += int(block.patches.size());
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+bool have_same_shape(const PatchGrid& a, const PatchGrid& b) {
+  return a.rows == b.rows && a.columns == b.columns;
+}
+
+void set_opacities(const xmlNode* group, const PatchGrid& lights, PatchGrid& block) {
+  if (!have_same_shape(lights, block))
     fail(group, Message("its mask does not hold the opacities of all its blocks"));
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    for (std::size_t f = 0; f < blocks[b].patches.size(); ++f) {
-      Patch& patch = blocks[b].patches[f];
-      for (const int i : {0, 3})
-        for (const int j : {0, 3})
-          patch.c[i][j].color.a = mask_opacity(glm::dvec3(lights[b].patches[f].c[i][j].color));
-      make_color_bilinear(patch);
-    }
+  for (std::size_t f = 0; f < block.patches.size(); ++f) {
+    Patch& patch = block.patches[f];
+    for (const int i : {0, 3})
+      for (const int j : {0, 3})
+        patch.c[i][j].color.a = mask_opacity(glm::dvec3(lights.patches[f].c[i][j].color));
+    make_color_bilinear(patch);
+  }
+}
+
+std::size_t patch_count(const std::vector<PatchGrid>& blocks) {
+  std::size_t count = 0;
+  for (const PatchGrid& block : blocks) count += block.patches.size();
+  return count;
+}
+
+/// Returns the curves with more than one block along them, of a mesh of so many patches.
+std::vector<CurveParts> group_curves(const xmlNode* group, std::size_t patches) {
+  auto curves = parse_curves(own_attribute(group, "curves").value_or(""));
+  if (!curves) fail(group, Message("its gradmesh:curves cannot be read"));
+  for (const CurveParts& curve : *curves)
+    for (const CurveSide* side : {&curve.a, &curve.b})
+      for (const int h : side->halfedges)
+        if (h < 0 || h >= 4 * int(patches)) fail(group, is_missing());
+  return std::move(*curves);
+}
+
+/// Returns the blocks as they were written by the numbers of their first faces, if the group can be
+/// what a person has left of them.
+std::optional<NumberedBlocks> fitting(const std::vector<PatchGrid>& written,
+                                      const NumberedBlocks& found) {
+  NumberedBlocks before;
+  int faces = 0;
+  for (const PatchGrid& block : written) {
+    before.emplace(faces, block);
+    faces += int(block.patches.size());
+  }
+  const bool fits = std::ranges::all_of(
+      found, [&](const auto& numbered) { return before.contains(numbered.first); });
+  return fits ? std::optional(before) : std::nullopt;
+}
+
+/// Returns how a block was cut since it was written.
+BlockCuts cuts_of(const xmlNode* group, const PatchGrid& before, const PatchGrid& now) {
+  if (now.rows < before.rows || now.columns < before.columns)
+    fail(group, Message("one of its blocks has fewer rows or columns than before: undo that"));
+  const auto cuts = find_cuts(before, now);
+  if (!cuts)
+    fail(group, Message("which rows or columns of one of its blocks are new cannot be told: undo "
+                        "what moved the others, or cut its patches by Refine Here instead"));
+  return *cuts;
 }
 
 }  // namespace
@@ -127,34 +178,64 @@ xmlNode* opacity_mask(const SvgDocument& document, const xmlNode* group) {
   return mask && is_opacity_mask(mask) ? mask : nullptr;
 }
 
-std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode* path) {
-  const xmlNode* group = parent_element(path);
-  const auto first = own_number(path, "face");
-  if (!first || !group || !is_mesh_group(group)) return std::nullopt;
-  const PatchGrid grid = read_mesh_gradient(document, block_gradient(document, group, path));
-  return BlockFaces{*first, grid.rows, grid.columns};
+std::map<const xmlNode*, BlockFaces> block_faces(const SvgDocument& document,
+                                                 const xmlNode* group) {
+  std::map<int, std::pair<const xmlNode*, PatchGrid>> found;
+  for (const xmlNode* path : child_elements(group))
+    if (const auto face = own_number(path, "face"))
+      found.emplace(*face, std::pair(path, read_mesh_gradient(
+                                               document, block_gradient(document, group, path))));
+  std::map<const xmlNode*, BlockFaces> faces;
+  int first = 0;
+  for (const auto& [face, block] : found) {
+    const auto& [path, grid] = block;
+    faces[path] = {first, grid.rows, grid.columns};
+    first += int(grid.patches.size());
+  }
+  return faces;
 }
 
 std::vector<PatchGrid> read_mesh_blocks(const SvgDocument& document, const xmlNode* group) {
   std::vector<PatchGrid> blocks = read_blocks(document, group, group);
-  if (const xmlNode* mask = opacity_mask(document, group))
-    set_opacities(group, read_blocks(document, group, mask), blocks);
+  const xmlNode* mask = opacity_mask(document, group);
+  if (!mask) return blocks;
+  const std::vector<PatchGrid> lights = read_blocks(document, group, mask);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    set_opacities(group, b < lights.size() ? lights[b] : PatchGrid(), blocks[b]);
   return blocks;
 }
 
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group) {
-  MeshParts parts = parts_of(read_mesh_blocks(document, group));
-  const std::string text = own_attribute(group, "curves").value_or("");
-  const auto curves = parse_curves(text);
-  if (!curves) fail(group, Message("its gradmesh:curves cannot be read"));
-  const int halfedges = 4 * int(parts.patches.size());
-  for (const CurveParts& curve : *curves)
-    for (const CurveSide* side : {&curve.a, &curve.b})
-      for (const int h : side->halfedges)
-        if (h < 0 || h >= halfedges)
-          fail(group, Message("one of its blocks is missing: undo what removed it"));
-  parts.curves.insert(parts.curves.end(), curves->begin(), curves->end());
-  return parts;
+  const std::vector<PatchGrid> blocks = read_mesh_blocks(document, group);
+  return parts_of(blocks, group_curves(group, patch_count(blocks)));
+}
+
+EditedBlocks read_edited_group(const SvgDocument& document, const xmlNode* group,
+                               const std::vector<PatchGrid>& written) {
+  EditedBlocks edited;
+  const NumberedBlocks found = numbered_blocks(document, group, group);
+  const auto before = fitting(written, found);
+  if (!before) {
+    edited.read = read_mesh_blocks(document, group);
+    edited.curves = group_curves(group, patch_count(edited.read));
+    return edited;
+  }
+  edited.curves = group_curves(group, patch_count(written));
+  const xmlNode* mask = opacity_mask(document, group);
+  const NumberedBlocks lights = mask ? numbered_blocks(document, group, mask) : NumberedBlocks();
+  edited.written = written;
+  for (const auto& [face, block] : *before) {
+    const auto now = found.find(face);
+    edited.removed.push_back(now == found.end());
+    edited.read.push_back(edited.removed.back() ? block : now->second);
+    edited.cuts.push_back(cuts_of(group, block, edited.read.back()));
+    if (!mask || edited.removed.back()) continue;
+    const auto light = lights.find(face);
+    const bool lit = light != lights.end() && have_same_shape(light->second, block);
+    set_opacities(group, lit ? cut(light->second, edited.cuts.back()) : PatchGrid(),
+                  edited.read.back());
+  }
+  return edited;
 }
 
 }  // namespace gradmesh

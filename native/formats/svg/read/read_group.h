@@ -2,11 +2,13 @@
 
 #include <libxml/tree.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "form/counts.h"
+#include "form/cut_blocks.h"
 #include "formats/svg/read/document.h"
 #include "formats/svg/read/objects.h"
 #include "mesh/parts.h"
@@ -55,9 +57,10 @@ struct BlockFaces {
   int first = 0, rows = 0, columns = 0;
 };
 
-/// Returns the faces of the block with this path; nothing if the path is no block of a group.
-/// Throws InputError if its gradient cannot be read.
-std::optional<BlockFaces> block_faces(const SvgDocument& document, const xmlNode* path);
+/// Returns the faces of each block of a group, by its path, as the mesh is numbered that was read:
+/// a person may have cut or removed blocks since their faces were numbered. Throws InputError if a
+/// gradient cannot be read.
+std::map<const xmlNode*, BlockFaces> block_faces(const SvgDocument& document, const xmlNode* group);
 
 /// Returns the blocks of a group in the order of their faces, in the group's user space. Throws
 /// InputError if blocks are missing.
@@ -66,5 +69,12 @@ std::vector<PatchGrid> read_mesh_blocks(const SvgDocument& document, const xmlNo
 /// Returns the mesh of a group, in the group's user space. Throws InputError if blocks are missing
 /// or do not fit together.
 MeshParts read_mesh_group(const SvgDocument& document, const xmlNode* group);
+
+/// Returns the blocks of a group that were written so, in the group's user space, as a person has
+/// left them, who may have cut or removed some. If blocks have lost their places, or `written` is
+/// empty, it is not known how they were written. Throws InputError if blocks are missing then, or
+/// if it cannot be told how one was cut.
+EditedBlocks read_edited_group(const SvgDocument& document, const xmlNode* group,
+                               const std::vector<PatchGrid>& written);
 
 }  // namespace gradmesh

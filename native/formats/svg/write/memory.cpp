@@ -108,10 +108,9 @@ const xmlNode* group_in(const SvgDocument& document) {
 MeshParts read(const std::string& bytes) {
   if (bytes.starts_with("HEMESH")) return read_hemesh(bytes, "memory");
   if (const auto packed = unpack(bytes)) {
-    MeshParts parts = parts_of(packed->grids);
+    const auto curves = parse_curves(packed->curves);
+    MeshParts parts = parts_of(packed->grids, curves.value_or(std::vector<CurveParts>()));
     parts.smooth = packed->smooth;
-    if (const auto curves = parse_curves(packed->curves))
-      parts.curves.insert(parts.curves.end(), curves->begin(), curves->end());
     return parts;
   }
   const SvgDocument document = SvgDocument::parse(bytes, "memory");

@@ -51,16 +51,18 @@ class MeshWriter {
     describe_group(group);
   }
 
+  /// Returns the ids of the blocks that hold all faces of the mesh; nothing if others do as well.
   BlockIds block_ids(const xmlNode* group) const {
     BlockIds ids;
-    for (const xmlNode* path : child_elements(group)) {
-      const auto faces = block_faces(document_, path);
-      if (!faces) continue;
+    int all = 0;
+    for (const auto& [path, faces] : block_faces(document_, group)) {
       const auto fill = document_.styles().declared(path, "fill");
-      ids[{faces->first, faces->rows * faces->columns}] = {
-          attribute(path, "id").value_or(""), referenced_id(fill.value_or("")).value_or("")};
+      const int count = faces.rows * faces.columns;
+      ids[{faces.first, count}] = {attribute(path, "id").value_or(""),
+                                   referenced_id(fill.value_or("")).value_or("")};
+      all += count;
     }
-    return ids;
+    return all == written_.mesh.face_count() ? ids : BlockIds();
   }
 
   /// Removes the blocks in a group or mask. Returns the ids of the gradients that they used.
