@@ -173,7 +173,7 @@ def test_nothing_to_merge_keeps_every_byte(tmp_path):
 
 def test_what_happened_to_handles_is_told_of_handles(tmp_path):
     one, out = tmp_path / "one.svg", tmp_path / "out.svg"
-    assert gradmesh("simplify", SAMPLES / "fruit.svg", "-o", one, "--handles", "4").returncode == 0
+    assert gradmesh("simplify", SAMPLES / "fruit.svg", "-o", one, "--handles", "4", "--forget-original").returncode == 0
     done = gradmesh("simplify", one, "-o", out, "--method", "plain")
     assert done.stdout.startswith("pear: 4 of 4 handles, 1 of 1 patches left, FLIP 0.00000, ")
     assert done.stdout.endswith(" s (no handle could be taken out)\n")

@@ -23,8 +23,8 @@ def test_load_tells_what_is_there():
     two = gradmesh.load(str(SAMPLES / "two.svg"))
     assert two.ids == ["stalk", "cap"]
     assert [astuple(mesh) for mesh in two.meshes] == [
-        ("stalk", "fill", False, 36, False, None),
-        ("cap", "fill", False, 280, False, None),
+        ("stalk", "fill", False, 181, 36, 1, False, None),
+        ("cap", "fill", False, 1423, 280, 1, False, None),
     ]
     (loop,) = gradmesh.load(SAMPLES / "stroke.svg").meshes
     assert loop.role == "stroke"
