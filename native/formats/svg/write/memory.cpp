@@ -41,8 +41,8 @@ std::string packed(const std::string& text) {
   return memory.size() <= longest_attribute ? memory : "";
 }
 
-/// With 18, a further run found 0.01005 where the run before had kept to 0.01; with 22 errors differ
-/// by 1e-7.
+/// With 18, a further run found 0.01005 where the run before had kept to 0.01; with 22 errors
+/// differ by 1e-7.
 constexpr int precision = 22;
 
 std::vector<PatchGrid> grids_of(const std::vector<Rectangle>& blocks, const auto& patch) {
