@@ -115,5 +115,5 @@ def test_the_window_tells_and_stops(extension, display, tmp_path, stop):
     assert (stopped["words"], stopped["can stop"]) == ("Stopping: the best so far is kept …", False)
 
     (photo,) = [e for e in ET.fromstring(done.stdout).iter() if e.get("id") == "photo"]
-    left, before = map(int, re.match(r"Gradient mesh: (\d+) of (\d+) ", photo.get(LABEL)).groups())
+    left, before = map(int, re.search(r", (\d+) of (\d+) patches", photo.get(LABEL)).groups())
     assert left == patches < before == ALL

@@ -172,7 +172,9 @@ def test_no_refusal_stops_the_run(inkscape, simple, report, tmp_path):
 
 
 def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
-    inkscape.set_values({"org.gradmesh.simplify.resolution": "100"})
+    # The mesh remembers what it was before it was simplified, so that more must be allowed now.
+    values = {"resolution": "100", "amount": "custom", "epsilon": "0.06"}
+    inkscape.set_values({f"org.gradmesh.simplify.{name}": value for name, value in values.items()})
     items = ["show-analysis", "remove-analysis", "refine", "to-one-mesh", "simplify"]
     block = next(iter(Document(simple).blocks()))
     ids = ["pear", "pear", block, "pear", "pear"]
@@ -185,7 +187,7 @@ def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
     assert refined["patches_before"] < refined["patches_after"] == whole["patches_before"]
     assert whole["patches_after"] == simplified["patches_before"] > simplified["patches_after"]
     assert {mesh["id"] for mesh in (refined, whole, simplified)} == {"pear"}
-    assert 0 < simplified["error"] <= 0.01
+    assert 0 < simplified["error"] <= 0.06
 
 
 @pytest.mark.parametrize(

@@ -142,4 +142,5 @@ def test_all_other_corners_stay_where_they_are(editing):
 
 
 def test_the_edited_file_still_holds_the_same_mesh(editing):
-    assert counts(editing.svg) == editing.counts_before
+    # As edited it is measured against itself.
+    assert counts(editing.svg) == {**editing.counts_before, "remembers": False}
