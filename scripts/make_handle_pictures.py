@@ -17,7 +17,15 @@ import time
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-from make_readme_pictures import MESH_TOOL, ROOT, SAMPLES, Inkscape, gradmesh, side_by_side
+from make_readme_pictures import (
+    MESH_TOOL,
+    ROOT,
+    SAMPLES,
+    Inkscape,
+    below_each_other,
+    gradmesh,
+    side_by_side,
+)
 from PIL import Image
 
 import numpy as np  # noqa: E402, the helpers come with make_readme_pictures
@@ -188,7 +196,7 @@ def dragged(svg, folder, out):
     with Image.open(painted) as bare:
         left, top = round(origin.real), PAGE_TOP
         below = bare.convert("RGB").crop((x - left, y - top, x - left + wide, y - top + high))
-    return below_each_other([picture.crop((x, y, x + wide, y + high)), below])
+    return below_each_other([picture.crop((x, y, x + wide, y + high)), below], gap=6)
 
 
 def edited(folder):
@@ -220,18 +228,8 @@ def amounts(folder):
                 png = inkscape.export_png(svg, folder / "picture.png", dpi=192)
             with Image.open(png) as picture:
                 column.append(picture.convert("RGB").crop(area))
-        columns.append((caption, below_each_other(column)))
+        columns.append((caption, below_each_other(column, gap=6)))
     return side_by_side(columns)
-
-
-def below_each_other(pictures, gap=6):
-    height = sum(picture.height + gap for picture in pictures) - gap
-    sheet = Image.new("RGB", (max(picture.width for picture in pictures), height), "white")
-    top = 0
-    for picture in pictures:
-        sheet.paste(picture, (0, top))
-        top += picture.height + gap
-    return sheet
 
 
 def save(sheet, file):

@@ -16,8 +16,7 @@ import tempfile
 from pathlib import Path
 
 import matplotlib
-from make_readme_pictures import painted, side_by_side, with_patches
-from PIL import Image
+from make_readme_pictures import below_each_other, painted, side_by_side, with_patches
 from runs import METHODS, PAPER, ROOT, Bench, gradmesh
 
 matplotlib.use("Agg")
@@ -104,16 +103,6 @@ def before_after(file, mesh_id, folder):
     original = with_patches(before, folder / "before-patches.svg", mesh_id)
     panels += [(f"{result.patches_before} patches", original), *patches, ("after best", after)]
     return side_by_side(painted(panels, folder, width=250))
-
-
-def below_each_other(sheets, gap=12):
-    height = sum(sheet.height + gap for sheet in sheets) - gap
-    page = Image.new("RGB", (max(sheet.width for sheet in sheets), height), "white")
-    top = 0
-    for sheet in sheets:
-        page.paste(sheet, (0, top))
-        top += sheet.height + gap
-    return page
 
 
 def main():

@@ -61,6 +61,16 @@ def panels(folder):
     ]
 
 
+def below_each_other(sheets, gap=12):
+    height = sum(sheet.height + gap for sheet in sheets) - gap
+    page = Image.new("RGB", (max(sheet.width for sheet in sheets), height), "white")
+    top = 0
+    for sheet in sheets:
+        page.paste(sheet, (0, top))
+        top += sheet.height + gap
+    return page
+
+
 def side_by_side(pictures, gap=8):
     """A sheet of (caption, picture), from left to right."""
     height = max(picture.height for _, picture in pictures)
