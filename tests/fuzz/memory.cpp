@@ -2,7 +2,9 @@
 #include <string>
 
 #include "files/base64.h"
+#include "files/base85.h"
 #include "files/zip.h"
+#include "formats/packed/patches.h"
 #include "formats/svg/write/memory.h"
 #include "mesh/build.h"
 #include "target.h"
@@ -12,6 +14,10 @@ namespace {
 
 void check_packing(const std::string& text) {
   require(base64_bytes(base64(text)) == text, "base64 gives the bytes back");
+  require(base85_bytes(base85(text)) == text, "base85 gives the bytes back");
+  if (const auto bytes = base85_bytes(text))
+    require(base85(*bytes) == text, "bytes have one text in base85");
+  if (auto mesh = unpack(text)) pack(std::move(*mesh), 22);
   require(unzip(zip(text), text.size()) == text, "zip gives the bytes back");
   // Also as they come from a stranger: packed by nobody.
   unzip(text, 1 << 16);

@@ -4,48 +4,60 @@
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/limits.h"
-#include "formats/packed/numbers.h"
-#include "geom/box.h"
+#include "formats/packed/expectation.h"
+#include "formats/packed/range_coder.h"
+#include "formats/packed/scale.h"
+#include "formats/packed/spread.h"
 
 namespace gradmesh {
 namespace {
 
-constexpr double farthest = 1e9;
+constexpr glm::dvec2 no_guess(std::numeric_limits<double>::quiet_NaN());
 
-/// How numbers stand for positions and colours.
-struct Scale {
-  /// The steps of x and y are 2 to these powers.
-  std::array<std::int64_t, 2> exponents{};
-  /// For each channel, the number of steps from 0 to 1.
-  std::array<std::int64_t, 4> levels{};
-
-  glm::dvec2 step() const {
-    return {std::ldexp(1.0, int(exponents[0])), std::ldexp(1.0, int(exponents[1]))};
-  }
-};
-
-/// Writes or reads all patches, as its Numbers do.
+/// Writes or reads all patches, as its coder does.
 class PatchCoder {
  public:
-  /// The lists: what belongs to all, rows and columns and whether sides are curves, x, y, channels.
-  static constexpr int count = 7;
-  explicit PatchCoder(std::array<Numbers, count>& lists) : lists_(lists) {}
+  explicit PatchCoder(RangeCoder coder) : coder_(std::move(coder)) {}
 
-  bool is_read() const { return lists_[0].is_read(); }
+  RangeCoder& coder() { return coder_; }
+  std::int64_t code(std::int64_t count) { return counts_.code(coder_, count); }
+  bool code(bool flag) { return coder_.code(flag); }
 
-  void code(Scale& scale) {
-    for (std::int64_t& exponent : scale.exponents)
-      exponent = std::clamp<std::int64_t>(shape().code(exponent), -1000, 1000);
-    for (std::int64_t& levels : scale.levels)
-      levels = std::clamp<std::int64_t>(shape().code(levels), 1, 65535);
-    scale_ = scale;
+  /// Returns nothing if the text would be longer than `most`.
+  std::optional<std::string> code(std::string text, std::int64_t most) {
+    const std::int64_t length = code(std::int64_t(text.size()));
+    if (length < 0 || length > most) return std::nullopt;
+    text.resize(std::size_t(length));
+    for (char& letter : text) {
+      unsigned known = 1;  // The bits so far, after a one.
+      for (int bit = 7; bit >= 0; --bit)
+        known = known << 1 | coder_.code(letter >> bit & 1, letter_chances_[known]);
+      letter = char(std::uint8_t(known));
+    }
+    return text;
+  }
+
+  void code(const Scale& known) {
+    const auto between = [&](std::int64_t number, std::int64_t low, std::int64_t high) {
+      return std::clamp(code(number), low, high);
+    };
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto [is_decimal, exponent] = known.steps[axis];
+      const bool decimal = coder_.code(is_decimal);
+      scale_.steps[axis] = {decimal, int(between(exponent, decimal ? -15 : -1000, 1000))};
+    }
+    for (std::size_t channel = 0; channel < 4; ++channel)
+      scale_.levels[channel] = between(known.levels[channel], 1, 65535);
   }
 
   /// Returns false if the grid would have none or more than `most` patches.
   bool code(PatchGrid& grid, std::uint64_t most) {
-    const std::int64_t rows = shape().code(grid.rows), columns = shape().code(grid.columns);
+    const std::int64_t rows = code(std::int64_t(grid.rows)),
+                       columns = code(std::int64_t(grid.columns));
     if (rows < 1 || columns < 1 || std::uint64_t(rows) > most ||
         std::uint64_t(columns) > most / std::uint64_t(rows))
       return false;
@@ -53,10 +65,10 @@ class PatchCoder {
     columns_ = grid.columns = int(columns);
     net_.assign(std::size_t(3 * rows_ + 1) * std::size_t(3 * columns_ + 1), {});
     corners_.assign(std::size_t(rows_ + 1) * std::size_t(columns_ + 1), glm::dvec4(0.0));
-    if (!is_read()) take(grid);
+    if (!coder_.is_read()) take(grid);
     code_corners();
-    for (int i = 0; i <= rows_; ++i) code_line(3 * i, 0, 0, 1, columns_);
-    for (int j = 0; j <= columns_; ++j) code_line(0, 3 * j, 1, 0, rows_);
+    code_lines({.down = 0, .right = 1, .sides = columns_, .lines = rows_ + 1});
+    code_lines({.down = 1, .right = 0, .sides = rows_, .lines = columns_ + 1});
     for (int row = 0; row < rows_; ++row)
       for (int column = 0; column < columns_; ++column) code_interior(row, column);
     for (int channel = 0; channel < 4; ++channel) code_colors(channel);
@@ -67,7 +79,15 @@ class PatchCoder {
   }
 
  private:
-  Numbers& shape() { return lists_[0]; }
+  /// The lines of the net along its rows or its columns.
+  struct Lines {
+    int down, right, sides, lines;
+  };
+  /// A curve's handles from the thirds of its chord; no_guess for a line.
+  using Bends = std::array<glm::dvec2, 2>;
+  /// What handles may be guessed from.
+  static constexpr std::size_t ways = 4;
+  using Guesses = std::array<glm::dvec2, ways>;
 
   /// Returns a point of the net of the whole grid, in steps.
   glm::dvec2& net(int i, int j) {
@@ -76,6 +96,11 @@ class PatchCoder {
   glm::dvec4& corner(int row, int column) {
     return corners_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
   }
+  /// Returns point `k` of a line; no_guess beyond its ends.
+  glm::dvec2 on_line(const Lines& all, int line, int k) {
+    if (k < 0 || k > 3 * all.sides) return no_guess;
+    return net(3 * line * all.right + k * all.down, 3 * line * all.down + k * all.right);
+  }
 
   /// Writes nothing yet: takes points and colours of the patches.
   void take(const PatchGrid& grid) {
@@ -83,53 +108,120 @@ class PatchCoder {
       for (int column = 0; column < columns_; ++column) {
         const BezierNet from = bezier_net(grid.patches[std::size_t(row * columns_ + column)]);
         for (int i = 0; i < 4; ++i)
-          for (int j = 0; j < 4; ++j)
-            net(3 * row + i, 3 * column + j) =
-                from[std::size_t(i)][std::size_t(j)].position / scale_.step();
+          for (int j = 0; j < 4; ++j) {
+            const glm::dvec2 p = from[std::size_t(i)][std::size_t(j)].position;
+            net(3 * row + i, 3 * column + j) = {scale_.steps[0].count(p.x),
+                                                scale_.steps[1].count(p.y)};
+          }
         for (const int i : {0, 1})
           for (const int j : {0, 1})
             corner(row + i, column + j) = from[std::size_t(3 * i)][std::size_t(3 * j)].color;
       }
   }
 
-  /// Writes how far a point is from where it is expected, in whole steps, or reads that. Returns
-  /// these steps.
-  glm::dvec2 code_steps(glm::dvec2 steps) {
-    const auto code = [](Numbers& list, double n) { return double(list.code(std::llround(n))); };
-    return {code(lists_[1], steps.x), code(lists_[2], steps.y)};
+  /// Writes or reads a number that is whole but for rounding, as it differs from `expected`.
+  double code_number(double number, double expected, Spread& spread) {
+    return expected + double(spread.code(coder_, std::llround(number - expected)));
   }
 
   void code_corners() {
-    for (int i = 0; i <= 3 * rows_; i += 3)
-      for (int j = 0; j <= 3 * columns_; j += 3) {
-        glm::dvec2 expected(0.0);
-        if (i > 0 && j > 0)
-          expected = net(i - 3, j) + net(i, j - 3) - net(i - 3, j - 3);
-        else if (i > 0 || j > 0)
-          expected = i > 0 ? net(i - 3, j) : net(i, j - 3);
-        net(i, j) = expected + code_steps(net(i, j) - expected);
+    const auto corner_at = [&](int i, int j) {
+      return i < 0 || j < 0 ? no_guess : net(3 * i, 3 * j);
+    };
+    for (int i = 0; i <= rows_; ++i)
+      for (int j = 0; j <= columns_; ++j) {
+        const glm::dvec2 left = corner_at(i, j - 1), up = corner_at(i - 1, j);
+        const std::array<glm::dvec2, 4> guesses{left + up - corner_at(i - 1, j - 1),
+                                                2.0 * left - corner_at(i, j - 2),
+                                                2.0 * up - corner_at(i - 2, j),
+                                                j > 0   ? left
+                                                : i > 0 ? up
+                                                        : last_};
+        code_point(net(3 * i, 3 * j), guesses, expected_corners_, corner_spreads_);
       }
-    bends_.clear();
+    last_ = net(0, 0);
   }
 
-  /// Codes the handles of `sides` sides in one line of the net from (i, j) on. How a side bends
-  /// away from its chord is expected to be as in the line before.
-  void code_line(int i, int j, int down, int right, int sides) {
-    const bool is_first = i == 0 && j == 0;
-    if (is_first) bends_.assign(std::size_t(2 * sides), glm::dvec2(0.0));
-    for (int k = 0; k < sides; ++k, i += 3 * down, j += 3 * right) {
-      const glm::dvec2 start = net(i, j), end = net(i + 3 * down, j + 3 * right);
-      const std::array<glm::dvec2, 2> thirds{start + (end - start) / 3.0,
-                                             start + (end - start) * (2.0 / 3.0)};
-      glm::dvec2* handles[]{&net(i + down, j + right), &net(i + 2 * down, j + 2 * right)};
-      const bool is_curve =
-          code_flag(is_off(*handles[0] - thirds[0]) || is_off(*handles[1] - thirds[1]));
-      for (std::size_t n = 0; n < 2; ++n) {
-        glm::dvec2& bend = bends_[std::size_t(2 * k) + n];
-        bend = is_curve ? bend + code_steps(*handles[n] - thirds[n] - bend) : glm::dvec2(0.0);
-        *handles[n] = thirds[n] + bend;
-      }
+  template <std::size_t count>
+  void code_point(glm::dvec2& point, const std::array<glm::dvec2, count>& guesses,
+                  std::array<Expectation<count>, 2>& expectations, std::array<Spread, 2>& spreads) {
+    for (int axis = 0; axis < 2; ++axis) {
+      std::array<double, count> of_axis;
+      for (std::size_t way = 0; way < count; ++way) of_axis[way] = guesses[way][axis];
+      Expectation<count>& expectation = expectations[std::size_t(axis)];
+      point[axis] = code_number(point[axis], expectation.of(of_axis), spreads[std::size_t(axis)]);
+      expectation.learn(of_axis, point[axis]);
     }
+  }
+
+  /// Codes which sides along the rows or the columns are curves, and the handles of these.
+  void code_lines(const Lines& all) {
+    std::vector<Bends> bends(std::size_t(all.sides), Bends{no_guess, no_guess});
+    std::vector<bool> is_curve(bends.size());
+    for (int line = 0; line < all.lines; ++line)
+      for (int k = 0; k < all.sides; ++k) {
+        const auto side = std::size_t(k);
+        const bool was_curve = k > 0 && is_curve[side - 1];
+        is_curve[side] =
+            coder_.code(has_bend(all, line, k), curve_chances_[is_curve[side]][was_curve]);
+        bends[side] = code_handles(all, line, k, is_curve[side], was_curve, bends[side]);
+      }
+  }
+
+  Bends thirds(const Lines& all, int line, int k) {
+    const glm::dvec2 start = on_line(all, line, 3 * k), end = on_line(all, line, 3 * k + 3);
+    return {start + (end - start) / 3.0, start + (end - start) * (2.0 / 3.0)};
+  }
+
+  bool has_bend(const Lines& all, int line, int k) {
+    const Bends straight = thirds(all, line, k);
+    return is_off(on_line(all, line, 3 * k + 1) - straight[0]) ||
+           is_off(on_line(all, line, 3 * k + 2) - straight[1]);
+  }
+
+  /// Codes the handles of a side; `above` are the bends of the same side in the line before.
+  /// Returns the bends.
+  Bends code_handles(const Lines& all, int line, int k, bool is_curve, bool was_curve,
+                     const Bends& above) {
+    const Bends straight = thirds(all, line, k);
+    Bends bends{no_guess, no_guess};
+    for (const int n : {0, 1}) {
+      const auto end = std::size_t(n);
+      const int at = 3 * k + 1 + n;
+      glm::dvec2& handle =
+          net(3 * line * all.right + at * all.down, 3 * line * all.down + at * all.right);
+      if (!is_curve) {
+        handle = straight[end];
+        continue;
+      }
+      const Guesses guesses{straight[end] + above[end], smooth_handle(all, line, k, n),
+                            n == 0 && was_curve ? continued_handle(all, line, k) : no_guess,
+                            n == 0 ? straight[end] : straight[end] + bends[0]};
+      code_point(handle, guesses, expected_handles_[end], handle_spreads_);
+      bends[end] = handle - straight[end];
+    }
+    return bends;
+  }
+
+  /// Returns the handle of a curve through the corners before, at and after the end `n` of a side
+  /// that runs through each at a time like the length of its chords.
+  glm::dvec2 smooth_handle(const Lines& all, int line, int k, int n) {
+    const int at = 3 * (k + n);
+    const glm::dvec2 here = on_line(all, line, at);
+    const glm::dvec2 back = here - on_line(all, line, at - 3),
+                     forth = on_line(all, line, at + 3) - here;
+    const double before = glm::length(back), after = glm::length(forth);
+    const glm::dvec2 direction =
+        (back * (after / before) + forth * (before / after)) / (3 * (before + after));
+    return n == 0 ? here + direction * after : here - direction * before;
+  }
+
+  /// Returns the first handle of a side that goes on as the side before ends.
+  glm::dvec2 continued_handle(const Lines& all, int line, int k) {
+    const glm::dvec2 here = on_line(all, line, 3 * k);
+    const double before = glm::length(here - on_line(all, line, 3 * k - 3)),
+                 after = glm::length(here - on_line(all, line, 3 * k + 3));
+    return here + (here - on_line(all, line, 3 * k - 1)) * (after / before);
   }
 
   void code_interior(int row, int column) {
@@ -138,19 +230,24 @@ class PatchCoder {
       for (int j = 0; j < 4; ++j)
         points[std::size_t(i)][std::size_t(j)].position = net(3 * row + i, 3 * column + j);
     const auto coons = coons_interior(points);
-    bool is_off_coons = false;
     const auto each = [&](const auto& work) {
       for (const int i : {1, 2})
         for (const int j : {1, 2})
           work(net(3 * row + i, 3 * column + j), coons[std::size_t(i - 1)][std::size_t(j - 1)]);
     };
+    bool is_off_coons = false;
     each([&](glm::dvec2& p, glm::dvec2 q) { is_off_coons = is_off_coons || is_off(p - q); });
-    const bool has_tensor = code_flag(is_off_coons);
-    each([&](glm::dvec2& p, glm::dvec2 q) { p = has_tensor ? q + code_steps(p - q) : q; });
+    if (!coder_.code(is_off_coons, tensor_chance_))
+      each([&](glm::dvec2& p, glm::dvec2 q) { p = q; });
+    else
+      each([&](glm::dvec2& p, glm::dvec2 q) {
+        code_point(p, std::array{q}, expected_tensors_, tensor_spreads_);
+      });
   }
 
   void code_colors(int channel) {
-    const double levels = double(scale_.levels[std::size_t(channel)]);
+    const std::int64_t levels = scale_.levels[std::size_t(channel)];
+    Spread& spread = color_spreads_[channel == 3];
     std::vector<std::int64_t> above(std::size_t(columns_ + 1)), here(above.size());
     for (int row = 0; row <= rows_; ++row, above.swap(here))
       for (int column = 0; column <= columns_; ++column) {
@@ -161,27 +258,27 @@ class PatchCoder {
             row == 0 ? left
                      : std::clamp(up + left - across, std::min(up, left), std::max(up, left));
         double& value = corner(row, column)[channel];
-        const std::int64_t level = std::llround(std::clamp(value, 0.0, 1.0) * levels);
-        const std::int64_t off = lists_[std::size_t(3 + channel)].code(level - expected);
-        here[j] = std::clamp<std::int64_t>(expected + std::clamp<std::int64_t>(off, -65535, 65535),
-                                           0, std::int64_t(levels));
-        value = double(here[j]) / levels;
+        const std::int64_t level = std::llround(std::clamp(value, 0.0, 1.0) * double(levels));
+        const std::int64_t off = spread.code(coder_, level - expected);
+        here[j] = std::clamp<std::int64_t>(expected + std::clamp(off, -levels, levels), 0, levels);
+        value = double(here[j]) / double(levels);
       }
   }
 
-  bool code_flag(bool flag) { return shape().code(flag) != 0; }
   /// Returns true if a distance in steps is more than rounding leaves.
-  static bool is_off(glm::dvec2 steps) {
-    constexpr double most = 0.75;
-    return std::abs(steps.x) > most || std::abs(steps.y) > most;
+  bool is_off(glm::dvec2 steps) const {
+    return std::abs(steps.x) > scale_.steps[0].noise() ||
+           std::abs(steps.y) > scale_.steps[1].noise();
   }
 
   Patch patch(int row, int column) {
     BezierNet points{};
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j)
-        points[std::size_t(i)][std::size_t(j)].position =
-            net(3 * row + i, 3 * column + j) * scale_.step();
+      for (int j = 0; j < 4; ++j) {
+        const glm::dvec2 p = net(3 * row + i, 3 * column + j);
+        points[std::size_t(i)][std::size_t(j)].position = {scale_.steps[0].times(p.x),
+                                                           scale_.steps[1].times(p.y)};
+      }
     for (const int i : {0, 1})
       for (const int j : {0, 1})
         points[std::size_t(3 * i)][std::size_t(3 * j)].color = corner(row + i, column + j);
@@ -190,89 +287,58 @@ class PatchCoder {
     return patch;
   }
 
-  std::array<Numbers, count>& lists_;
+  RangeCoder coder_;
   Scale scale_;
   int rows_ = 0, columns_ = 0;
   std::vector<glm::dvec2> net_;
   std::vector<glm::dvec4> corners_;
-  /// How far the handles of the sides in the line before are from the thirds of their chords.
-  std::vector<glm::dvec2> bends_;
+  /// The first corner of the grid before.
+  glm::dvec2 last_{0.0};
+  Spread counts_;
+  std::array<Spread, 2> corner_spreads_{}, handle_spreads_{}, tensor_spreads_{};
+  /// Of colours and of opacities.
+  std::array<Spread, 2> color_spreads_{};
+  std::array<Expectation<4>, 2> expected_corners_{};
+  /// At the starts and at the ends of sides.
+  std::array<std::array<Expectation<ways>, 2>, 2> expected_handles_{};
+  std::array<Expectation<1>, 2> expected_tensors_{};
+  /// That a side is a curve, where that above and that before are none or one.
+  std::array<std::array<Chance, 2>, 2> curve_chances_{};
+  Chance tensor_chance_;
+  std::array<Chance, 256> letter_chances_{};
 };
-
-template <class Visit>
-void visit_values(const std::vector<PatchGrid>& grids, const Visit& visit) {
-  for (const PatchGrid& grid : grids)
-    for (const Patch& patch : grid.patches)
-      for (const auto& row : bezier_net(patch))
-        for (const Value& value : row) visit(value);
-}
-
-std::int64_t exponent_for(double low, double high, int precision) {
-  constexpr int most_bits = 50;  // Of a double, so that steps are counted exactly.
-  const double size = high - low, largest = std::max(std::abs(low), std::abs(high));
-  if (largest == 0) return 0;
-  const int finest = std::ilogb(largest) - most_bits;
-  return std::max({size > 0 ? std::ilogb(size) - precision : finest, finest, -1000});
-}
-
-Scale scale_for(const std::vector<PatchGrid>& grids, int precision) {
-  Box box;
-  visit_values(grids, [&](const Value& value) { box.add(value.position); });
-  Scale scale;
-  scale.exponents = {exponent_for(box.low().x, box.high().x, precision),
-                     exponent_for(box.low().y, box.high().y, precision)};
-  scale.levels.fill(255);
-  for (const PatchGrid& grid : grids)
-    for (const Patch& patch : grid.patches)
-      for (int k = 0; k < 4; ++k)
-        for (int channel = 0; channel < 4; ++channel) {
-          const double level = 255 * std::clamp(patch.corner(k).color[channel], 0.0, 1.0);
-          constexpr double rounding = 1e-6;
-          if (std::abs(level - std::round(level)) > rounding)
-            scale.levels[std::size_t(channel)] = 65535;
-        }
-  return scale;
-}
-
-bool is_near(const std::vector<PatchGrid>& grids) {
-  bool near = true;
-  visit_values(grids, [&](const Value& value) {
-    near = near && std::abs(value.position.x) <= farthest && std::abs(value.position.y) <= farthest;
-  });
-  return near;
-}
 
 }  // namespace
 
-std::string pack_patches(std::vector<PatchGrid> grids, int precision) {
-  std::array<Numbers, PatchCoder::count> lists;
-  Scale scale = scale_for(grids, precision);
-  lists[0].code(std::int64_t(grids.size()));
-  PatchCoder coder(lists);
-  coder.code(scale);
-  for (PatchGrid& grid : grids) coder.code(grid, grid.patches.size());
-  std::string bytes;
-  for (const Numbers& list : lists) list.append_to(bytes);
-  return bytes;
+std::string pack(PackedMesh mesh, int precision) {
+  PatchCoder coder{RangeCoder()};
+  coder.code(mesh.smooth);
+  coder.code(mesh.curves, INT64_MAX);
+  coder.code(std::int64_t(mesh.grids.size()));
+  coder.code(scale_for(mesh.grids, precision));
+  for (PatchGrid& grid : mesh.grids) coder.code(grid, grid.patches.size());
+  return coder.coder().finish();
 }
 
-std::optional<std::vector<PatchGrid>> unpack_patches(std::string_view bytes) {
-  std::array<Numbers, PatchCoder::count> lists;
-  for (Numbers& list : lists) list = Numbers::take_from(bytes);
-  std::vector<PatchGrid> grids;
-  const std::int64_t count = lists[0].code(0);
-  PatchCoder coder(lists);
-  Scale scale;
-  coder.code(scale);
+std::optional<PackedMesh> unpack(std::string_view bytes) {
+  // Far more than a text of numbers, so that few bytes do not become many.
+  constexpr std::size_t most_letters = 100;
+  PatchCoder coder{RangeCoder(bytes)};
+  PackedMesh mesh{.smooth = coder.code(false)};
+  auto curves = coder.code("", std::int64_t(most_letters * bytes.size()));
+  if (!curves) return std::nullopt;
+  mesh.curves = std::move(*curves);
+  const std::int64_t count = coder.code(std::int64_t(0));
+  coder.code(Scale());
   std::uint64_t room = limits().patches;
   for (std::int64_t i = 0; i < count; ++i) {
-    PatchGrid& grid = grids.emplace_back();
+    PatchGrid& grid = mesh.grids.emplace_back();
     if (!coder.code(grid, room)) return std::nullopt;
     room -= grid.patches.size();
   }
-  const bool is_whole = bytes.empty() && std::ranges::all_of(lists, &Numbers::is_exhausted);
-  if (grids.empty() || !is_whole || !is_near(grids)) return std::nullopt;
-  return grids;
+  if (mesh.grids.empty() || !coder.coder().is_exhausted() || !lie_near(mesh.grids))
+    return std::nullopt;
+  return mesh;
 }
 
 }  // namespace gradmesh

@@ -9,18 +9,23 @@
 
 namespace gradmesh {
 
-/// Rectangles of patches of the colour model `bilinear` in few bytes, a tenth of what they take as
-/// text, and less once zlib has compressed them: numbers are differences from what their neighbours
-/// lead to expect.
-///   - x and y are rounded to a power of two that is at most 2^-precision of the width or height of
-///     all patches.
-///   - Sides straight to within such a step are lines, and patches that are Coons patches to within
-///     one become such patches.
-///   - Colours are rounded to 8 bits if all of a channel are such numbers, otherwise to 16.
-std::string pack_patches(std::vector<PatchGrid> grids, int precision);
+/// A mesh of the colour model `bilinear` as rectangles of patches.
+struct PackedMesh {
+  /// The value of Mesh::is_smooth().
+  bool smooth = false;
+  /// The curves with more than one rectangle along them (formats/svg/read/curves.h).
+  std::string curves = {};
+  std::vector<PatchGrid> grids = {};
+};
 
-/// Returns the patches; nothing if the bytes are damaged, hold more patches than the limit
-/// (base/limits.h), or lie beyond 1e9.
-std::optional<std::vector<PatchGrid>> unpack_patches(std::string_view bytes);
+/// Returns the mesh in few bytes, a fifteenth of what it takes as text: whole numbers of a step
+/// (formats/packed/scale.h, which `precision` is for), as they differ from what their neighbours
+/// lead to expect, each in as many bits as its kind needs on average. Nothing compresses them
+/// further.
+std::string pack(PackedMesh mesh, int precision);
+
+/// Returns the mesh; nothing if the bytes are damaged, as far as that shows, hold more patches than
+/// the limit (base/limits.h), or lie beyond 1e9.
+std::optional<PackedMesh> unpack(std::string_view bytes);
 
 }  // namespace gradmesh

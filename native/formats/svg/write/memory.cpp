@@ -4,11 +4,13 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "files/base64.h"
+#include "files/base85.h"
 #include "files/zip.h"
-#include "form/written_patch.h"
 #include "formats/hemesh/read_hemesh.h"
 #include "formats/hemesh/write_hemesh.h"
+#include "formats/packed/older_patches.h"
 #include "formats/packed/patches.h"
 #include "formats/svg/read/curves.h"
 #include "formats/svg/read/document.h"
@@ -30,19 +32,31 @@ constexpr std::size_t most_bytes = 64 << 20;
 /// documents took as much memory as large ones.
 constexpr std::size_t most_times = 100, first_bytes = 1 << 20;
 
-std::optional<std::string> unpacked(std::string_view memory) {
+std::optional<std::string> unzipped(std::string_view memory) {
   const auto bytes = base64_bytes(memory);
   if (!bytes) return std::nullopt;
   return unzip(*bytes, std::min(most_bytes, first_bytes + most_times * bytes->size()));
 }
 
-std::string packed(const std::string& text) {
-  std::string memory = base64(zip(text));
-  return memory.size() <= longest_attribute ? memory : "";
+std::string unless_too_long(std::string memory) {
+  return memory.size() <= longest_attribute ? std::move(memory) : "";
 }
 
-/// With 18, a further run found 0.01005 where the run before had kept to 0.01; with 22 errors
-/// differ by 1e-7.
+/// What packed bytes begin with, in base85, and what is no digit of base64.
+constexpr char packed_mark = '~';
+constexpr std::size_t check_size = 4;
+
+std::string check_of(std::string_view bytes) {
+  Hash hash;
+  hash.add(bytes);
+  const auto folded = std::uint32_t(hash.value() ^ hash.value() >> 32);
+  std::string check;
+  for (unsigned i = 0; i < check_size; ++i) check += char(std::uint8_t(folded >> 8 * i));
+  return check;
+}
+
+/// For meshes that have no decimal step, as those that were turned. With 18, a further run found
+/// 0.01005 where the run before had kept to 0.01; with 22 errors differ by 1e-7.
 constexpr int precision = 22;
 
 std::vector<PatchGrid> grids_of(const std::vector<Rectangle>& blocks, const auto& patch) {
@@ -54,30 +68,29 @@ std::vector<PatchGrid> grids_of(const std::vector<Rectangle>& blocks, const auto
   return grids;
 }
 
-/// What the bytes of a memory hold, if they are packed patches.
-struct Packed {
-  bool smooth = false;
-  std::string_view curves = {};
-  std::vector<PatchGrid> grids = {};
-};
-
-constexpr char rough_letter = 'p', smooth_letter = 's';
-
-std::string pack(const Packed& parts) {
-  std::string bytes(1, parts.smooth ? smooth_letter : rough_letter);
-  bytes += parts.curves;
-  bytes += '\n';
-  return packed(bytes + pack_patches(parts.grids, precision));
+std::string packed(PackedMesh mesh) {
+  const std::string bytes = pack(std::move(mesh), precision);
+  return unless_too_long(packed_mark + base85(bytes + check_of(bytes)));
 }
 
-/// Returns what the bytes hold; nothing if they are something else.
-std::optional<Packed> unpack(std::string_view bytes) {
+/// Returns what a memory holds; nothing if it is something else.
+std::optional<PackedMesh> unpacked(std::string_view memory) {
+  if (!memory.starts_with(packed_mark)) return std::nullopt;
+  const auto bytes = base85_bytes(memory.substr(1));
+  if (!bytes || bytes->size() < check_size) return std::nullopt;
+  const std::string_view whole = *bytes, mesh = whole.substr(0, whole.size() - check_size);
+  return whole.substr(mesh.size()) == check_of(mesh) ? unpack(mesh) : std::nullopt;
+}
+
+/// Returns what older bytes hold that begin with a letter for the colours and the curves; nothing
+/// if they are something else.
+std::optional<PackedMesh> unpacked_older(std::string_view bytes) {
   const std::size_t end = bytes.find('\n');
-  const bool smooth = bytes.starts_with(smooth_letter);
-  if (end == bytes.npos || (!smooth && !bytes.starts_with(rough_letter))) return std::nullopt;
-  auto grids = unpack_patches(bytes.substr(end + 1));
+  const bool smooth = bytes.starts_with('s');
+  if (end == bytes.npos || (!smooth && !bytes.starts_with('p'))) return std::nullopt;
+  auto grids = unpack_older_patches(bytes.substr(end + 1));
   if (!grids) return std::nullopt;
-  return Packed{smooth, bytes.substr(1, end - 1), std::move(*grids)};
+  return PackedMesh{smooth, std::string(bytes.substr(1, end - 1)), std::move(*grids)};
 }
 
 bool has_one_color_at_each_point(const Mesh& mesh) {
@@ -105,57 +118,67 @@ const xmlNode* group_in(const SvgDocument& document) {
   return groups.front();
 }
 
+MeshParts parts_in(const PackedMesh& mesh) {
+  const auto curves = parse_curves(mesh.curves);
+  MeshParts parts = parts_of(mesh.grids, curves.value_or(std::vector<CurveParts>()));
+  parts.smooth = mesh.smooth;
+  return parts;
+}
+
+/// Returns what bytes hold that were unzipped.
 MeshParts read(const std::string& bytes) {
   if (bytes.starts_with("HEMESH")) return read_hemesh(bytes, "memory");
-  if (const auto packed = unpack(bytes)) {
-    const auto curves = parse_curves(packed->curves);
-    MeshParts parts = parts_of(packed->grids, curves.value_or(std::vector<CurveParts>()));
-    parts.smooth = packed->smooth;
-    return parts;
-  }
+  if (const auto older = unpacked_older(bytes)) return parts_in(*older);
   const SvgDocument document = SvgDocument::parse(bytes, "memory");
   return read_mesh_group(document, group_in(document));
+}
+
+/// Calls `read` and returns its result; nothing where that is no mesh.
+template <class Read>
+auto if_sound(const Read& read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
 
 std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps) {
-  if (mesh.color_model() == ColorModel::bicubic) return packed(write_hemesh(mesh));
+  if (mesh.color_model() == ColorModel::bicubic)
+    return unless_too_long(base64(zip(write_hemesh(mesh))));
   const std::vector<Rectangle> blocks = blocks_of(mesh, overlaps);
   const std::string curves = format_curves(mesh, blocks);
   const auto patch = [&](Halfedge top) { return patch_from(mesh, top); };
-  return pack({mesh.is_smooth(), curves, grids_of(blocks, patch)});
+  return packed({mesh.is_smooth(), curves, grids_of(blocks, patch)});
 }
 
 std::string remember_blocks(const Mesh& mesh, const BlockForm& form) {
-  const auto patch = [&](Halfedge top) {
-    return as_written(patch_from(mesh, top), form.coons_tolerance, form.masks_opacity);
-  };
-  return pack({.grids = grids_of(form.blocks, patch)});
+  const auto patch = [&](Halfedge top) { return written_patch(mesh, top, form); };
+  return packed({.grids = grids_of(form.blocks, patch)});
 }
 
 std::optional<MeshParts> recall(std::string_view memory) {
-  const auto bytes = unpacked(memory);
-  if (!bytes) return std::nullopt;
-  try {
-    MeshParts parts = read(*bytes);
+  return if_sound([&]() -> MeshParts {
+    const auto packed = unpacked(memory);
+    const auto bytes = packed ? std::nullopt : unzipped(memory);
+    if (!packed && !bytes) throw InputError("{0} cannot be unpacked: it is damaged.", "memory");
+    MeshParts parts = packed ? parts_in(*packed) : read(*bytes);
     build_mesh(parts);
     return parts;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  });
 }
 
 std::optional<std::vector<PatchGrid>> recall_blocks(std::string_view memory) {
-  const auto bytes = unpacked(memory);
+  if (auto packed = unpacked(memory)) return std::move(packed->grids);
+  const auto bytes = unzipped(memory);
   if (!bytes) return std::nullopt;
-  if (auto packed = unpack(*bytes)) return std::move(packed->grids);
-  try {
+  if (auto older = unpacked_older(*bytes)) return std::move(older->grids);
+  return if_sound([&] {
     const SvgDocument document = SvgDocument::parse(*bytes, "memory");
     return read_mesh_blocks(document, group_in(document));
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace gradmesh

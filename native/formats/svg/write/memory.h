@@ -11,15 +11,15 @@
 
 namespace gradmesh {
 
-/// A mesh that an element remembers, as the value of an attribute: bytes compressed by zlib (RFC
-/// 1950), in base64. In the colour model `bilinear` the bytes are packed patches
-/// (formats/packed/patches.h) after a line with a letter and the curves
-/// (formats/svg/read/curves.h); the letter is `p`, or `s` for a mesh that is smooth. In `bicubic`
-/// they are a .hemesh file. Older versions have written an SVG document with a group of blocks,
-/// which can still be recalled.
+/// A mesh that an element remembers, as the value of an attribute. In the colour model `bilinear`
+/// it is a tilde and, in base85, the packed mesh (formats/packed/patches.h) and 32 bits of its
+/// hash. In `bicubic` it is a .hemesh file compressed by zlib (RFC 1950), in base64. Older versions
+/// have so compressed other things, which can still be recalled: an SVG document with a group of
+/// blocks, or patches packed otherwise (formats/packed/older_patches.h).
 
-/// Returns the memory of the mesh, rounded to 2^-18 of its width and height; its faces lie over one
-/// another as `overlaps` says. Returns an empty string if it is too large for an attribute.
+/// Returns the memory of the mesh, whose faces lie over one another as `overlaps` says. Numbers
+/// that have a decimal step, as those of most documents, are remembered exactly, others to 2^-22 of
+/// the mesh's width and height. Returns an empty string if it is too large for an attribute.
 std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps = {});
 
 /// Returns the memory of the blocks of a mesh that is written in this form, without its curves.
