@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <string>
 
+#include "form/rounding.h"
 #include "geom/box.h"
 
 namespace gradmesh {
@@ -52,27 +53,22 @@ inline std::string format_number(double value, int digits = coordinate_digits) {
   return {text, end.ptr};
 }
 
-/// Returns the largest power of ten that is at most `most` and at most 1: a step for coordinates
-/// that need not be finer than `most`.
-inline double decimal_step(double most) {
-  return most > 0 ? std::pow(10.0, std::min(0.0, std::floor(std::log10(most) + 1e-9))) : 0;
-}
-
-/// Returns the multiple of a decimal step that is nearest.
-inline double round_to_step(double value, double step) { return std::round(value / step) * step; }
-
-/// Returns a multiple of a decimal step with as many decimals as it needs.
+/// Returns a multiple of a decimal step with as many decimals as it needs, and no zero before the
+/// point: `-.5`.
 inline std::string format_multiple(double value, double step) {
   char text[64];
   const int decimals = int(std::lround(-std::log10(step)));
-  const auto end = std::to_chars(text, text + sizeof text, std::round(value / step) * step + 0.0,
+  const auto end = std::to_chars(text, text + sizeof text, round_to_step(value, step) + 0.0,
                                  std::chars_format::fixed, decimals);
   std::string number(text, end.ptr);
   if (decimals > 0) {
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();
   }
-  return number == "-0" ? "0" : number;
+  if (number == "-0") return "0";
+  if (const auto zero = number.find("0."); zero == 0 || (zero == 1 && number[0] == '-'))
+    number.erase(zero, 1);
+  return number;
 }
 
 /// Returns the shortest text that reads back as the very same number.

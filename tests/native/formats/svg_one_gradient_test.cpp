@@ -129,9 +129,9 @@ TEST(OneGradient, keeps_units_and_transform_and_short_numbers) {
   ASSERT_EQ(stops.size(), 4u);
   EXPECT_TRUE(text(stops[0], "path").ends_with(" 20,0")) << text(stops[0], "path");
   EXPECT_TRUE(text(stops[1], "path").ends_with(" 0,20")) << text(stops[1], "path");
-  EXPECT_EQ(text(stops[0], "stop-color"), "#ff0000");
+  EXPECT_EQ(text(stops[0], "stop-color"), "#f00");
   EXPECT_EQ(text(stops[0], "stop-opacity"), "0.37");
-  EXPECT_EQ(text(stops[1], "stop-color"), "#00ff00");
+  EXPECT_EQ(text(stops[1], "stop-color"), "#0f0");
 }
 
 TEST(OneGradient, keeps_its_colours_from_the_rules_of_the_document) {
@@ -140,8 +140,8 @@ TEST(OneGradient, keeps_its_colours_from_the_rules_of_the_document) {
       reduced(rule + gradient("m", user_space), "<rect id=\"b\" fill=\"url(#m)\"/>");
   const auto stops =
       child_elements(child_elements(child_elements(document.find("b-mesh1"))[0])[0], "stop");
-  EXPECT_EQ(text(stops[0], "style"), "stop-color:#ff0000;stop-opacity:0.37");
-  EXPECT_EQ(text(stops[1], "style"), "stop-color:#00ff00;stop-opacity:0.5");
+  EXPECT_EQ(text(stops[0], "style"), "stop-color:#f00;stop-opacity:0.37");
+  EXPECT_EQ(text(stops[1], "style"), "stop-color:#0f0;stop-opacity:0.5");
 }
 
 TEST(OneGradient, remembers_what_it_is_told_until_it_is_edited) {

@@ -132,14 +132,20 @@ std::optional<NumberedBlocks> fitting(const std::vector<PatchGrid>& written,
   return fits ? std::optional(before) : std::nullopt;
 }
 
-/// Returns how a block was cut since it was written.
-BlockCuts cuts_of(const xmlNode* group, const PatchGrid& before, const PatchGrid& now) {
+/// Returns how the block with the first face `face` was cut since it was written.
+BlockCuts cuts_of(const xmlNode* group, int face, const PatchGrid& before, const PatchGrid& now) {
+  const auto fail_block = [&](const Message& why) {
+    for (const xmlNode* path : child_elements(group))
+      if (own_number(path, "face") == face) fail(path, why);
+    fail(group, why);
+  };
   if (now.rows < before.rows || now.columns < before.columns)
-    fail(group, Message("one of its blocks has fewer rows or columns than before: undo that"));
+    fail_block(Message("it has fewer rows or columns than before: undo that"));
   const auto cuts = find_cuts(before, now);
   if (!cuts)
-    fail(group, Message("which rows or columns of one of its blocks are new cannot be told: undo "
-                        "what moved the others, or cut its patches by Refine Here instead"));
+    fail_block(
+        Message("which of its rows or columns are new cannot be told: undo what moved the "
+                "others, or cut its patches by Refine Here instead"));
   return *cuts;
 }
 
@@ -228,7 +234,7 @@ EditedBlocks read_edited_group(const SvgDocument& document, const xmlNode* group
     const auto now = found.find(face);
     edited.removed.push_back(now == found.end());
     edited.read.push_back(edited.removed.back() ? block : now->second);
-    edited.cuts.push_back(cuts_of(group, block, edited.read.back()));
+    edited.cuts.push_back(cuts_of(group, face, block, edited.read.back()));
     if (!mask || edited.removed.back()) continue;
     const auto light = lights.find(face);
     const bool lit = light != lights.end() && have_same_shape(light->second, block);

@@ -12,10 +12,15 @@
 namespace gradmesh {
 namespace {
 
-std::string path_data(const std::vector<glm::dvec2>& polygon, int digits) {
+/// Returns the polygon with coordinates in the step; one of 0 stands for digits that suffice.
+std::string path_data(const std::vector<glm::dvec2>& polygon, double step, int digits) {
+  const auto number = [&](double x) {
+    return step > 0 ? format_multiple(x, step) : format_number(x, digits);
+  };
   std::string d;
-  for (const glm::dvec2 p : polygon) d += (d.empty() ? "M " : " L ") + format_point(p, digits);
-  return d + " Z";
+  for (const glm::dvec2 p : polygon)
+    d.append(d.empty() ? "M" : " ").append(number(p.x)).append(",").append(number(p.y));
+  return d + "Z";
 }
 
 }  // namespace
@@ -31,11 +36,13 @@ BlocksWriter::BlocksWriter(SvgDocument& document, xmlNode* defs, const WrittenMe
 Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel,
                         const BlockIds& ids) const {
   const bool color = channel != MeshChannel::opacity;
-  const double margin = seam_margin();
+  // A tenth of what an outline is grown by, which need not be exact.
+  const double margin = seam_margin(), step = decimal_step(0.1 * margin);
   const Box mesh_box = bounding_box(written_.mesh, {});
   const GradientFormat format{.coons_tolerance = written_.form.coons_tolerance,
                               .channel = channel,
                               .in_style = !document_.styles().is_empty(),
+                              .step = written_.form.step,
                               .rounding = rounding_within(mesh_box)};
   Box box;
   int face = 0;
@@ -56,7 +63,7 @@ Box BlocksWriter::write(xmlNode* parent, xmlNode* before, MeshChannel channel,
       document_.give_id(path, id_ + (color ? "-block" : "-opacity-block"));
     const std::vector<glm::dvec2> outline = grown_outline(written_.mesh, block, margin);
     for (const glm::dvec2 p : outline) box.add(p);
-    set_attribute(path, "d", path_data(outline, digits_within(mesh_box, outline_digits)));
+    set_attribute(path, "d", path_data(outline, step, digits_within(mesh_box, outline_digits)));
     set_attribute(path, "style", style(gradient, channel));
     set_attribute(path, "face", std::to_string(face), gradmesh_namespace, "gradmesh");
     face += int(block.tops.size());

@@ -54,13 +54,13 @@ class GradientWriter {
   /// Returns the path data of a side from its start on. A line shows no handles in the mesh tool.
   std::string path(const Cubic<Value>& curve) const {
     const auto to = [&](const Value& v) {
-      return is_relative() ? pair(placed(v.position) - placed(curve.p0.position))
-                           : point(v.position);
+      const glm::dvec2 start = format_.is_relative ? placed(curve.p0.position) : glm::dvec2(0.0);
+      return pair(placed(v.position) - start);
     };
     const std::string end = to(curve.p1);
-    if (is_straight(curve, straight_within_)) return (is_relative() ? "l " : "L ") + end;
-    return (is_relative() ? "c " : "C ") + to(curve.bezier1()) + " " + to(curve.bezier2()) + " " +
-           end;
+    if (is_straight(curve, straight_within_)) return (format_.is_relative ? 'l' : 'L') + end;
+    return (format_.is_relative ? 'c' : 'C') + to(curve.bezier1()) + " " + to(curve.bezier2()) +
+           " " + end;
   }
 
   void write_tensor(xmlNode* node, const Patch& patch) const {
@@ -88,28 +88,29 @@ class GradientWriter {
     }
   }
 
+  /// Returns the colour with two digits a channel, or with one where these are equal.
   std::string color_text(const glm::dvec3& color) const {
-    const glm::dvec3 bytes = glm::round(color * 255.0);
+    const auto rgb = glm::uvec3(glm::round(color * 255.0));
+    const glm::uvec3 digits = rgb / 17u;
+    const bool is_short = 17u * digits == rgb;
+    const glm::uvec3 shown = is_short ? digits : rgb;
     char hex[8];
-    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", unsigned(bytes.r), unsigned(bytes.g),
-                  unsigned(bytes.b));
+    std::snprintf(hex, sizeof hex, is_short ? "#%x%x%x" : "#%02x%02x%02x", shown.r, shown.g,
+                  shown.b);
     return hex;
   }
 
-  bool is_relative() const { return format_.step > 0; }
   /// Returns a point of the mesh where it is written.
   glm::dvec2 placed(glm::dvec2 p) const {
     const glm::dvec2 there = format_.place.point(p);
-    if (!is_relative()) return there;
-    return {round_to_step(there.x, format_.step), round_to_step(there.y, format_.step)};
+    return format_.step > 0 ? round_to_step(there, format_.step) : there;
   }
 
   std::string coordinate(double x) const {
-    if (is_relative()) return format_multiple(x, format_.step);
+    if (format_.step > 0) return format_multiple(x, format_.step);
     return std::abs(x) < format_.rounding.zero ? "0" : format_number(x, format_.rounding.digits);
   }
   std::string pair(glm::dvec2 p) const { return coordinate(p.x) + "," + coordinate(p.y); }
-  std::string point(glm::dvec2 p) const { return pair(format_.place.point(p)); }
 
   const Mesh& mesh_;
   const Rectangle& block_;
@@ -121,11 +122,6 @@ class GradientWriter {
 };
 
 }  // namespace
-
-double straight_tolerance(double coons_tolerance) {
-  constexpr double share = 0.1;
-  return share * coons_tolerance;
-}
 
 void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Rectangle& block,
                       const GradientFormat& format) {

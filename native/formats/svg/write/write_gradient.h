@@ -26,24 +26,24 @@ struct GradientFormat {
   bool in_style = false;
   /// The map from the mesh's coordinates to those of the gradient.
   Affine place = {};
-  Rounding rounding = {};
-  /// A decimal step of which coordinates are multiples; they are then relative to where the side
-  /// starts, as they need not equal those of another gradient. 0: absolute, by `rounding`.
+  /// A decimal step of which coordinates are multiples (form/rounding.h); 0: they are written by
+  /// `rounding`.
   double step = 0;
+  Rounding rounding = {};
+  /// True if coordinates are multiples of a step, and relative to where the side starts, as they
+  /// need not equal those of another gradient.
+  bool is_relative = false;
 };
-
-/// Returns how far the inner control points of a side may be from the thirds of its chord for the
-/// side to be written as a line.
-double straight_tolerance(double coons_tolerance);
 
 /// Gives a meshgradient the block's start and rows.
 void write_block_rows(xmlNode* gradient, const Mesh& mesh, const Rectangle& block,
                       const GradientFormat& format);
 
-/// Adds to `defs` a meshgradient in userSpaceOnUse that holds the block, in Inkscape's own form
-/// (closing end points present). Each point is rounded once and written in absolute coordinates, so
-/// that blocks that share a point have the very same coordinates there and Inkscape's mesh tool
-/// joins them. Returns the gradient's id, which begins with `prefix`.
+/// Adds to `defs` a meshgradient in userSpaceOnUse that holds the block, in Inkscape's own form:
+/// the ends of sides that close patches are there, as its extension Mesh-Gradient to Path needs
+/// them. Each point is rounded once and written in absolute coordinates, so that blocks that share
+/// a point have the very same coordinates there and Inkscape's mesh tool joins them. Returns the
+/// gradient's id, which begins with `prefix`.
 std::string write_block_gradient(SvgDocument& document, xmlNode* defs, const Mesh& mesh,
                                  const Rectangle& block, const GradientFormat& format,
                                  const std::string& prefix);

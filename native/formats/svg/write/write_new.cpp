@@ -33,9 +33,10 @@ SvgDocument new_svg(const SvgPage& page, const std::string& outline, const Writt
   xmlNode* defs = child_elements(document.root(), "defs").front();
   MeshObject object{.node = child_elements(document.root(), "path").front(), .id = "mesh"};
   document.set_id(object.node, object.id);
-  const std::string gradient =
-      write_block_gradient(document, defs, written.mesh, written.form.blocks.front(),
-                           {written.form.coons_tolerance}, "mesh-gradient");
+  const std::string gradient = write_block_gradient(
+      document, defs, written.mesh, written.form.blocks.front(),
+      {.coons_tolerance = written.form.coons_tolerance, .step = written.form.step},
+      "mesh-gradient");
   object.gradient = document.find(gradient);
   set_attribute(object.node, "d", outline);
   set_attribute(object.node, "style", "fill:url(#" + gradient + ");stroke:none");

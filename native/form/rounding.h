@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+
+namespace gradmesh {
+
+/// Returns the largest power of ten that is at most `most` and at most 1: a step for coordinates
+/// that need not be finer than `most`. Returns 0 where that has so many decimals that significant
+/// digits are shorter.
+inline double decimal_step(double most) {
+  constexpr double least = 1e-9;
+  return most < least ? 0 : std::pow(10.0, std::min(0.0, std::floor(std::log10(most) + 1e-9)));
+}
+
+/// Returns the multiple of a decimal step that is nearest; upwards where two are, up to the last
+/// bits of the number: patches that share a point may differ in these.
+inline double round_to_step(double value, double step) {
+  constexpr double last_bits = 1e-4;
+  return std::floor(value / step + 0.5 + last_bits) * step;
+}
+inline glm::dvec2 round_to_step(glm::dvec2 p, double step) {
+  return {round_to_step(p.x, step), round_to_step(p.y, step)};
+}
+
+}  // namespace gradmesh
