@@ -1,6 +1,7 @@
 #include "fit/fit.h"
 
 #include <glm/matrix.hpp>
+#include <utility>
 
 #include "base/parallel.h"
 #include "fit/equations.h"
@@ -19,11 +20,12 @@ Eigen::VectorXd by_column(const std::vector<double>& by_unknown, const Columns& 
 
 }  // namespace
 
-Fit::Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces)
+Fit::Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces, Plainness plain)
     : journal_(journal),
       target_(target),
-      unknowns_(unknowns_of(journal.mesh(), faces)),
-      influenced_(influences(journal, unknowns_)) {}
+      plain_(std::move(plain)),
+      unknowns_(unknowns_of(journal.mesh(), faces, plain_)),
+      influenced_(influences(journal, unknowns_, plain_)) {}
 
 std::vector<Value> Fit::step(const std::vector<double>& damping) const {
   const Mesh& mesh = journal_.mesh();
@@ -47,9 +49,15 @@ std::vector<Value> Fit::step(const std::vector<double>& damping) const {
 }
 
 void Fit::apply(const std::vector<Value>& step, const std::vector<bool>& stays) {
+  std::vector<Unknown> moved;
+  std::vector<Value> by;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    if (stays[i]) continue;
+    moved.push_back(unknowns_[i]);
+    by.push_back(step[i]);
+  }
   journal_.begin();
-  for (std::size_t i = 0; i < unknowns_.size(); ++i)
-    if (!stays[i]) change(journal_, unknowns_[i], step[i]);
+  change(journal_, moved, by, plain_);
 }
 
 }  // namespace gradmesh

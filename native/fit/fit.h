@@ -9,7 +9,9 @@ namespace gradmesh {
 /// long as the Fit lives, the journal's mesh may change in the values of its unknowns only.
 class Fit {
  public:
-  Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces);
+  /// What is plain stays so.
+  Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces,
+      Plainness plain = {});
 
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   const std::vector<InfluencedFace>& influenced() const { return influenced_; }
@@ -24,6 +26,7 @@ class Fit {
  private:
   Journal& journal_;
   const FitTarget& target_;
+  const Plainness plain_;
   const std::vector<Unknown> unknowns_;
   const std::vector<InfluencedFace> influenced_;
 };

@@ -7,6 +7,9 @@
 
 namespace gradmesh {
 
+/// The direction in which a side of a patch or a line of points of a grid runs.
+enum class Along { rows, columns };
+
 /// Patches in rows and columns, as a mesh gradient holds them: the whole of a mesh that is a grid,
 /// or a part of any mesh.
 struct Rectangle {

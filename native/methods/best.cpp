@@ -9,6 +9,7 @@
 #include "methods/edges.h"
 #include "methods/packing.h"
 #include "methods/patch_set.h"
+#include "methods/plainer.h"
 #include "pricing/parallel_trials.h"
 
 namespace gradmesh {
@@ -132,8 +133,8 @@ class Rounds {
   Rounds(MergeTrial& from, const FitContext& context, StopWatch& watch)
       : context_(context),
         watch_(watch),
-        epsilon_(from.epsilon()),
-        fork_(from.fork_to_fit(context.target)) {}
+        epsilon_(context.epsilon),
+        fork_(from.fork_to_fit(context.target, context.count == Count::handles)) {}
 
   const Mesh& mesh() const { return fork_->mesh; }
   double error() const { return fork_->trial.error(); }
@@ -150,7 +151,7 @@ class Rounds {
     // What is left goes to the rounds, which see prices as they are once all is fitted.
     constexpr double share = 0.75;
     return fork_->trial.try_and_fit(best_regions(candidates, mesh().face_slots(), gamma),
-                                    share * epsilon_, steps_for_set);
+                                    share * context_.share * epsilon_, steps_for_set);
   }
 
   void fit(int steps) { fork_->trial.improve(all_faces(mesh()), steps); }
@@ -171,6 +172,7 @@ class Rounds {
       }
       keep();
     }
+    if (context_.count == Count::handles) make_plainer();
     return std::move(best_);
   }
 
@@ -182,7 +184,7 @@ class Rounds {
   bool round() {
     ++rounds_;
     FitTrial& trial = fork_->trial;
-    const double room = limit_ - error();
+    const double limit = context_.share * limit_, room = limit - error();
     if (room <= 0) return false;
     // Prices are of fits of single patches; together with their neighbours they can do better.
     constexpr double most = 2, too_much = 3, too_little = 0.1, shrink = 0.4;
@@ -192,12 +194,18 @@ class Rounds {
     for (double share = too_much; share > too_little && !should_stop(); share *= shrink) {
       const auto chosen = best_regions(candidates, mesh().face_slots(), share * room);
       if (chosen.empty() || chosen.size() == std::exchange(last_size, chosen.size())) continue;
-      if (trial.try_and_fit(chosen, limit_, steps_for_set)) return true;
+      if (trial.try_and_fit(chosen, limit, steps_for_set)) return true;
     }
     constexpr std::size_t tried_alone = 3;
     for (std::size_t i = 0; i < std::min(tried_alone, candidates.size()) && !should_stop(); ++i)
-      if (trial.try_and_fit({candidates[i].region}, limit_, steps_for_one)) return true;
+      if (trial.try_and_fit({candidates[i].region}, limit, steps_for_one)) return true;
     return false;
+  }
+
+  void make_plainer() {
+    const auto keeps = [&](const Mesh& mesh) { return context_.written(mesh).keeps; };
+    Plainer plainer(fork_->trial, *context_.target, keeps, [&] { return should_stop(); });
+    while (plainer.make_step(limit_)) keep();
   }
 
   /// Remembers the mesh if it keeps to epsilon as it will be written. The error that writing adds
@@ -253,6 +261,7 @@ std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
   const std::unique_ptr<Rounds> rounds = beyond_epsilon(start, regions, context, watch);
   const bool goes_on = rounds && rounds->mesh().face_count() <= merged.mesh().face_count();
   std::optional<FittedMesh> best = goes_on ? rounds->run() : fit(merged, context, watch);
+  if (context.count == Count::handles) return best;
   if (!best || best->mesh.face_count() == start.mesh().face_count()) return std::nullopt;
   return best;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "form/counts.h"
 #include "methods/regions.h"
 #include "trial/merge_trial.h"
 
@@ -19,10 +20,18 @@ struct FitContext {
   struct Written {
     double error;
     bool keeps;
+    /// How much a person then has to handle: handles, and these with objects for as many as they
+    /// are worth.
+    int handles = 0, to_handle = 0;
   };
   std::function<Written(const Mesh&)> written;
   /// Weight of a region's size against its error, as in gqe.
   double omega = 0.75;
+  double epsilon = 0;
+  /// What is made few. Where that is handles, what is plain stays so while regions are merged
+  /// (Plainness), up to this share of epsilon, and the mesh is made plainer with what is left.
+  Count count = Count::patches;
+  double share = 1;
 };
 
 struct FittedMesh {
@@ -41,7 +50,7 @@ struct FittedMesh {
 /// `merged` is the mesh that gqe made with them; all stay as they are. Returns the mesh with the
 /// fewest patches that, as it will be written, keeps to epsilon and to the local bound; nothing if
 /// it has no fewer patches than the mesh at the start. It never has more patches than `merged`, if
-/// that keeps to both.
+/// that keeps to both. Where handles are made few, returns the plainest mesh, whatever its patches.
 std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
                                         const std::vector<RegionPrice>& regions,
                                         const FitContext& context, StopWatch& watch);

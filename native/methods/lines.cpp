@@ -12,9 +12,6 @@
 namespace gradmesh {
 namespace {
 
-/// The direction of a line: between two rows of patches or between two columns.
-enum class Along { rows, columns };
-
 /// A line inside the grid, by its number, from 1, in the mesh as it was at first.
 struct Line {
   Along along;

@@ -15,14 +15,17 @@ void refresh_junction(Journal& journal, Halfedge stem) {
 
 }  // namespace
 
-void refresh(Journal& journal, std::span<const Halfedge> changed_curves) {
+void refresh_curve(Journal& journal, Halfedge curve) {
   const Mesh& mesh = journal.mesh();
-  for (const Halfedge curve : in_order_of_dependence(mesh, changed_curves)) {
-    for (const Halfedge side : {curve, mesh[curve].twin})
-      if (side.valid())
-        for (const Halfedge stem : mesh.stems(side)) refresh_junction(journal, stem);
-    journal.touch_curve(curve);
-  }
+  for (const Halfedge side : {curve, mesh[curve].twin})
+    if (side.valid())
+      for (const Halfedge stem : mesh.stems(side)) refresh_junction(journal, stem);
+  journal.touch_curve(curve);
+}
+
+void refresh(Journal& journal, std::span<const Halfedge> changed_curves) {
+  for (const Halfedge curve : in_order_of_dependence(journal.mesh(), changed_curves))
+    refresh_curve(journal, curve);
 }
 
 }  // namespace gradmesh

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "base/parallel.h"
 #include "plain/border.h"
@@ -16,17 +17,51 @@ namespace {
 /// Steps of Gauss-Newton after a step of the selection, and where nothing more fits.
 constexpr int fit_steps = 2, polish_steps = 4;
 
-/// Returns by how much the sum of squares rises if a side becomes straight and nothing is fitted.
-double rise_if_straight(const PlainGrid& grid, const Side& side, const FitTarget& target) {
-  PlainGrid straight = grid;
-  straight.bend(side.along, side.row, side.column).reset();
+/// A patch of a grid, by its row and column.
+using PatchPlace = std::pair<int, int>;
+
+/// Returns the patches beside a side.
+std::vector<PatchPlace> patches_beside(const PlainGrid& grid, const Side& side) {
   const int above = side.along == Along::rows, left = side.along == Along::columns;
-  double rise = 0;
+  std::vector<PatchPlace> places;
   for (const auto& [i, j] :
-       {std::pair(side.row, side.column), std::pair(side.row - above, side.column - left)})
-    if (i >= 0 && j >= 0 && i < grid.rows() && j < grid.columns())
-      rise += patch_squares(straight, i, j, target) - patch_squares(grid, i, j, target);
-  return rise;
+       {PatchPlace(side.row, side.column), PatchPlace(side.row - above, side.column - left)})
+    if (i >= 0 && j >= 0 && i < grid.rows() && j < grid.columns()) places.emplace_back(i, j);
+  return places;
+}
+
+/// Returns for each side by how much the sum of squares rises if that side alone becomes straight
+/// and nothing is fitted.
+std::vector<double> rises_if_straight(const PlainGrid& grid, const std::vector<Side>& sides,
+                                      const FitTarget& target) {
+  std::vector<PatchPlace> patches;
+  for (const Side& side : sides)
+    for (const PatchPlace& place : patches_beside(grid, side)) patches.push_back(place);
+  std::ranges::sort(patches);
+  patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+  std::vector<double> squares(patches.size());
+  parallel_for(patches.size(), [&](std::size_t n) {
+    squares[n] = patch_squares(grid, patches[n].first, patches[n].second, target);
+  });
+
+  std::vector<double> rises(sides.size(), 0);
+  // A copy of the grid for each thread.
+  const std::size_t shares = std::min(thread_count(), sides.size());
+  parallel_for(shares, [&](std::size_t share) {
+    PlainGrid straight = grid;
+    for (std::size_t n = share; n < sides.size(); n += shares) {
+      const Side& side = sides[n];
+      PlainGrid::Bend& bend = straight.bend(side.along, side.row, side.column);
+      const PlainGrid::Bend curve = std::exchange(bend, std::nullopt);
+      for (const PatchPlace& place : patches_beside(grid, side)) {
+        const auto known = std::ranges::lower_bound(patches, place) - patches.begin();
+        rises[n] += patch_squares(straight, place.first, place.second, target) -
+                    squares[std::size_t(known)];
+      }
+      bend = curve;
+    }
+  });
+  return rises;
 }
 
 class Selection {
@@ -140,10 +175,9 @@ class Selection {
              (!may_be_seen_ && makes_corner(grid_, side));
     });
     if (sides.empty()) return;
-    std::vector<std::pair<double, std::size_t>> order(sides.size());
-    parallel_for(sides.size(), [&](std::size_t n) {
-      order[n] = {rise_if_straight(grid_, sides[n], task_.coarse_picture), n};
-    });
+    const std::vector<double> rises = rises_if_straight(grid_, sides, task_.coarse_picture);
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t n = 0; n < sides.size(); ++n) order.emplace_back(rises[n], n);
     std::ranges::sort(order);
     const std::size_t count = std::min(
         {most_sides_, (sides.size() + share_at_once - 1) / share_at_once, sides_to_target()});
@@ -278,9 +312,10 @@ class Selection {
 
   bool should_stop() {
     const int handles = grid_.handles();
-    is_over_ = has_reached_target() || watch_.should_stop({std::size_t(first_handles_ - handles),
-                                                           std::size_t(first_handles_),
-                                                           grid_.rows() * grid_.columns(), error_});
+    is_over_ =
+        has_reached_target() ||
+        watch_.should_stop({std::size_t(first_handles_ - handles), std::size_t(first_handles_),
+                            grid_.rows() * grid_.columns(), error_, handles});
     return is_over_;
   }
 

@@ -11,11 +11,9 @@
 #include "geom/cubic.h"
 #include "mesh/mesh.h"
 #include "mesh/parts.h"
+#include "mesh/rectangle.h"
 
 namespace gradmesh {
-
-/// The direction in which a side or a line of a grid runs.
-enum class Along { rows, columns };
 
 /// A grid of Coons patches with one colour at each point, as one mesh gradient holds it without
 /// `tensor`, in terms of what a person handles: points, and the handles of those sides that are

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "base/error.h"
@@ -112,6 +113,12 @@ bool measure(const Mesh& mesh, const EditError& error, const RunOptions& options
   return found.keeps_to(options.epsilon);
 }
 
+/// Counts the handles and objects of a mesh, in the form that was measured if it has one.
+void count_what_is_written(const Mesh& mesh, bool has_form, SimplifyResult& result) {
+  result.handles_after = count_handles(has_form ? result.form.surface : mesh);
+  if (has_form && result.form.blocks) result.objects = int(result.form.blocks->blocks.size());
+}
+
 /// Takes the last merge back. If the method keeps rectangles, takes all merges of the last line
 /// back.
 void undo_last(MergeTrial& trial, const Method& method) {
@@ -182,7 +189,7 @@ class Run {
     result.error_added_up = best ? best->error : trial_.error();
     result.patches_after = mesh_.face_count();
     result.changed = best || trial_.depth() > 0;
-    count_what_is_written(result);
+    count_what_is_written(mesh_, result.changed && options_.rules, result);
     result.stopped = why_stopped(watch_, result);
     result.seconds.total = watch_.seconds();
     result.seconds.select = result.seconds.total - result.seconds.rasterize - result.seconds.verify;
@@ -238,12 +245,6 @@ class Run {
     result.local_error = start.local;
   }
 
-  void count_what_is_written(SimplifyResult& result) const {
-    const bool has_form = result.changed && options_.rules;
-    result.handles_after = count_handles(has_form ? result.form.surface : mesh_);
-    if (has_form && result.form.blocks) result.objects = int(result.form.blocks->blocks.size());
-  }
-
   /// Takes handles out of the mesh as one grid. Returns the mesh with fewer of them, if there is
   /// one.
   std::optional<FittedMesh> select_plain(SimplifyResult& result) {
@@ -280,24 +281,60 @@ class Run {
   /// fewer patches, or as many with a smaller error; nothing otherwise.
   std::optional<FittedMesh> select_best(SimplifyResult& result) {
     // Both must be made before anything is merged.
-    const auto target = std::make_shared<const FitTarget>(original_, frame_);
+    const FitContext context = fit_context();
     const auto start = trial_.fork();
     const auto regions = price_regions(trial_, analysis_, trial_.room(), watch_);
+    if (what_is_counted(options_) == Count::handles && mesh_.color_model() == ColorModel::bilinear)
+      return select_blocks(start->trial, regions, context, result);
     select_gqe(trial_, regions, {options_.omega, false}, watch_);
-    const auto written = [this](const Mesh& mesh) {
-      SimplifyResult as_written;
-      as_written.frame = frame_;
-      const bool keeps = measure(mesh, trial_.measure(), options_, as_written);
-      return FitContext::Written{as_written.error, keeps};
-    };
-    const FitContext context{target, written, options_.omega};
     std::optional<FittedMesh> best = merge_and_fit(start->trial, trial_, regions, context, watch_);
     merge_what_fits(result);
     if (best && best->mesh.face_count() > mesh_.face_count()) best = fit(trial_, context, watch_);
     if (!best || best->mesh.face_count() > mesh_.face_count()) return std::nullopt;
     const bool as_many = best->mesh.face_count() == mesh_.face_count();
-    if (as_many && result.error <= written(best->mesh).error) return std::nullopt;
+    if (as_many && result.error <= context.written(best->mesh).error) return std::nullopt;
     return best;
+  }
+
+  /// Returns the blocks that leave least to handle: of all the patches that can be merged, or of
+  /// fewer, which leaves more of epsilon for straight sides. Returns nothing if there are none.
+  std::optional<FittedMesh> select_blocks(MergeTrial& start,
+                                          const std::vector<RegionPrice>& regions,
+                                          FitContext context, SimplifyResult& result) {
+    context.count = Count::handles;
+    std::optional<FittedMesh> best;
+    const int before = context.written(mesh_).handles;
+    int least = std::numeric_limits<int>::max();
+    for (const double share : {1.0, 0.5}) {
+      const auto merged = start.fork();
+      merged->trial.lower_epsilon(share * options_.epsilon);
+      select_gqe(merged->trial, regions, {options_.omega, false}, watch_);
+      context.share = share;
+      auto found = merge_and_fit(start, merged->trial, regions, context, watch_);
+      if (!found) continue;
+      const FitContext::Written left = context.written(found->mesh);
+      if (left.handles >= before || left.to_handle >= least) continue;
+      best = std::move(found);
+      least = left.to_handle;
+    }
+    if (!best) merge_nothing(result);
+    return best;
+  }
+
+  FitContext fit_context() const {
+    FitContext context;
+    context.target = std::make_shared<const FitTarget>(original_, frame_);
+    context.omega = options_.omega;
+    context.epsilon = options_.epsilon;
+    context.written = [this](const Mesh& mesh) {
+      SimplifyResult as_written;
+      as_written.frame = frame_;
+      const bool keeps = measure(mesh, trial_.measure(), options_, as_written);
+      count_what_is_written(mesh, options_.rules != nullptr, as_written);
+      return FitContext::Written{as_written.error, keeps, as_written.handles_after,
+                                 to_handle(as_written)};
+    };
+    return context;
   }
 
   const RunOptions& options_;
@@ -313,6 +350,10 @@ class Run {
 };
 
 }  // namespace
+
+int to_handle(const SimplifyResult& result) {
+  return result.handles_after + handles_of_an_object * result.objects;
+}
 
 void check_resolution(int resolution) {
   const std::uint64_t most = limits().resolution;

@@ -113,6 +113,10 @@ struct SimplifyResult {
   WrittenForm form;
 };
 
+/// Returns how much a person has to handle of a result: its handles, and its objects for as many as
+/// each is worth.
+int to_handle(const SimplifyResult& result);
+
 /// Merges patches of `mesh` as long as the error against the original is at most epsilon and the
 /// error of small parts keeps to the local bound. Merges nothing if the error is above epsilon from
 /// the start. With a target, merges until the target is reached.

@@ -20,6 +20,7 @@ class TargetSearch {
     options_.handles.reset();
     options_.patches.reset();
     options_.ratio.reset();
+    options_.count = target.what;
     // Each price is found only once for all values of epsilon.
     if (!options_.analysis) options_.analysis = &analysis_;
     // A device that has failed once is not tried again.

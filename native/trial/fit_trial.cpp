@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ops/merge/merge_region.h"
+#include "ops/straighten.h"
 #include "raster/folds.h"
 
 namespace gradmesh {
@@ -66,7 +67,7 @@ double FitTrial::price(const Region& region, double limit) {
       journal_.undo_to(depth);
       return price;
     }
-    Fit fit(journal_, *target_, merged);
+    Fit fit(journal_, *target_, merged, plainness());
     const std::vector<double> damping(fit.unknowns().size(), first_damping);
     constexpr int steps = 2;
     for (int i = 0; i < steps; ++i)
@@ -82,21 +83,47 @@ double FitTrial::price(const Region& region, double limit) {
 
 bool FitTrial::try_and_fit(const std::vector<Region>& regions, double limit, int steps) {
   const std::size_t depth = journal_.depth();
-  const auto start = error_.state();
   const std::vector<Face> merged = merge_possible(regions);
-  if (!merged.empty()) {
-    error_.after_edits(journal_, depth);
-    error_.accept(journal_);
-    fit(with_neighbours(mesh(), merged), steps, limit);
-    if (error() <= limit && error_.accepted_keeps_local_bound()) {
-      last_change_.resize(mesh().face_slots(), 0);
-      ++changes_;
-      for (const Face f : journal_.touched_since(depth)) last_change_[f.value] = changes_;
-      return true;
-    }
+  return !merged.empty() && keep_if_cheap(depth, merged, limit, steps);
+}
+
+double FitTrial::price(const PlainerStep& step) {
+  const std::size_t depth = journal_.depth();
+  make(step);
+  const double price = error_.after_edits(journal_, depth) - error();
+  journal_.undo_to(depth);
+  return price;
+}
+
+bool FitTrial::try_plainer(const std::vector<PlainerStep>& plainer, double limit, int steps,
+                           const std::function<bool(const Mesh&)>& is_kept) {
+  const std::size_t depth = journal_.depth();
+  for (const PlainerStep& step : plainer) make(step);
+  return keep_if_cheap(depth, journal_.touched_since(depth), limit, steps, is_kept);
+}
+
+bool FitTrial::keep_if_cheap(std::size_t depth, const std::vector<Face>& changed, double limit,
+                             int steps, const std::function<bool(const Mesh&)>& is_kept) {
+  const auto start = error_.state();
+  error_.after_edits(journal_, depth);
+  error_.accept(journal_);
+  fit(with_neighbours(mesh(), changed), steps, limit);
+  if (error() <= limit && error_.accepted_keeps_local_bound() && (!is_kept || is_kept(mesh()))) {
+    last_change_.resize(mesh().face_slots(), 0);
+    ++changes_;
+    for (const Face f : journal_.touched_since(depth)) last_change_[f.value] = changes_;
+    return true;
   }
   go_back(depth, start);
   return false;
+}
+
+void FitTrial::make(const PlainerStep& step) {
+  const Plainness plain(mesh());
+  journal_.begin();
+  if (step.face.valid()) return drop_tensor(journal_, step.face);
+  straighten(journal_, step.curve);
+  plain.refresh(journal_, std::array{step.curve});
 }
 
 void FitTrial::improve(const std::vector<Face>& faces, int steps) {
@@ -108,7 +135,7 @@ void FitTrial::improve(const std::vector<Face>& faces, int steps) {
 }
 
 void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
-  Fit fit(journal_, *target_, faces);
+  Fit fit(journal_, *target_, faces, plainness());
   const std::vector<Face> unfolded = unfolded_faces(mesh(), fit);
   std::vector<double> damping(fit.unknowns().size(), first_damping);
   for (int left = steps; left-- > 0;) {
@@ -152,10 +179,17 @@ bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector
 }
 
 std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {
+  const std::size_t depth = journal_.depth();
+  const Plainness plain = plainness();
   std::vector<Face> merged;
   for (const Region& region : regions) {
     const Face face = merge_region(journal_, region);
     if (face.valid()) merged.push_back(face);
+  }
+  if (keeps_plain_ && !merged.empty()) {
+    // The sides of the neighbours have changed.
+    journal_.begin();
+    plain.keep_coons(journal_, depth);
   }
   return merged;
 }
@@ -166,7 +200,7 @@ void FitTrial::go_back(std::size_t depth, std::shared_ptr<const EditError::State
 }
 
 std::unique_ptr<FitTrial::Fork> FitTrial::fork() {
-  return std::make_unique<Fork>(mesh(), error_.fork(), target_);
+  return std::make_unique<Fork>(mesh(), error_.fork(), target_, keeps_plain_);
 }
 
 }  // namespace gradmesh

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -10,14 +11,26 @@
 
 namespace gradmesh {
 
+/// A way to make a mesh plainer: a curve, as Mesh::curve names it, becomes straight, or a face a
+/// Coons patch.
+struct PlainerStep {
+  Halfedge curve{};
+  Face face{};
+};
+
 /// Merges regions of a mesh and fits the merged patches to the picture of the original. Eq. 5 keeps
 /// the outer tangents and looks at nothing between: a fit starts from its patch, which stays where
 /// the fit does not lower the measured error. No fit folds a patch over itself that did not fold.
 class FitTrial {
  public:
-  /// `error` and `target` are of the same original, and `error` starts from `mesh`.
-  FitTrial(Mesh& mesh, EditError error, std::shared_ptr<const FitTarget> target)
-      : journal_(mesh), error_(std::move(error)), target_(std::move(target)) {}
+  /// `error` and `target` are of the same original, and `error` starts from `mesh`. If
+  /// `keeps_plain` is true, fits leave plain what is plain, and move points (Plainness).
+  FitTrial(Mesh& mesh, EditError error, std::shared_ptr<const FitTarget> target,
+           bool keeps_plain = false)
+      : journal_(mesh),
+        error_(std::move(error)),
+        target_(std::move(target)),
+        keeps_plain_(keeps_plain) {}
 
   /// Returns by how much the error rises if the region alone is merged and its patch fitted; some
   /// number above `limit` if the rise is above `limit`; infinity if the region cannot be merged or
@@ -28,6 +41,14 @@ class FitTrial {
   /// their neighbours in at most `steps` steps. If the error is then at most `limit` and keeps to
   /// the local bound, the mesh stays so, and true is returned; otherwise the mesh is as before.
   bool try_and_fit(const std::vector<Region>& regions, double limit, int steps);
+
+  /// Returns by how much the error rises if the mesh is made plainer by a step and nothing is
+  /// fitted. Leaves the mesh as it was.
+  double price(const PlainerStep& step);
+  /// Does the same as try_and_fit, with steps that make the mesh plainer, if `is_kept` says of the
+  /// fitted mesh that it may be kept.
+  bool try_plainer(const std::vector<PlainerStep>& plainer, double limit, int steps,
+                   const std::function<bool(const Mesh&)>& is_kept);
 
   /// Fits these faces in at most `steps` steps and keeps the steps that lower the error, but none
   /// if together they would break the local bound.
@@ -51,6 +72,12 @@ class FitTrial {
  private:
   /// Merges the regions that can be merged. Returns the merged faces.
   std::vector<Face> merge_possible(const std::vector<Region>& regions);
+  /// Keeps the operations after the first `depth`, which changed these faces, once the faces are
+  /// fitted, or takes them back. Returns true if they were kept.
+  bool keep_if_cheap(std::size_t depth, const std::vector<Face>& changed, double limit, int steps,
+                     const std::function<bool(const Mesh&)>& is_kept = {});
+  void make(const PlainerStep& step);
+  Plainness plainness() const { return keeps_plain_ ? Plainness(mesh()) : Plainness(); }
   /// Goes back to an earlier depth, and to the error there.
   void go_back(std::size_t depth, std::shared_ptr<const EditError::State> state);
   /// Fits the faces in at most `steps` steps. Gives up early if the error falls too slowly to come
@@ -63,13 +90,14 @@ class FitTrial {
   Journal journal_;
   EditError error_;
   std::shared_ptr<const FitTarget> target_;
+  bool keeps_plain_;
   int changes_ = 0;
   std::vector<int> last_change_;
 };
 
 struct FitTrial::Fork {
-  Fork(Mesh from, EditError error, std::shared_ptr<const FitTarget> target)
-      : mesh(std::move(from)), trial(mesh, std::move(error), std::move(target)) {}
+  Fork(Mesh from, EditError error, std::shared_ptr<const FitTarget> target, bool keeps_plain)
+      : mesh(std::move(from)), trial(mesh, std::move(error), std::move(target), keeps_plain) {}
 
   Mesh mesh;
   FitTrial trial;

@@ -85,8 +85,9 @@ std::unique_ptr<MergeTrial::Fork> MergeTrial::fork() {
   return std::make_unique<Fork>(mesh(), error_.fork(), epsilon_);
 }
 
-std::unique_ptr<FitTrial::Fork> MergeTrial::fork_to_fit(std::shared_ptr<const FitTarget> target) {
-  return std::make_unique<FitTrial::Fork>(mesh(), error_.fork(), std::move(target));
+std::unique_ptr<FitTrial::Fork> MergeTrial::fork_to_fit(std::shared_ptr<const FitTarget> target,
+                                                        bool keeps_plain) {
+  return std::make_unique<FitTrial::Fork>(mesh(), error_.fork(), std::move(target), keeps_plain);
 }
 
 }  // namespace gradmesh

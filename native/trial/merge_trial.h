@@ -90,8 +90,9 @@ class MergeTrial {
   /// A copy of the mesh and of the trial as they are now, for another thread.
   struct Fork;
   std::unique_ptr<Fork> fork();
-  /// Returns such a copy as a trial that goes on with fits.
-  std::unique_ptr<FitTrial::Fork> fork_to_fit(std::shared_ptr<const FitTarget> target);
+  /// Returns such a copy as a trial that goes on with fits (FitTrial).
+  std::unique_ptr<FitTrial::Fork> fork_to_fit(std::shared_ptr<const FitTarget> target,
+                                              bool keeps_plain = false);
 
  private:
   friend class RegionTrial;

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "mesh/dependence.h"
+#include "ops/refresh.h"
+#include "ops/straighten.h"
 #include "random_meshes.h"
 #include "raster/folds.h"
 #include "raster/hidden.h"
@@ -32,6 +37,47 @@ Value random_value(const Unknown& unknown, std::mt19937& random) {
   return v;
 }
 
+/// Returns the patch of a face as the influences say that it becomes.
+Patch moved(const Mesh& before, const InfluencedFace& face, const std::vector<Value>& by) {
+  Patch patch = before.patch(face.face);
+  for (const Influence& influence : face.by)
+    for (std::size_t k = 0; k < 16; ++k) {
+      const Value& v = by[std::size_t(influence.unknown)];
+      patch.c[k / 4][k % 4] += Value{v.position * influence.place[k], v.color * influence.color[k]};
+    }
+  return patch;
+}
+
+/// Puts the first two handles of each point in one line, but makes every third curve straight and
+/// every other face a Coons patch.
+void make_some_plain(Journal& journal) {
+  const Mesh& mesh = journal.mesh();
+  std::map<Point, std::vector<Handle>> handles;
+  journal.begin();
+  std::vector<Halfedge> curves;
+  for (const Halfedge h : mesh.halfedges())
+    if (!mesh.is_bar(h) && mesh.curve(h) == h) curves.push_back(h);
+  for (const Halfedge h : in_order_of_dependence(mesh, curves)) {
+    if (h.value % 3 == 0) {
+      straighten(journal, h);
+    } else {
+      handles[mesh.origin(h)].push_back(mesh[h].handles[0]);
+      handles[mesh.end(h)].push_back(mesh[h].handles[1]);
+    }
+    refresh_curve(journal, h);
+  }
+  for (const auto& [point, here] : handles)
+    if (here.size() > 1 && !mesh[point].is_junction())
+      journal.edit(here[1]).tangent.position = -1.5 * mesh[here[0]].tangent.position;
+  // Straight curves that end on those that have changed have to follow.
+  for (const Halfedge h : in_order_of_dependence(mesh, curves)) {
+    if (h.value % 3 == 0) straighten(journal, h);
+    refresh_curve(journal, h);
+  }
+  for (const Face f : mesh.faces())
+    if (f.value % 2 == 0) drop_tensor(journal, f);
+}
+
 TEST(Fit, patches_are_linear_in_the_unknowns) {
   for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
     for (unsigned seed = 0; seed < 8; ++seed) {
@@ -46,19 +92,50 @@ TEST(Fit, patches_are_linear_in_the_unknowns) {
       std::vector<Value> by;
       for (const Unknown& unknown : unknowns) by.push_back(random_value(unknown, random));
       journal.begin();
-      for (std::size_t i = 0; i < unknowns.size(); ++i) change(journal, unknowns[i], by[i]);
+      change(journal, unknowns, by);
       EXPECT_EQ(influenced.size(), std::size_t(mesh.face_count()));
-      for (const InfluencedFace& face : influenced) {
-        Patch expected = before.patch(face.face);
-        for (const Influence& influence : face.by)
-          for (std::size_t k = 0; k < 16; ++k) {
-            const Value& v = by[std::size_t(influence.unknown)];
-            expected.c[k / 4][k % 4] +=
-                Value{v.position * influence.place[k], v.color * influence.color[k]};
-          }
-        EXPECT_LT(test::difference(mesh.patch(face.face), expected), 1e-9) << "seed " << seed;
+      for (const InfluencedFace& face : influenced)
+        EXPECT_LT(test::difference(mesh.patch(face.face), moved(before, face, by)), 1e-9)
+            << "seed " << seed;
+    }
+}
+
+/// Sides that are straight, Coons patches and handles in one line stay so, and the mesh stays
+/// linear in what is left: points and the rest.
+TEST(Fit, leaves_plain_what_is_plain) {
+  int places = 0, in_line = 0;
+  for (unsigned seed = 0; seed < 8; ++seed) {
+    Mesh mesh = junction_mesh(ColorModel::bilinear, seed);
+    Journal journal(mesh);
+    make_some_plain(journal);
+    const Mesh before = mesh;
+    const Plainness plain(before);
+    const auto unknowns = unknowns_of(mesh, faces_of(mesh), plain);
+    const auto influenced = influences(journal, unknowns, plain);
+    EXPECT_TRUE(test::same(mesh, before));
+    for (const Unknown& unknown : unknowns) places += unknown.kind == Unknown::place;
+
+    std::mt19937 random(seed);
+    std::vector<Value> by;
+    for (const Unknown& unknown : unknowns) by.push_back(random_value(unknown, random));
+    journal.begin();
+    change(journal, unknowns, by, plain);
+    for (const InfluencedFace& face : influenced)
+      EXPECT_LT(test::difference(mesh.patch(face.face), moved(before, face, by)), 1e-9);
+    const Plainness after(mesh);
+    for (const Face f : mesh.faces()) EXPECT_LE(plain.is_coons(f), after.is_coons(f));
+    for (const Halfedge h : mesh.halfedges()) {
+      if (mesh.is_bar(h) || mesh.curve(h) != h) continue;
+      EXPECT_EQ(plain.is_straight(h), after.is_straight(h));
+      for (const Handle handle : mesh[h].handles) {
+        const auto opposite = plain.opposite(handle);
+        in_line += opposite.has_value();
+        EXPECT_TRUE(!opposite || after.opposite(handle)) << "seed " << seed;
       }
     }
+  }
+  EXPECT_GT(places, 10);
+  EXPECT_GT(in_line, 10);
 }
 
 TEST(Fit, unknowns_of_a_face_change_it_and_those_beside_it) {
@@ -87,8 +164,10 @@ TEST(Fit, finds_back_what_was_moved) {
       {
         Journal journal(mesh);
         journal.begin();
-        for (const Unknown& unknown : unknowns_of(mesh, {Face{4}}))
-          change(journal, unknown, random_value(unknown, random));
+        const auto unknowns = unknowns_of(mesh, {Face{4}});
+        std::vector<Value> by;
+        for (const Unknown& unknown : unknowns) by.push_back(random_value(unknown, random));
+        change(journal, unknowns, by);
       }
       FitTrial trial(mesh, EditError(original, mesh, frame, MetricKind::flip), target);
       const double before = trial.error();
@@ -126,11 +205,10 @@ TEST(Fit, is_not_held_by_what_is_hidden) {
   Mesh mesh = original;
   Journal journal(mesh);
   journal.begin();
-  for (const Unknown& unknown : unknowns_of(mesh, {Face{3}})) {
-    Value by;
-    by.position = {-8, 0};
-    change(journal, unknown, by);
-  }
+  const auto unknowns = unknowns_of(mesh, {Face{3}});
+  Value by;
+  by.position = {-8, 0};
+  change(journal, unknowns, std::vector(unknowns.size(), by));
   const Mesh moved = mesh;
   FitTrial trial(mesh, EditError(original, mesh, frame, MetricKind::flip), target);
   const double before = trial.error();
