@@ -13,9 +13,9 @@ struct BlockCuts {
   std::vector<std::vector<double>> rows, columns;
 };
 
-/// Returns where somebody has cut the rows and columns of a block, to which copies of points may
-/// have been moved before and since. `read` has at least as many rows and columns as `written`.
-/// Returns nothing where several lines may be new as well.
+/// Returns where somebody has cut the rows and columns of a block, of which points may have been
+/// moved before and since, or the block as a whole, scaled, turned or sheared. `read` has at least
+/// as many rows and columns as `written`. Returns nothing where several lines may be new as well.
 ///   - The lines of before are those that lie nearest to them, in the same order.
 ///   - A new line is where most of its points lie on the curves of before, and divide those of now.
 std::optional<BlockCuts> find_cuts(const PatchGrid& written, const PatchGrid& read);

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
+#include "base/affine.h"
 #include "form/cut_blocks.h"
 #include "geom/box.h"
 #include "geom/nearest.h"
@@ -11,6 +14,9 @@ namespace gradmesh {
 namespace {
 
 using Curve = Cubic<glm::dvec2>;
+
+/// The distance, as a share of a block's size, within which two places are the same.
+constexpr double same_place = 1e-3;
 
 /// The lines of a block in one direction: lines across it, at which rows begin and end, or lines
 /// down, at which columns do.
@@ -82,6 +88,8 @@ Distances sums(const Distances& distances) {
 
 struct Alignment {
   Places places;
+  /// The sum of the distances of the lines.
+  double distance = 0;
   /// True if another alignment is as likely.
   bool is_unclear = false;
 };
@@ -104,6 +112,7 @@ Alignment align(const Distances& distances, double same) {
     farthest = std::max(farthest, distances[i][k]);
   }
   const double best = before.back().back();
+  result.distance = best;
   for (std::size_t i = 0; i < distances.size(); ++i)
     for (std::size_t other = 0; other < distances[i].size(); ++other) {
       const bool likely = through(i, other) < best + 0.3 * farthest;
@@ -112,42 +121,87 @@ Alignment align(const Distances& distances, double same) {
   return result;
 }
 
+/// Returns the diagonal of the box around the corners of a block.
+double size_of(const PatchGrid& block) {
+  Box box;
+  for (const Patch& patch : block.patches)
+    for (int k = 0; k < 4; ++k) box.add(patch.corner(k).position);
+  return std::max(glm::length(box.size()), 1e-9);
+}
+
+/// Returns the outer corners of a block, row by row.
+std::array<glm::dvec2, 4> outer_corners(const PatchGrid& block) {
+  const Lines lines(block, false);
+  const int bottom = lines.count() - 1, right = lines.corners() - 1;
+  return {lines.corner(0, 0).position, lines.corner(0, right).position,
+          lines.corner(bottom, 0).position, lines.corner(bottom, right).position};
+}
+
+/// Returns the map by which a block as a whole was scaled, turned or sheared, if it takes all four
+/// outer corners to where they are now, to within `same` in the unit before. Nothing if the map, or
+/// its inverse, would not be known from them.
+std::optional<Affine> affine_between(const std::array<glm::dvec2, 4>& before,
+                                     const std::array<glm::dvec2, 4>& now, double same) {
+  const auto frame = [](const std::array<glm::dvec2, 4>& p) {
+    return Affine{glm::dmat2(0.5 * (p[1] - p[0] + p[3] - p[2]), 0.5 * (p[2] - p[0] + p[3] - p[1])),
+                  0.25 * (p[0] + p[1] + p[2] + p[3])};
+  };
+  const Affine from = frame(before), to = frame(now);
+  const double flat = same * same;
+  if (std::abs(from.determinant()) <= flat || !(std::abs(to.determinant()) > 0))
+    return std::nullopt;
+  const Affine map = to * from.inverse();
+  if (!(std::abs(map.determinant()) > 1e-12)) return std::nullopt;
+  const Affine back = map.inverse();
+  for (std::size_t k = 0; k < 4; ++k)
+    if (!(glm::distance(back.point(now[k]), before[k]) <= same)) return std::nullopt;
+  return map;
+}
+
+/// Returns how a block as a whole was moved, if half of its outer corners are where that takes
+/// them.
+Affine shift_between(const std::array<glm::dvec2, 4>& before,
+                     const std::array<glm::dvec2, 4>& now) {
+  std::vector<double> x, y;
+  for (std::size_t k = 0; k < 4; ++k) {
+    x.push_back(now[k].x - before[k].x);
+    y.push_back(now[k].y - before[k].y);
+  }
+  return Affine::translation({median(x), median(y)});
+}
+
 class CutFinder {
  public:
-  CutFinder(const PatchGrid& written, const PatchGrid& read) : written_(written), read_(read) {
-    Box box;
-    for (const Patch& patch : written.patches)
-      for (int k = 0; k < 4; ++k) box.add(patch.corner(k).position);
-    size_ = std::max(glm::length(box.size()), 1e-9);
-    // How far the block as a whole has moved.
-    const Lines before(written, false), now(read, false);
-    std::vector<double> x, y;
-    for (const bool bottom : {false, true})
-      for (const bool right : {false, true}) {
-        const auto at = [&](const Lines& lines) {
-          return lines.corner(bottom * (lines.count() - 1), right * (lines.corners() - 1)).position;
-        };
-        x.push_back(at(now).x - at(before).x);
-        y.push_back(at(now).y - at(before).y);
-      }
-    shift_ = {median(x), median(y)};
+  /// `by` takes the block as a whole from where it was written to where it is.
+  CutFinder(const PatchGrid& written, PatchGrid read, const Affine& by)
+      : written_(written), read_(std::move(read)), size_(size_of(written)) {
+    const Affine back = by.inverse();
+    for (Patch& patch : read_.patches) transform(patch, back);
   }
 
-  std::optional<BlockCuts> run() const {
+  struct Found {
+    /// Nothing if it cannot be told.
+    std::optional<BlockCuts> cuts;
+    /// How far the lines are from those of before.
+    double distance;
+  };
+
+  Found run() const {
     const Places nothing;
     const Places guessed = aligned(false, nothing).places;
     const Alignment columns = aligned(true, guessed), rows = aligned(false, columns.places);
-    if (columns.is_unclear || rows.is_unclear) return std::nullopt;
-    return BlockCuts{cuts(false, rows.places, columns.places),
-                     cuts(true, columns.places, rows.places)};
+    const double distance = columns.distance + rows.distance;
+    if (columns.is_unclear || rows.is_unclear) return {std::nullopt, distance};
+    return {BlockCuts{cuts(false, rows.places, columns.places),
+                      cuts(true, columns.places, rows.places)},
+            distance};
   }
 
  private:
   double distance(const Value& before, const Value& now) const {
     // Opacities may be in a mask, which the mesh tool does not cut.
     const glm::dvec3 color(before.color - now.color);
-    return glm::distance(before.position + shift_, now.position) +
-           0.05 * size_ * glm::length(color);
+    return glm::distance(before.position, now.position) + 0.05 * size_ * glm::length(color);
   }
 
   /// Returns which lines of now are those of before, if the corners on them are known, or all
@@ -158,7 +212,7 @@ class CutFinder {
     for (int i = 0; i < before.count(); ++i)
       for (int k = 0; k < now.count(); ++k)
         distances[std::size_t(i)][std::size_t(k)] = distance(before, i, now, k, corners);
-    return align(distances, 1e-3 * size_);
+    return align(distances, same_place * size_);
   }
 
   double distance(const Lines& before, int line, const Lines& now, int other,
@@ -186,7 +240,8 @@ class CutFinder {
         constexpr double gap = 1e-6;
         const double low = places.empty() ? gap : places.back() + gap;
         const double t = place(down, i, lines, k, corners);
-        places.push_back(std::clamp(t, low, 1 - gap * (1 + count - k)));
+        // By rounding the bounds may be in the wrong order where the last line is at the highest.
+        places.push_back(std::min(1 - gap * (1 + count - k), std::max(low, t)));
       }
     }
     return result;
@@ -202,7 +257,7 @@ class CutFinder {
     for (int c = 0; c < before.corners(); ++c) {
       const int corner = corners[std::size_t(c)];
       const Curve curve = before.curve(line, c);
-      const glm::dvec2 put = now.corner(first + k, corner).position - shift_;
+      const glm::dvec2 put = now.corner(first + k, corner).position;
       if (glm::distance(curve.p0, curve.p1) > 1e-3 * size_)
         places.push_back(nearest(curve, put, 0, 1));
       if (const auto share = share_before(now, first, first + k, end, corner))
@@ -228,15 +283,21 @@ class CutFinder {
   }
 
   const PatchGrid& written_;
-  const PatchGrid& read_;
-  double size_ = 1;
-  glm::dvec2 shift_{0.0};
+  /// Moved back to where the block was when it was written.
+  PatchGrid read_;
+  const double size_;
 };
 
 }  // namespace
 
 std::optional<BlockCuts> find_cuts(const PatchGrid& written, const PatchGrid& read) {
-  return CutFinder(written, read).run();
+  const auto before = outer_corners(written), now = outer_corners(read);
+  CutFinder::Found found = CutFinder(written, read, shift_between(before, now)).run();
+  if (const auto by = affine_between(before, now, same_place * size_of(written))) {
+    CutFinder::Found other = CutFinder(written, read, *by).run();
+    if (other.distance < 0.5 * found.distance) found = std::move(other);
+  }
+  return found.cuts;
 }
 
 }  // namespace gradmesh

@@ -9,12 +9,22 @@
 
 namespace gradmesh {
 
-double rounding_of(const Mesh& mesh) {
-  constexpr double share = 1e-6;
+namespace {
+
+Box box_of(const Mesh& mesh) {
   Box box;
   for (const Point p : mesh.points()) box.add(mesh.position(p));
+  return box;
+}
+
+double rounding_of(const Box& box) {
+  constexpr double share = 1e-6;
   return share * (box.size().x + box.size().y);
 }
+
+}  // namespace
+
+double rounding_of(const Mesh& mesh) { return rounding_of(box_of(mesh)); }
 
 bool is_straight(const Cubic<Value>& curve, double tolerance) {
   const glm::dvec2 chord = curve.p1.position - curve.p0.position;
@@ -23,9 +33,8 @@ bool is_straight(const Cubic<Value>& curve, double tolerance) {
 }
 
 int count_handles(const Mesh& surface) {
-  Box box;
-  for (const Point p : surface.points()) box.add(surface.position(p));
-  const double same = rounding_of(surface);
+  const Box box = box_of(surface);
+  const double same = rounding_of(box);
   std::set<std::pair<long long, long long>> places;
   const auto add = [&](glm::dvec2 p) {
     const glm::dvec2 q = (p - box.low()) / same;

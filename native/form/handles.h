@@ -21,6 +21,6 @@ bool is_straight(const Cubic<Value>& curve, double tolerance);
 
 /// How many handles one object more is worth: what is selected, entered and left before a handle
 /// can be dragged.
-inline constexpr int handles_of_an_object = 12;
+inline constexpr int handles_of_an_object = 25;
 
 }  // namespace gradmesh

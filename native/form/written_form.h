@@ -19,6 +19,8 @@ struct WrittenForm {
   /// written, in the unit of the positions.
   double coons_tolerance = 0;
 
+  /// Returns the number of objects that paint the mesh.
+  int object_count() const { return blocks ? int(blocks->blocks.size()) : 1; }
   bool masks_opacity() const { return blocks && blocks->masks_opacity; }
 };
 

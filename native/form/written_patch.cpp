@@ -5,6 +5,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "form/handles.h"
+#include "form/rounding.h"
+
 namespace gradmesh {
 namespace {
 
@@ -69,6 +72,46 @@ Patch as_written(const Patch& patch, double tolerance, bool masked_opacity) {
     }
   make_color_bilinear(written);
   return written;
+}
+
+double straight_tolerance(double coons_tolerance) {
+  constexpr double share = 0.1;
+  return share * coons_tolerance;
+}
+
+Patch rounded(const Patch& patch, double tolerance, double step, const Affine& to_written) {
+  const auto round = [&](glm::dvec2 p) { return round_to_step(p, step); };
+  std::array<Cubic<Value>, 4> sides;
+  for (int k = 0; k < 4; ++k) {
+    const Cubic<Value> side = patch.side(k);
+    const glm::dvec2 from = round(to_written.point(side.p0.position));
+    const glm::dvec2 to = round(to_written.point(side.p1.position));
+    Cubic<Value>& written = sides[std::size_t(k)] = side;
+    written.p0.position = from;
+    written.p1.position = to;
+    written.m0.position = written.m1.position = to - from;
+    if (is_straight(side, straight_tolerance(tolerance))) continue;
+    written.m0.position = 3.0 * (round(to_written.point(side.bezier1().position)) - from);
+    written.m1.position = 3.0 * (to - round(to_written.point(side.bezier2().position)));
+  }
+  Patch result = patch_from_sides(sides, {});
+  make_coons(result);
+  if (needs_tensor(patch, tolerance)) {
+    Patch placed = patch;
+    transform(placed, to_written);
+    const BezierNet wanted = bezier_net(placed);
+    BezierNet net = bezier_net(result);
+    for (const int i : {1, 2})
+      for (const int j : {1, 2}) {
+        const int corner_i = i == 1 ? 0 : 3, corner_j = j == 1 ? 0 : 3;
+        net[i][j].position = net[corner_i][corner_j].position +
+                             round(wanted[i][j].position - wanted[corner_i][corner_j].position);
+      }
+    result = patch_from_bezier(net);
+  }
+  transform(result, to_written.inverse());
+  make_color_bilinear(result);
+  return result;
 }
 
 }  // namespace gradmesh

@@ -14,6 +14,15 @@ Patch as_written(const Patch& patch, double tolerance, bool masked_opacity = fal
 /// Returns true if the patch needs `tensor`.
 bool needs_tensor(const Patch& patch, double tolerance);
 
+/// Returns how far the inner control points of a side may be from the thirds of its chord for the
+/// side to be written as a line.
+double straight_tolerance(double coons_tolerance);
+
+/// Returns the patch as a reader finds it where all coordinates are written as multiples of `step`,
+/// straight sides as lines, and `tensor` as offsets from corners. `to_written` maps the patch's
+/// coordinates to those that are written; `tolerance` is as above.
+Patch rounded(const Patch& patch, double tolerance, double step, const Affine& to_written = {});
+
 /// Returns the colour of 8 bits a channel whose luminance in a mask is nearest to an opacity, and
 /// of those the nearest to grey. Steps of a single channel are finer than those of greys, so the
 /// luminance is within a twentieth of a level.

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 
-#include "form/blocks.h"
-#include "form/cut_blocks.h"
+#include "branch_meshes.h"
 #include "form/written_patch.h"
-#include "mesh/subdivide.h"
 #include "mesh/validate.h"
 #include "ops/split/without_faces.h"
-#include "random_meshes.h"
 #include "same_mesh.h"
+#include "written_blocks.h"
 
 /// Meshes of 400 x 400 units, so that 0.006 units are within the rounding.
 namespace gradmesh {
@@ -20,32 +17,8 @@ namespace {
 
 using test::difference;
 
-/// A mesh as it is written in blocks, with the cuts of a person, who has made none yet.
 EditedBlocks random_blocks(unsigned seed) {
-  std::mt19937 random(seed);
-  MeshParts grid = test::grid_parts(
-      {.rows = 4, .columns = 4, .position_noise = 0.05, .color_noise = 0.2}, random);
-  for (Patch& patch : grid.patches) patch = as_written(patch, 0);
-  const Mesh mesh = build_mesh(subdivided(test::changed_mesh(grid, seed, 20), 1));
-  const BlockForm form = block_form(mesh, 0);
-  const MeshParts parts = block_parts(mesh, form);
-  EditedBlocks blocks;
-  auto patch = parts.patches.begin();
-  for (const Rectangle& block : form.blocks) {
-    const auto end = patch + block.rows * block.columns;
-    blocks.written.push_back({block.rows, block.columns, {patch, end}});
-    blocks.cuts.push_back({std::vector<std::vector<double>>(std::size_t(block.rows)),
-                           std::vector<std::vector<double>>(std::size_t(block.columns))});
-    patch = end;
-  }
-  blocks.read = blocks.written;
-  blocks.removed.assign(blocks.read.size(), false);
-  std::set<int> inside;
-  for (const CurveParts& curve : parts_of(blocks.written).curves)
-    inside.insert({curve.a.halfedges[0], curve.b.halfedges[0]});
-  for (const CurveParts& curve : parts.curves)
-    if (!inside.contains(curve.a.halfedges[0])) blocks.curves.push_back(curve);
-  return blocks;
+  return test::written_blocks(test::written_parts(seed));
 }
 
 double at_random(std::mt19937& random) { return 0.1 + 0.8 * double(random() % 1000) / 1000; }
@@ -166,6 +139,68 @@ TEST(CutBlocks, corners_that_were_moved_since_are_where_they_were_put) {
   }
   EXPECT_GT(moved, 50);
   EXPECT_LT(unclear, 10);
+}
+
+/// Moves a block as a whole, as a selector does.
+void transform_block(PatchGrid& block, const Affine& linear) {
+  const glm::dvec2 corner = block.patches.front().corner(0).position;
+  const Affine map = Affine::translation(corner) * linear * Affine::translation(-corner);
+  for (Patch& patch : block.patches) transform(patch, map);
+}
+
+TEST(CutBlocks, a_block_that_was_scaled_or_turned_as_well_is_where_it_was_put) {
+  const Affine maps[] = {Affine::scaling({1.3, 1.3}), Affine::scaling({0.6, 1.1}),
+                         Affine{glm::dmat2(0.8, 0.6, -0.6, 0.8), {30, 20}},
+                         Affine{glm::dmat2(1, 0.1, 0.4, 0.9), {0, 0}}, Affine::scaling({-1, 1})};
+  int inside = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    EditedBlocks blocks = random_blocks(seed);
+    cut_at_random(blocks, random);
+    for (PatchGrid& block : blocks.read)
+      if (&block == &blocks.read[0] || random() % 4 == 0) transform_block(block, maps[seed % 5]);
+    round_as_written(blocks.read, random);
+    ASSERT_TRUE(find(blocks, 1e-3));
+    const Reconciled result = reconcile(blocks);
+    EXPECT_TRUE(result.edited);
+    const Mesh mesh = build_mesh(result.parts);
+    ASSERT_EQ(validate(mesh), std::vector<std::string>{});
+    EXPECT_EQ(std::size_t(mesh.face_count()), parts_of(blocks.read).patches.size());
+    // No other block has the points inside.
+    const PatchGrid& block = blocks.read[0];
+    for (int i = 1; i < block.rows; ++i)
+      for (int j = 1; j < block.columns; ++j) {
+        const int f = i * block.columns + j;
+        const glm::dvec2 put = block.patches[std::size_t(f)].corner(0).position;
+        EXPECT_LE(glm::distance(mesh.patch(Face{f}).corner(0).position, put), 1e-4);
+        ++inside;
+      }
+  }
+  EXPECT_GT(inside, 200);
+}
+
+/// Blocks that close around holes, or meet around a point of the boundary.
+TEST(CutBlocks, closed_and_branched_arrangements_of_blocks_are_cut_too) {
+  const MeshParts shapes[] = {test::ring(4), test::ring(6), test::dumbbell(), test::cross(2),
+                              test::u_branch()};
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    MeshParts shape = shapes[seed % std::size(shapes)];
+    transform(shape, Affine::scaling({30, 30}));
+    EditedBlocks blocks = test::written_blocks(test::written_parts(shape, seed, int(seed % 20)));
+    EXPECT_FALSE(reconcile(blocks).edited);
+    cut_at_random(blocks, random);
+    round_as_written(blocks.read, random);
+    ASSERT_TRUE(find(blocks, 1e-4));
+    const Mesh mesh = build_mesh(reconcile(blocks).parts);
+    ASSERT_EQ(validate(mesh), std::vector<std::string>{});
+    const std::vector<Patch> read = parts_of(blocks.read).patches;
+    ASSERT_EQ(std::size_t(mesh.face_count()), read.size());
+    for (const Face f : mesh.faces())
+      EXPECT_LE(difference(mesh.patch(f), read[std::size_t(f.value)]), 0.06);
+  }
 }
 
 PatchGrid stripes(const std::vector<double>& lines) {

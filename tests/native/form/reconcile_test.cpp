@@ -5,25 +5,15 @@
 #include <map>
 
 #include "form/reconcile.h"
-#include "form/written_patch.h"
-#include "mesh/subdivide.h"
 #include "mesh/validate.h"
-#include "random_meshes.h"
 #include "same_mesh.h"
+#include "written_blocks.h"
 
 /// Meshes of 400 x 400 units, so that 0.006 units are within the rounding.
 namespace gradmesh {
 namespace {
 
 using test::difference;
-
-MeshParts random_parts(unsigned seed) {
-  std::mt19937 random(seed);
-  MeshParts parts = test::grid_parts(
-      {.rows = 4, .columns = 4, .position_noise = 0.05, .color_noise = 0.2}, random);
-  for (Patch& patch : parts.patches) patch = as_written(patch, 0);
-  return subdivided(test::changed_mesh(parts, seed, 20), 1);
-}
 
 constexpr std::pair<int, int> corner_place[] = {{0, 0}, {0, 3}, {3, 3}, {3, 0}};
 
@@ -143,7 +133,7 @@ TEST(Reconcile, random_points_in_random_copies) {
   int points = 0, handles = 0;
   std::size_t junctions = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const MeshParts written = random_parts(seed);
+    const MeshParts written = test::written_parts(seed);
     std::mt19937 random(seed);
     const MeshParts read = edited_at_random(written, random);
     const Reconciled result = reconcile(read, written);
@@ -165,7 +155,7 @@ TEST(Reconcile, random_points_in_random_copies) {
 }
 
 TEST(Reconcile, rounding_is_no_edit) {
-  const MeshParts written = random_parts(1);
+  const MeshParts written = test::written_parts(1);
   for (const double size : {0.001, 0.1}) {
     MeshParts read = written;
     std::mt19937 random(1);

@@ -7,7 +7,7 @@ import pytest
 np = pytest.importorskip("numpy")
 
 from built import SAMPLES
-from edited_blocks import Group, read_mesh
+from edited_blocks import Group, read_mesh, update
 from svg_meshes import GRADMESH, SVG
 
 import gradmesh
@@ -45,14 +45,6 @@ def picture(group):
     """Painted in the frame of the sample, however the mesh has changed."""
     document = gradmesh.load(group.path)
     return gradmesh.render(document, framed_as=gradmesh.load(group.sample)).astype(int)
-
-
-def update(group):
-    document = gradmesh.load(group.path)
-    (result,) = gradmesh.update(document)
-    gradmesh.save(document, group.path)
-    group.read()
-    return result
 
 
 def expect_same_picture(before, after):
@@ -137,11 +129,53 @@ def test_an_edited_group_is_read_as_it_is(group):
     assert document.meshes[0].patches == patches + 1
 
 
+def scale_about(group, block, factor):
+    """Scales a block as the selector does, by its path's transform."""
+    center = group.blocks[block].mean()
+    x, y = ((1 - factor) * part for part in (center.real, center.imag))
+    matrix = f"matrix({factor} 0 0 {factor} {x!r} {y!r})"
+    group.document.by_id[block].set("transform", matrix)
+    group.save()
+
+
+@pytest.mark.parametrize("cut_first", [True, False])
+@pytest.mark.parametrize("factor", [0.7, 1.15])
+def test_a_block_that_was_scaled_as_well_as_cut(group, factor, cut_first):
+    block = in_face_order(group)[0]
+    before = update(group).patches
+    old = group.blocks[block].shape
+    if not cut_first:
+        scale_about(group, block, factor)
+    group.cut(block, rows=[(0, 0.4)], columns=[(0, 0.6)])
+    if cut_first:
+        scale_about(group, block, factor)
+    net = group.blocks[block]
+    rows, columns = ((size - 1) // 3 for size in net.shape)
+    new = rows * columns - (old[0] - 1) // 3 * ((old[1] - 1) // 3)
+    result = update(group)
+    assert result.changed and result.patches == before + new
+    # The crossing of both lines is in no other block.
+    assert min(abs(other[::3, ::3] - net[3, 3]).min() for other in group.blocks.values()) < 1e-3
+    assert update(group).changed is False
+
+
 def test_what_cannot_be_told_is_refused(group):
     big = max(group.blocks, key=lambda name: group.blocks[name].shape[0])
     rows = [e for e in group.gradient(big).iter(SVG + "meshrow")]
     assert len(rows) > 1
     group.gradient(big).remove(rows[-1])
     group.save()
-    with pytest.raises(gradmesh.InputError, match="fewer rows or columns than before"):
+    with pytest.raises(gradmesh.InputError, match="fewer rows or columns than before") as refused:
         update(group)
+    assert f'path "{big}"' in str(refused.value)
+
+
+def test_what_may_be_either_line_is_refused(group):
+    block = max(group.blocks, key=lambda name: group.blocks[name].shape[0])
+    group.cut(block, rows=[(0, 0.8)])
+    points = read_mesh(group.gradient(block)).points
+    for new, old in zip(points[3][::3], points[6][::3]):
+        group.move(block, old, old - new)
+    with pytest.raises(gradmesh.InputError, match="cannot be told") as refused:
+        update(group)
+    assert f'"{block}": which of its rows or columns are new' in str(refused.value)

@@ -10,6 +10,8 @@ import svg_meshes
 from meshgrid import Mesh, Notation, meshgradient
 from svg_meshes import GRADMESH, SVG
 
+import gradmesh
+
 
 class Group:
     """The document at `path`, of one simplified mesh, whose blocks can be edited one by one as
@@ -91,6 +93,15 @@ class Group:
         path = self.document.by_id[block]
         self.node.remove(path)
         self.save()
+
+
+def update(group):
+    """Updates the document of a group, which is read again; the result."""
+    document = gradmesh.load(group.path)
+    (result,) = gradmesh.update(document)
+    gradmesh.save(document, group.path)
+    group.read()
+    return result
 
 
 def read_mesh(gradient):

@@ -8,21 +8,32 @@ from built import SAMPLES
 
 sys.path.append(str(SAMPLES))  # after the tests' own modules of the same names
 
-from meshgrid import Mesh, Notation, meshgradient  # noqa: E402
+from meshgrid import Mesh, Notation, meshgradient, mix  # noqa: E402
 
 SIDE = 40.0  # of a patch, before it is shaken
 
 
 class Kind:
     """`noise`: how far corners are moved, and handles twice as far, in sides of a patch. `inner`:
-    how far interior points are, with `tensor` written."""
+    how far interior points are, with `tensor` written. `straight`: how likely a side is a line.
+    `most`: rows, and columns."""
 
-    def __init__(self, noise=0.15, inner=None, opacity=False, smooth=False, transformed=False):
+    def __init__(
+        self,
+        noise=0.15,
+        inner=None,
+        opacity=False,
+        smooth=False,
+        transformed=False,
+        straight=0.0,
+        most=4,
+    ):
         self.noise, self.inner, self.opacity = noise, inner, opacity
         self.smooth, self.transformed = smooth, transformed
+        self.straight, self.most = straight, most
 
     def mesh(self, chance):
-        rows, columns = chance.randint(1, 4), chance.randint(1, 4)
+        rows, columns = chance.randint(1, self.most), chance.randint(1, self.most)
         corners = [
             [complex(SIDE * j, SIDE * i) + _shake(chance, self.noise) for j in range(columns + 1)]
             for i in range(rows + 1)
@@ -35,9 +46,23 @@ class Kind:
                     line[j] += _shake(chance, 2 * self.noise)
                 elif self.inner and i % 3 and j % 3:
                     line[j] += _shake(chance, self.inner)
+        if self.straight:
+            self._straighten(mesh, chance)
         if self.inner:
             mesh.tensor = {(row, column) for row in range(rows) for column in range(columns)}
         return mesh
+
+    def _straighten(self, mesh, chance):
+        points = mesh.points
+        for i in range(0, len(points), 3):
+            for j in range(0, len(points[0]), 3):
+                for down, right in ((0, 1), (1, 0)):
+                    inside = i + 3 * down < len(points) and j + 3 * right < len(points[0])
+                    if not inside or chance.random() >= self.straight:
+                        continue
+                    a, b = points[i][j], points[i + 3 * down][j + 3 * right]
+                    for k in (1, 2):
+                        points[i + k * down][j + k * right] = mix(a, b, k / 3)
 
     def _colour(self, chance):
         return (*(chance.random() for _ in range(3)), chance.random() if self.opacity else 1.0)
