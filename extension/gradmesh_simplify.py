@@ -23,7 +23,8 @@ MAX_LOCAL_ERROR = {"gentle": 0.05, "balanced": 0.1, "strong": 0.1}
 # What is counted by the amounts that are a number or a share.
 COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patch-share": "patches"}
 
-# The method of blocks that the dialog begins with; another one there is asked for by the person.
+# The method of blocks that the dialog begins with, which leaves few handles unless it is patches that
+# are to be few; another one there is asked for by the person.
 BLOCKS = "best"
 # The method that takes handles out of one mesh gradient and merges nothing.
 PLAIN = "plain"
@@ -105,7 +106,10 @@ class Simplify(GradmeshEffect):
             chosen["method"] = "simplest"
         # The dialog keeps what was typed there for another run.
         chosen["edges"] = self.edges() if chosen["method"] == "manual" else ()
-        return {**chosen, **self.how_much()}
+        how_much = self.how_much()
+        if chosen["method"] == BLOCKS and "patches" not in how_much:
+            how_much.setdefault("count", "handles")
+        return {**chosen, **how_much}
 
     def edges(self):
         """The edges to be merged by hand."""

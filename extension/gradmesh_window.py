@@ -27,7 +27,7 @@ class LongWork:
         self._work = work
         self._ended = threading.Event()
         self._stop = False
-        self._seen = (0, 0, 0, 0.0)
+        self._seen = (0, 0, 0, 0.0, 0)
         self._result = self._failure = None
 
     def run(self):
@@ -61,14 +61,16 @@ class LongWork:
     @property
     def share(self):
         """How much is done, 0 to 1."""
-        done, total, _patches, _error = self._seen
+        done, total, *_others = self._seen
         return min(done / total, 1) if total else 0
 
     @property
     def words(self):
         if self._stop:
             return _("Stopping: the best so far is kept …")
-        patches = self._seen[2]
+        _done, _total, patches, _error, handles = self._seen
+        if handles:
+            return _("{handles} handles so far").format(handles=handles)
         return _("{patches} patches so far").format(patches=patches) if patches else _("Preparing …")
 
     def stop(self):

@@ -11,7 +11,7 @@ carry no information, and small parts must be kept.
 import sys
 from pathlib import Path
 
-from pictures import ellipse, face, fruit, photo
+from motifs import ellipse, face, fruit, photo
 from variants import opacity, smooth, stroke, tensor, transformed, two
 
 SAMPLES = [fruit, face, ellipse, photo, opacity, stroke, two, transformed, tensor, smooth]

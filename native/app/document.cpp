@@ -187,24 +187,27 @@ SimplifyResult Document::simplified(const MeshEntry& entry, const Start& start, 
     return result;
   Mesh other = start.mesh;
   const auto lines = simplified_anew(entry, start, line_method, result, other);
-  if (!lines || !lines->changed || lines->patches_after > result.patches_after) return result;
+  const bool for_handles = options.count == Count::handles;
+  const auto left = [&](const SimplifyResult& r) {
+    return for_handles ? to_handle(r) : r.patches_after;
+  };
+  if (!lines || !lines->changed || left(*lines) > left(result)) return result;
   mesh = std::move(other);
   return *lines;
 }
 
 SimplifyResult Document::simplest_of(const MeshEntry& entry, const Start& start,
                                      SimplifyResult result, Mesh& mesh) const {
-  // What a result leaves to handle, each object counting too.
-  const auto weight = [](const SimplifyResult& r) {
-    return r.handles_after + handles_of_an_object * r.objects;
-  };
+  // A group in the place of an object has to be worth it.
+  constexpr double most_of_plain = 2.0 / 3;
   for (const char* method : {line_method, best_method}) {
     const bool is_simple = result.changed && 2 * result.handles_after <= result.handles_before;
     if (is_simple || !suits(method_named(method), start.mesh)) continue;
     Mesh other = start.mesh;
     const auto found = simplified_anew(entry, start, method, result, other);
     if (!found) break;
-    if (found->changed && weight(*found) < weight(result)) {
+    const double most = method == line_method ? 1 : most_of_plain;
+    if (found->changed && to_handle(*found) < most * to_handle(result)) {
       mesh = std::move(other);
       result = *found;
     } else {

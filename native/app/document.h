@@ -51,7 +51,9 @@ struct MeshReport {
 /// What an update has found of one mesh.
 struct UpdateReport {
   std::string id;
-  int patches = 0;
+  MeshCounts counts;
+  /// The number of objects that paint the mesh, its blocks.
+  int objects = 0;
   /// True if a person had edited the mesh.
   bool changed = false;
 };

@@ -7,6 +7,7 @@
 
 #include "app/svg_meshes.h"
 #include "app/svg_rules.h"
+#include "fit/plainness.h"
 #include "formats/svg/write/write_mesh.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
@@ -16,6 +17,7 @@
 #include "ops/merge/merge_faces.h"
 #include "ops/split/split.h"
 #include "ops/split/split_line.h"
+#include "ops/straighten.h"
 #include "trial/edit_error.h"
 
 namespace gradmesh {
@@ -26,11 +28,13 @@ SvgMeshes& svg(Document& document) {
   throw InputError("{0}: patches are edited in SVG documents only.", document.name());
 }
 
-EditReport write(SvgMeshes& document, const MeshEntry& entry, int patches_before, const Mesh& mesh,
+EditReport write(SvgMeshes& document, const MeshEntry& entry, const Mesh& mesh,
                  const MeasureOptions& measure) {
   const std::string id = entry.id;
-  const double error = document.rewrite(entry, mesh, measure.metric, measure.resolution);
-  return {id, patches_before, mesh.face_count(), error};
+  const MeshCounts before = counts_of(document.mesh(entry));
+  const auto [after, objects, error] =
+      document.rewrite(entry, mesh, measure.metric, measure.resolution);
+  return {id, before, after, objects, error};
 }
 
 /// Cuts patches of a rectangle.
@@ -151,8 +155,8 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
     const WrittenForm form =
         meshes.naming(entry, [&] { return gradient_rules({})->form(grid, frame); });
     const EditError error(before, before, frame, measure.metric);
-    reports.push_back(
-        {entry.id, before.face_count(), grid.face_count(), error.whole_frame(form.surface).mean});
+    reports.push_back({entry.id, counts_of(before), counts_of(form.surface), 1,
+                       error.whole_frame(form.surface).mean});
   }
   if (grids.empty())
     throw InputError("{0}: only simplified meshes can be made one mesh gradient.", document.name());
@@ -182,7 +186,7 @@ EditReport merge_blocks(Document& document, const std::vector<std::string>& ids,
                      excerpt(ids.front()));
 
   Mesh mesh = meshes.mesh(*entry);
-  const int before = mesh.face_count();
+  const Plainness plain(mesh);
   Journal journal(mesh);
   const MergedFaces merged = merge_faces(journal, faces);
   if (!merged.face.valid()) {
@@ -193,7 +197,13 @@ EditReport merge_blocks(Document& document, const std::vector<std::string>& ids,
     throw InputError("{0}: {1}: these patches cannot become one, {2}.", document.name(), entry->id,
                      why);
   }
-  return write(meshes, *entry, before, mesh, measure);
+  // Twists that no one asked for would be four handles more, in the neighbours too, whose sides
+  // change.
+  journal.begin();
+  plain.keep_coons(journal, 0);
+  if (std::ranges::all_of(faces, [&](Face f) { return plain.is_coons(f); }))
+    drop_tensor(journal, merged.face);
+  return write(meshes, *entry, mesh, measure);
 }
 
 EditReport refine(Document& document, const std::string& id, const RefineOptions& options,
@@ -205,7 +215,6 @@ EditReport refine(Document& document, const std::string& id, const RefineOptions
   SvgMeshes& meshes = svg(document);
   const ChosenPatches chosen = meshes.rectangle(id);
   Mesh mesh = meshes.mesh(chosen.entry);
-  const int before = mesh.face_count();
   Journal journal(mesh);
   try {
     Refiner(journal, chosen.rectangle, options).run();
@@ -213,7 +222,7 @@ EditReport refine(Document& document, const std::string& id, const RefineOptions
     throw InputError("{0}: {1}: {2}", document.name(), excerpt(id), error.message());
   }
   // Where lines meet on both sides of a curve there are ordinary points now.
-  return write(meshes, chosen.entry, before, build_mesh(subdivided(mesh, 1)), measure);
+  return write(meshes, chosen.entry, build_mesh(subdivided(mesh, 1)), measure);
 }
 
 }  // namespace gradmesh

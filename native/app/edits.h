@@ -20,7 +20,9 @@ struct MeasureOptions {
 struct EditReport {
   /// Id of the mesh.
   std::string id;
-  int patches_before = 0, patches_after = 0;
+  MeshCounts before, after;
+  /// The number of objects that paint the mesh afterwards.
+  int objects = 0;
   /// Error against the original that the mesh remembers, or else against the mesh as it was.
   double error = 0;
 };

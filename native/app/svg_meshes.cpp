@@ -68,7 +68,7 @@ bool SvgMeshes::recognises(std::string_view bytes) { return trimmed(bytes).start
 
 std::string SvgMeshes::write_new(const NewDocument& document) {
   const auto& [mesh, original, frame, page, translation] = document;
-  const WrittenForm form = block_rules()->form(mesh, frame);
+  const WrittenForm form = exact_block_rules()->form(mesh, frame);
   const MeshCounts counts = counts_of(form.surface);
   const std::string label = mesh_label(counts).in(translation);
   return new_svg({page.x, page.y}, outline_path(original), {mesh, *form.blocks, label, counts})
@@ -278,7 +278,8 @@ void SvgMeshes::replace_gradient(const SimplifiedMesh& m, const std::string& ori
   constexpr std::size_t names = 120;  // Of the attributes and their namespace, and a fingerprint.
   const bool has_remembered = remembered_original(m.entry) != nullptr;
   const double tolerance = m.result.form.coons_tolerance;
-  const std::size_t before = svg_.serialize().size();
+  // Of the bytes that were read as well, to which serializing may add a declaration.
+  const std::size_t before = std::min(bytes().size(), svg_.serialize().size());
   const MeshObject written = write_mesh_gradient(svg_, object(m.entry), m.mesh, tolerance);
   if (original.empty()) return;
   if (has_remembered || svg_.serialize().size() + original.size() + names <= before)
@@ -324,8 +325,8 @@ ChosenPatches SvgMeshes::rectangle(const std::string& id) const {
   return block(id);
 }
 
-double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind metric,
-                          int resolution) {
+SvgMeshes::Rewritten SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited,
+                                        MetricKind metric, int resolution) {
   std::shared_ptr<const Mesh> original = remembered_original(entry);
   if (!original) original = std::make_shared<const Mesh>(mesh(entry));
   SimplifyResult result;
@@ -343,7 +344,7 @@ double SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind
   writing.remember_original = !entry.simplified || memory(entry);
   replace({{entry, edited, result, original}}, metric, writing);
   mark_changed();
-  return result.error;
+  return {counts_of(result.form.surface), result.form.object_count(), result.error};
 }
 
 void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes,
@@ -391,11 +392,14 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
   for (const MeshEntry& entry : entries) {
     if (!entry.simplified) continue;
     const Mesh& mesh = read(entry).mesh;
-    reports.push_back({entry.id, mesh.face_count(), read(entry).edited});
-    if (!read(entry).edited) continue;
+    if (!read(entry).edited) {
+      reports.push_back({entry.id, counts_of(mesh), objects(entry), false});
+      continue;
+    }
     const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
     // Painted in the order of before, in which the person has seen them.
     WrittenForm form = naming(entry, [&] { return rules(entry, false)->form(mesh, frame); });
+    reports.push_back({entry.id, counts_of(form.surface), form.object_count(), true});
     std::string label = updated_label(entry, form).in(translation());
     std::string original = memory(entry) ? remember(mesh, find_overlaps(mesh, frame)) : "";
     edited.push_back({object(entry), mesh, std::move(form), std::move(label),

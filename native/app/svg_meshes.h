@@ -37,10 +37,16 @@ class SvgMeshes : public Document {
   /// Returns the block with this id, or the mesh of the object with this id if it is not simplified
   /// and one rectangle. Throws InputError otherwise.
   ChosenPatches rectangle(const std::string& id) const;
-  /// Writes an edited mesh in the place of the entry's mesh. Returns the error of the mesh as
-  /// written against the original that is remembered, or else against the mesh as it was. `entry`
-  /// is no longer valid afterwards.
-  double rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
+  /// An edited mesh as it was written.
+  struct Rewritten {
+    MeshCounts counts;
+    /// The number of objects that paint the mesh.
+    int objects;
+    /// Against the original that is remembered, or else against the mesh as it was.
+    double error;
+  };
+  /// Writes an edited mesh in the place of the entry's mesh. `entry` is no longer valid afterwards.
+  Rewritten rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
 
   /// Replaces groups of blocks by the objects that they were made of, each painted by one mesh
   /// gradient. The meshes are grids with one colour at each point. All entries are listed anew.

@@ -23,13 +23,19 @@ Mesh readable_mesh(MeshParts parts, const Affine& to_written = {}) {
 
 class BlockRules : public WritingRules {
  public:
+  explicit BlockRules(bool has_step) : has_step_(has_step) {}
+
   WrittenForm form(const Mesh& mesh, const Frame& frame) const override {
     const double tolerance = coons_tolerance(frame);
     BlockForm blocks = block_form(mesh, tolerance, find_overlaps(mesh, frame));
+    if (!has_step_) blocks.step = 0;
     Mesh surface = readable_mesh(block_parts(mesh, blocks));
     return {std::move(surface), std::move(blocks), tolerance};
   }
   bool may_mask_opacity() const override { return true; }
+
+ private:
+  const bool has_step_;
 };
 
 class GradientRules : public WritingRules {
@@ -48,7 +54,11 @@ class GradientRules : public WritingRules {
 
 }  // namespace
 
-std::shared_ptr<const WritingRules> block_rules() { return std::make_shared<BlockRules>(); }
+std::shared_ptr<const WritingRules> block_rules() { return std::make_shared<BlockRules>(true); }
+
+std::shared_ptr<const WritingRules> exact_block_rules() {
+  return std::make_shared<BlockRules>(false);
+}
 
 std::shared_ptr<const WritingRules> gradient_rules(const Affine& to_gradient) {
   return std::make_shared<GradientRules>(to_gradient);

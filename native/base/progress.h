@@ -10,6 +10,8 @@ struct Progress {
   std::size_t done = 0, total = 0;
   int patches = 0;
   double error = 0;
+  /// 0 where patches are what a run makes fewer.
+  int handles = 0;
 };
 
 /// Called from the thread that started the run; returning false cancels it.

@@ -83,7 +83,7 @@ ProgressCallback progress_callback(const py::object& callback) {
     const py::gil_scoped_acquire gil;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (shared->is_none()) return true;
-    const py::object answer = (*shared)(p.done, p.total, p.patches, p.error);
+    const py::object answer = (*shared)(p.done, p.total, p.patches, p.error, p.handles);
     return answer.is_none() || answer.cast<bool>();
   };
 }
@@ -155,8 +155,9 @@ py::tuple convert_for_run_of(Document& document, const std::string& kind,
 py::list update_document(Document& document, const std::vector<std::string>& ids) {
   py::list list;
   for (const UpdateReport& report : document.update(ids))
-    list.append(py::dict(py::arg("id") = report.id, py::arg("patches") = report.patches,
-                         py::arg("changed") = report.changed));
+    list.append(py::dict(py::arg("id") = report.id, py::arg("handles") = report.counts.handles,
+                         py::arg("patches") = report.counts.patches,
+                         py::arg("objects") = report.objects, py::arg("changed") = report.changed));
   return list;
 }
 
@@ -170,8 +171,11 @@ std::size_t analyze_document(Document& document, const std::vector<std::string>&
 }
 
 py::dict edit_dict(const EditReport& report) {
-  return py::dict(py::arg("id") = report.id, py::arg("patches_before") = report.patches_before,
-                  py::arg("patches_after") = report.patches_after, py::arg("error") = report.error);
+  return py::dict(py::arg("id") = report.id, py::arg("handles_before") = report.before.handles,
+                  py::arg("handles_after") = report.after.handles,
+                  py::arg("patches_before") = report.before.patches,
+                  py::arg("patches_after") = report.after.patches,
+                  py::arg("objects") = report.objects, py::arg("error") = report.error);
 }
 
 py::dict merge_document(Document& document, const std::vector<std::string>& ids,

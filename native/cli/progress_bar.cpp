@@ -43,8 +43,9 @@ bool ProgressBar::show(const Progress& progress) {
     constexpr int width = 30;
     const int filled = percent * width / 100;
     const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
-    std::fprintf(stderr, "\r\033[K[%s] %3d %%  %d patches, error %.4f", bar.c_str(), percent,
-                 progress.patches, progress.error);
+    std::fprintf(stderr, "\r\033[K[%s] %3d %%  %d %s, error %.4f", bar.c_str(), percent,
+                 progress.handles > 0 ? progress.handles : progress.patches,
+                 progress.handles > 0 ? "handles" : "patches", progress.error);
     std::fflush(stderr);
   }
   return interrupted == 0;

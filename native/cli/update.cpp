@@ -17,8 +17,10 @@ void run_update(const UpdateArguments& a) {
   const std::vector<UpdateReport> reports = document->update(a.ids);
   document->write_file(a.out);
   if (a.quiet) return;
-  for (const auto& [id, patches, changed] : reports)
-    std::printf("%s: %d patches, %s\n", id.c_str(), patches, changed ? "updated" : "not edited");
+  for (const auto& [id, counts, objects, changed] : reports)
+    std::printf("%s: %d handles, %d patches, %d object%s, %s\n", id.c_str(), counts.handles,
+                counts.patches, objects, objects == 1 ? "" : "s",
+                changed ? "updated" : "not edited");
 }
 
 }  // namespace

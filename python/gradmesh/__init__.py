@@ -12,10 +12,8 @@ from ._core import version as __version__
 from .api import (
     Conversion,
     Document,
-    Edit,
     MeshInfo,
     Result,
-    Update,
     analyze,
     compare,
     convert,
@@ -23,15 +21,12 @@ from .api import (
     info,
     load,
     loads,
-    merge,
-    refine,
     render,
     report,
     save,
     simplify,
-    to_one_mesh,
-    update,
 )
+from .edits import Edit, Update, merge, refine, to_one_mesh, update
 
 __all__ = [
     "Conversion",

@@ -12,8 +12,11 @@ import inkscape_harness
 from built import PYTHON, SAMPLES
 from extension_runs import INKEX, extension  # noqa: F401
 
+import gradmesh
+
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-ALL = 400  # patches of the sample "photo"
+#: Of the sample "photo", by the method: what is counted, and how many there are.
+ALL = {"grid": ("patches", 400), "plain": ("handles", 961)}
 
 reason = inkscape_harness.missing()
 GTK = "import gi; gi.require_version('Gtk', '3.0')"
@@ -22,7 +25,7 @@ if not reason and subprocess.run([PYTHON, "-c", GTK], stderr=subprocess.DEVNULL)
 pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
 
 #: Runs Simplify with somebody who looks at the window and stops the work in the way `stop` names,
-#: once patches were merged. The work waits for that, so it is never too quick.
+#: once patches were merged, or handles taken out. The work waits for that, so it is never too quick.
 DRIVER = """
 import json, re, sys, threading
 import gi
@@ -30,13 +33,13 @@ gi.require_version("Gtk", "3.0")
 from gi.repository import GLib, Gtk
 import gradmesh_simplify, gradmesh_window
 
-stop, all_patches, seen_file, *arguments = sys.argv[1:]
+stop, all_of_it, seen_file, *arguments = sys.argv[1:]
 seen, stopped = [], threading.Event()
 
 class Waiting(gradmesh_window.LongWork):
-    def _progress(self, done, total, patches, error):
-        goes_on = super()._progress(done, total, patches, error)
-        if patches >= int(all_patches):
+    def _progress(self, done, total, patches, error, handles):
+        goes_on = super()._progress(done, total, patches, error, handles)
+        if (handles or patches) >= int(all_of_it):
             return goes_on
         assert stopped.wait(60)
         return self._stop is False
@@ -59,8 +62,8 @@ def shown(window):
 def look():
     windows = Gtk.Window.list_toplevels()
     now = shown(windows[0]) if windows else {"words": ""}
-    patches = re.match("[0-9]+", now["words"])
-    if not seen and patches and int(patches[0]) < int(all_patches):
+    left = re.match("[0-9]+", now["words"])
+    if not seen and left and int(left[0]) < int(all_of_it):
         seen.append(now)
         if stop == "button":
             next(inside(windows[0], Gtk.Button)).clicked()
@@ -87,12 +90,13 @@ def display():
         yield display.name
 
 
-@pytest.mark.parametrize("stop", ["button", "close"])
-def test_the_window_tells_and_stops(extension, display, tmp_path, stop):
+@pytest.mark.parametrize("stop, method", [("button", "grid"), ("close", "grid"), ("button", "plain")])
+def test_the_window_tells_and_stops(extension, display, tmp_path, stop, method):
     seen = tmp_path / "seen.json"
-    options = ["--id=photo", "--method=grid", "--amount=strong", "--resolution=100"]
+    what, before = ALL[method]
+    options = ["--id=photo", f"--method={method}", "--amount=strong", "--resolution=100"]
     done = subprocess.run(
-        [PYTHON, "-c", DRIVER, stop, str(ALL), seen, *options, SAMPLES / "photo.svg"],
+        [PYTHON, "-c", DRIVER, stop, str(before), seen, *options, SAMPLES / "photo.svg"],
         cwd=extension,
         env={
             **os.environ,
@@ -109,11 +113,13 @@ def test_the_window_tells_and_stops(extension, display, tmp_path, stop):
 
     running, stopped = json.loads(seen.read_text())
     assert (running["window"], running["title"]) == ("Gradient Mesh", "photo is simplified.")
-    patches = int(re.fullmatch(r"(\d+) patches so far", running["words"])[1])
-    assert 0 < patches < ALL and 0 < running["share"] < 1
+    left = int(re.fullmatch(rf"(\d+) {what} so far", running["words"])[1])
+    assert 0 < left < before and 0 < running["share"] < 1
     assert (running["button"], running["can stop"]) == ("Stop", True)
     assert (stopped["words"], stopped["can stop"]) == ("Stopping: the best so far is kept …", False)
 
-    (photo,) = [e for e in ET.fromstring(done.stdout).iter() if e.get("id") == "photo"]
-    left, before = map(int, re.search(r", (\d+) of (\d+) patches", photo.get(LABEL)).groups())
-    assert left == patches < before == ALL
+    (photo,) = gradmesh.loads(done.stdout).meshes
+    assert getattr(photo, what) == left
+    if method == "grid":
+        (group,) = [e for e in ET.fromstring(done.stdout).iter() if e.get("id") == "photo"]
+        assert f", {left} of {before} patches" in group.get(LABEL)

@@ -186,6 +186,8 @@ def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
     (refined,), (whole,), (simplified,) = (line["meshes"] for line in found[2:])
     assert refined["patches_before"] < refined["patches_after"] == whole["patches_before"]
     assert whole["patches_after"] == simplified["patches_before"] > simplified["patches_after"]
+    assert refined["handles_before"] < refined["handles_after"] == whole["handles_before"]
+    assert whole["handles_after"] == simplified["handles_before"] and whole["objects"] == 1
     assert {mesh["id"] for mesh in (refined, whole, simplified)} == {"pear"}
     assert 0 < simplified["error"] <= 0.06
 

@@ -1,5 +1,6 @@
 """Edits of single patches: merging chosen blocks, refining in one place."""
 
+import itertools
 import re
 import xml.etree.ElementTree as ET
 
@@ -57,13 +58,25 @@ def mergeable(document):
     return pair, others
 
 
+def counts(edit, when):
+    return getattr(edit, f"handles_{when}"), getattr(edit, f"patches_{when}")
+
+
+def expect_counted(edit, document):
+    """What is told is what the document has."""
+    (mesh,) = document.meshes
+    assert counts(edit, "after") == (mesh.handles, mesh.patches)
+    assert edit.objects == mesh.objects
+
+
 def test_blocks_become_one_patch(simplified):
     pair, _ = mergeable(simplified)
     assert pair, "no two blocks of the sample can be merged"
-    patches = simplified.meshes[0].patches
+    before = simplified.meshes[0]
     edit = gradmesh.merge(simplified, pair, **SMALL)
-    assert edit.id == "pear" and edit.patches_before == patches
-    assert edit.patches_after == simplified.meshes[0].patches < patches
+    assert edit.id == "pear" and counts(edit, "before") == (before.handles, before.patches)
+    assert edit.patches_after < before.patches
+    expect_counted(edit, simplified)
     label = elements(simplified)["pear"].get(LABEL)
     assert label == (
         f"Gradient mesh: {simplified.meshes[0].handles} of 660 handles, {edit.patches_after} of 132 patches, "
@@ -73,6 +86,28 @@ def test_blocks_become_one_patch(simplified):
     original = gradmesh.load(SAMPLES / "fruit.svg")
     same = np.array_equal(gradmesh.render(original, **SMALL), gradmesh.render(simplified, **SMALL))
     assert not same and 0 < edit.error < 0.2
+
+
+def tensors(document, block):
+    """How many patches of a block have a tensor."""
+    gradient = re.search(r"url\(#([^)]*)\)", elements(document)[block].get("style")).group(1)
+    return ET.tostring(elements(document)[gradient]).count(b"tensor=")
+
+
+def test_what_is_merged_stays_plain():
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    gradmesh.simplify(document, method="best", count="handles", **SMALL)
+    plain = [block for block in blocks(document) if not tensors(document, block)]
+    merges = 0
+    for first, second in itertools.combinations(plain, 2):
+        merged = gradmesh.loads(document.to_bytes())
+        try:
+            gradmesh.merge(merged, [first, second], **SMALL)
+        except gradmesh.InputError:
+            continue
+        merges += 1
+        assert merged.to_bytes().count(b"tensor=") == document.to_bytes().count(b"tensor=")
+    assert merges > 0
 
 
 def test_what_cannot_be_merged_is_told_why(simplified):
@@ -151,7 +186,8 @@ def test_refining_beside_a_recoloured_junction(direction):
 def test_refining_an_object(tmp_path):
     document = gradmesh.load(SAMPLES / "fruit.svg")
     edit = gradmesh.refine(document, "pear", row=2, column=3, direction="columns")
-    assert (edit.patches_before, edit.patches_after) == (132, 133)
+    assert counts(edit, "before") == (660, 132) and edit.patches_after == 133
+    expect_counted(edit, document)
     assert look_the_same(gradmesh.load(SAMPLES / "fruit.svg"), document)
 
 
@@ -207,6 +243,7 @@ def test_one_mesh_again(sample):
     now = elements(document)
     for mesh, edit in zip(document.meshes, edits):
         assert edit.id == mesh.id and edit.patches_after == mesh.patches >= edit.patches_before
+        assert (edit.handles_after, edit.objects) == (mesh.handles, mesh.objects) == (mesh.handles, 1)
         assert not mesh.simplified
         assert now[mesh.id].tag == was[mesh.id].tag
         assert now[mesh.id].get("d") == was[mesh.id].get("d")

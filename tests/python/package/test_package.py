@@ -87,11 +87,20 @@ def test_progress_is_told(fruit):
     (result,) = gradmesh.simplify(
         fruit, method="grid", progress=lambda *call: calls.append(call)
     )
-    done, total, patches, errors = zip(*calls)
+    done, total, patches, errors, handles = zip(*calls)
+    assert set(handles) == {0}  # patches are what is made fewer
     assert list(done) == sorted(done) and set(total) == {total[0]} and done[-1] <= total[0]
     assert list(patches) == sorted(patches, reverse=True)
     assert patches[-1] >= result.patches_after
     assert all(0 <= error <= 0.01 for error in errors)
+
+
+def test_handles_are_told_where_they_are_made_fewer(fruit):
+    calls = []
+    gradmesh.simplify(fruit, resolution=200, progress=lambda *call: calls.append(call))
+    done, total, _patches, _errors, handles = zip(*calls)
+    assert set(total) == {660} and [660 - count for count in done] == list(handles)
+    assert handles[-1] == fruit.meshes[0].handles < 660
 
 
 def test_cancelling_keeps_the_best_so_far(fruit):
