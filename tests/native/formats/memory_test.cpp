@@ -148,26 +148,6 @@ TEST(Memory, of_older_versions_can_be_recalled) {
   EXPECT_LT(remember(mesh).size(), older_memory(mesh).size() / 3);
 }
 
-/// Two patches as they were packed before the steps of a document's numbers were remembered.
-TEST(Memory, that_was_packed_otherwise_can_be_recalled) {
-  const std::string memory =
-      "eNor4BJjUlT8xwyBTCxMEMDAYNHQoNDQsIG5oeEB8///+g0NDgz///P//y/P0NAgsOoq17VVqmA+P5ALVAoUWXlV"
-      "CyRtDVQn39Bg0NBwAajZ4f9/+1VXtSCqgUovrxJdfdVr5VWuq6tMV16VWgVCWitBCliBDG6mXUwbGF8xb2RuYeS6"
-      "xSSg3sF4m3EaI4fTN8bqooVMzOz/mBlAAAAqp0to";
-  const auto parts = recall(memory);
-  const auto blocks = recall_blocks(memory);
-  ASSERT_TRUE(parts && blocks);
-  EXPECT_EQ(parts->patches, parts_of(*blocks).patches);
-  ASSERT_EQ(parts->patches.size(), 2u);
-  const glm::dvec2 top[]{{29, -2}, {39, -2}, {50, 1}, {59, 1}};
-  const Cubic<Value> side = parts->patches[1].side(0);
-  const glm::dvec2 read[]{side.p0.position, side.bezier1().position, side.bezier2().position,
-                          side.p1.position};
-  for (int i = 0; i < 4; ++i) EXPECT_LE(glm::distance(read[i], top[i]), 1e-4);
-  EXPECT_EQ(side.p1.color * 255.0, glm::dvec4(0xf6, 0xa1, 0x5e, 0xff));
-  for (std::size_t i = 0; i < memory.size(); i += 7) recall(memory.substr(0, i));
-}
-
 TEST(Memory, keeps_bicubic_colours) {
   const Mesh mesh =
       test::without_own_tangents(test::changed_mesh(random_grid(2, ColorModel::bicubic), 2, 20));

@@ -10,7 +10,6 @@
 #include "files/zip.h"
 #include "formats/hemesh/read_hemesh.h"
 #include "formats/hemesh/write_hemesh.h"
-#include "formats/packed/older_patches.h"
 #include "formats/packed/patches.h"
 #include "formats/svg/read/curves.h"
 #include "formats/svg/read/document.h"
@@ -82,17 +81,6 @@ std::optional<PackedMesh> unpacked(std::string_view memory) {
   return whole.substr(mesh.size()) == check_of(mesh) ? unpack(mesh) : std::nullopt;
 }
 
-/// Returns what older bytes hold that begin with a letter for the colours and the curves; nothing
-/// if they are something else.
-std::optional<PackedMesh> unpacked_older(std::string_view bytes) {
-  const std::size_t end = bytes.find('\n');
-  const bool smooth = bytes.starts_with('s');
-  if (end == bytes.npos || (!smooth && !bytes.starts_with('p'))) return std::nullopt;
-  auto grids = unpack_older_patches(bytes.substr(end + 1));
-  if (!grids) return std::nullopt;
-  return PackedMesh{smooth, std::string(bytes.substr(1, end - 1)), std::move(*grids)};
-}
-
 bool has_one_color_at_each_point(const Mesh& mesh) {
   std::map<Point, glm::dvec4> colors;
   for (const Halfedge h : mesh.halfedges())
@@ -128,7 +116,6 @@ MeshParts parts_in(const PackedMesh& mesh) {
 /// Returns what bytes hold that were unzipped.
 MeshParts read(const std::string& bytes) {
   if (bytes.starts_with("HEMESH")) return read_hemesh(bytes, "memory");
-  if (const auto older = unpacked_older(bytes)) return parts_in(*older);
   const SvgDocument document = SvgDocument::parse(bytes, "memory");
   return read_mesh_group(document, group_in(document));
 }
@@ -174,7 +161,6 @@ std::optional<std::vector<PatchGrid>> recall_blocks(std::string_view memory) {
   if (auto packed = unpacked(memory)) return std::move(packed->grids);
   const auto bytes = unzipped(memory);
   if (!bytes) return std::nullopt;
-  if (auto older = unpacked_older(*bytes)) return std::move(older->grids);
   return if_sound([&] {
     const SvgDocument document = SvgDocument::parse(*bytes, "memory");
     return read_mesh_blocks(document, group_in(document));

@@ -14,8 +14,7 @@ namespace gradmesh {
 /// A mesh that an element remembers, as the value of an attribute. In the colour model `bilinear`
 /// it is a tilde and, in base85, the packed mesh (formats/packed/patches.h) and 32 bits of its
 /// hash. In `bicubic` it is a .hemesh file compressed by zlib (RFC 1950), in base64. Older versions
-/// have so compressed other things, which can still be recalled: an SVG document with a group of
-/// blocks, or patches packed otherwise (formats/packed/older_patches.h).
+/// have so compressed an SVG document with a group of blocks, which can still be recalled.
 
 /// Returns the memory of the mesh, whose faces lie over one another as `overlaps` says. Numbers
 /// that have a decimal step, as those of most documents, are remembered exactly, others to 2^-22 of
