@@ -1,6 +1,7 @@
 #include "fit/target.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -24,9 +25,17 @@ bool jumps(const glm::dvec4& a, const glm::dvec4& b) {
   return std::max(largest(glm::dvec3(d)), d.a) > smallest_jump;
 }
 
+/// Returns the numbers from 0 to 1 that the levels of 8 bits stand for; divisions take long.
+constexpr std::array<double, 256> shares_of_levels() {
+  std::array<double, 256> shares{};
+  for (std::size_t level = 0; level < shares.size(); ++level) shares[level] = double(level) / 255.0;
+  return shares;
+}
+
 glm::dvec3 color_of(const Image& image, int x, int y) {
+  static constexpr std::array<double, 256> share = shares_of_levels();
   const auto pixel = image.pixel(x, y);
-  return glm::dvec3(pixel[0], pixel[1], pixel[2]) / 255.0;
+  return {share[pixel[0]], share[pixel[1]], share[pixel[2]]};
 }
 
 }  // namespace
