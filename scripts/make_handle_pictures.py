@@ -205,7 +205,9 @@ def edited(folder):
         svg, handles = SAMPLES / "fruit.svg", "the sample"
         document = gradmesh.load(svg)
         if method:
-            (result,) = gradmesh.simplify(document, "pear", method=method, max_local_error=0.1)
+            (result,) = gradmesh.simplify(
+                document, "pear", method=method, count="handles", max_local_error=0.1
+            )
             svg, handles = folder / f"{method}.svg", f"{result.handles_after} handles"
             gradmesh.save(document, svg)
             handles += ", blocks" if result.objects > 1 else ""
