@@ -29,8 +29,10 @@ RANK = {
     "simplify": 9,
     "report": 10,
     "app": 11,
-    "bindings": 12,
-    "cli": 12,
+    "service": 12,
+    "bindings": 13,
+    "helper": 13,
+    "cli": 14,
 }
 
 #: Folders inside of others; those that are not named come before all of these.
@@ -50,7 +52,7 @@ OWNERS = {
     r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
-    r"nlohmann/": {"formats", "app", "report", "cli"},
+    r"nlohmann/": {"formats", "app", "report", "service", "cli"},
     r"tbb/": {"base"},
     r"Eigen/": {"fit"},
     r"glpk\.h": {"methods"},

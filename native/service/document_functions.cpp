@@ -1,0 +1,64 @@
+#include "app/convert.h"
+#include "app/info.h"
+#include "service/functions.h"
+#include "service/one_mesh.h"
+#include "service/options.h"
+#include "service/results.h"
+#include "service/translation.h"
+
+namespace gradmesh {
+
+Json read_document(const Call& call) {
+  return call.add(Document::read_file(path_argument(call, "path")));
+}
+
+Json parse_document(const Call& call) {
+  auto document = Document::parse(call.get<Bytes>("bytes").bytes, call.get<std::string>("name"));
+  if (call.get<bool>("translated")) document->set_translation(callers_translation());
+  return call.add(std::move(document));
+}
+
+Json convert_document(const Call& call) {
+  const Document& document = call.document();
+  const auto epsilon = call.get<std::optional<double>>("epsilon");
+  const MeasureOptions measure = measure_options(call);
+  ConvertOptions options;
+  options.epsilon = epsilon.value_or(options.epsilon);
+  options.must_keep_epsilon = epsilon.has_value();
+  options.subdivide = call.get<std::optional<int>>("subdivide");
+  options.metric = measure.metric;
+  options.resolution = measure.resolution;
+  const Format& to = format_named(call.get<std::string>("kind"));
+  Conversion conversion = convert(document, one_mesh(document, call), to, options);
+  const Document& made = *conversion.document;
+  const int patches = made.mesh(made.meshes().front()).face_count();
+  return {{"document", call.add(std::move(conversion.document))},
+          {"patches", patches},
+          {"error", conversion.error},
+          {"lost_opacity", conversion.lost_opacity}};
+}
+
+Json write_document(const Call& call) {
+  call.document().write_file(path_argument(call, "path"));
+  return nullptr;
+}
+
+Json document_bytes(const Call& call) {
+  const std::string bytes = call.document().bytes();
+  return Json::binary({bytes.begin(), bytes.end()});
+}
+
+Json document_kind(const Call& call) { return call.document().format().name; }
+
+Json mesh_ids(const Call& call) {
+  Json ids = Json::array();
+  for (const MeshEntry& entry : call.document().meshes())
+    if (!entry.kept) ids.push_back(entry.id);
+  return ids;
+}
+
+Json meshes(const Call& call) { return meshes_json(call.document()); }
+
+Json info(const Call& call) { return info_text(call.document()); }
+
+}  // namespace gradmesh

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "service/call.h"
+
+namespace gradmesh {
+
+/// What a caller may ask for, as docs/helper.md says. Each returns its result and throws what the
+/// core throws, WrongType, and GivenUp.
+
+// Documents.
+Json read_document(const Call& call);
+Json parse_document(const Call& call);
+Json convert_document(const Call& call);
+Json write_document(const Call& call);
+Json document_bytes(const Call& call);
+Json document_kind(const Call& call);
+Json mesh_ids(const Call& call);
+Json meshes(const Call& call);
+Json info(const Call& call);
+
+// Runs.
+Json simplify_document(const Call& call);
+Json analyze_document(const Call& call);
+
+// Edits.
+Json update_document(const Call& call);
+Json merge_patches(const Call& call);
+Json refine_patches(const Call& call);
+Json to_one_mesh_document(const Call& call);
+
+// Pictures.
+Json render_mesh(const Call& call);
+Json compare_pictures(const Call& call);
+Json draw_mesh(const Call& call);
+Json write_report(const Call& call);
+
+}  // namespace gradmesh

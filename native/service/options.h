@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/document.h"
+#include "app/edits.h"
+#include "service/call.h"
+
+namespace gradmesh {
+
+/// The options that several functions share, from the arguments of a call. All throw WrongType, and
+/// std::invalid_argument where there is nothing of a name that is given.
+
+/// Returns the options of a run with all that a person may set.
+RunOptions run_options(const Call& call);
+/// Returns the options of a run that only prices: metric, epsilon, resolution, color_model,
+/// threads.
+RunOptions pricing_options(const Call& call);
+AnalysisPaths analysis_paths(const Call& call);
+MeasureOptions measure_options(const Call& call);
+
+/// Sets where errors are found, as the arguments say.
+void take_renderer(RunOptions& options, const Call& call);
+
+/// Lets a document be measured against another one while it lives.
+class MeasuredAgainst {
+ public:
+  /// The other one is the argument `original`; none if that is null.
+  MeasuredAgainst(Document& document, const Call& call) : document_(document) {
+    document_.measure_against(call.optional_document("original"));
+  }
+  MeasuredAgainst(const MeasuredAgainst&) = delete;
+  MeasuredAgainst& operator=(const MeasuredAgainst&) = delete;
+  ~MeasuredAgainst() { document_.measure_against(nullptr); }
+
+ private:
+  Document& document_;
+};
+
+/// Returns the path that an argument holds; empty if it is null.
+std::filesystem::path path_argument(const Call& call, const std::string& name);
+
+}  // namespace gradmesh

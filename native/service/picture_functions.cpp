@@ -1,0 +1,87 @@
+#include <algorithm>
+
+#include "app/draw_document.h"
+#include "app/report_on_mesh.h"
+#include "files/atomic_file.h"
+#include "report/report.h"
+#include "service/functions.h"
+#include "service/one_mesh.h"
+#include "service/options.h"
+
+namespace gradmesh {
+namespace {
+
+/// Returns the picture whose bytes, three for each pixel, row by row, an argument holds. Throws
+/// std::invalid_argument if they are not as many as its size asks for.
+Image picture(const Call& call, const std::string& name, int width, int height) {
+  const std::string bytes = call.get<Bytes>(name).bytes;
+  if (width < 1 || height < 1 || bytes.size() != std::size_t(width) * std::size_t(height) * 3)
+    throw std::invalid_argument("a picture is an array of height x width x 3 bytes.");
+  Image image(width, height);
+  auto byte = bytes.begin();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c) *image.at(x, y, c) = std::uint8_t(*byte++);
+  return image;
+}
+
+}  // namespace
+
+Json render_mesh(const Call& call) {
+  const Document& document = call.document();
+  const Document* const framed_as = call.optional_document("framed_as");
+  const int resolution = call.get<int>("resolution");
+  check_resolution(resolution);
+  const MeshEntry entry = one_mesh(document, call);
+  const Image image =
+      call.get<bool>("like_inkscape")
+          ? document.render_like_inkscape(entry, resolution, framed_as)
+          : document.render(entry, resolution, *make_software_rasterizer(), framed_as);
+  return {{"width", image.width},
+          {"height", image.height},
+          {"bytes", Json::binary(interleaved(image))}};
+}
+
+Json compare_pictures(const Call& call) {
+  const int width = call.get<int>("width"), height = call.get<int>("height");
+  const Image reference = picture(call, "reference", width, height);
+  const Image test = picture(call, "test", width, height);
+  return mean(make_metric(metric_named(call.get<std::string>("metric")), reference)->map(test));
+}
+
+Json draw_mesh(const Call& call) {
+  const Document& document = call.document();
+  DrawOptions options;
+  options.show = show_named(call.get<std::string>("show"));
+  options.picture = call.get<bool>("picture");
+  options.simplify = pricing_options(call);
+  options.simplify.kappa = call.get<double>("kappa");
+  options.simplify.progress = call.progress();
+  return draw(document, one_mesh(document, call), options, analysis_paths(call));
+}
+
+Json write_report(const Call& call) {
+  Document& before = call.document();
+  const Document& after = call.document("after");
+  ReportOptions options;
+  options.run = path_argument(call, "run");
+  if (const auto metric = call.get<std::optional<std::string>>("metric"))
+    options.metric = metric_named(*metric);
+  options.epsilon = call.get<std::optional<double>>("epsilon");
+  options.resolution = call.get<std::optional<int>>("resolution");
+  if (options.resolution) check_resolution(*options.resolution);
+  if (const auto model = call.get<std::optional<std::string>>("color_model"))
+    options.pricing.color_model = color_model_named(*model);
+  options.pricing.visible_only = call.get<bool>("visible_only");
+  options.pricing.threads = call.get<int>("threads");
+  options.pricing.progress = call.progress();
+  take_renderer(options.pricing, call);
+  options.analyses = analysis_paths(call);
+  const MeasuredAgainst measured(before, call);
+  write_bytes(path_argument(call, "path"),
+              report_html(report_on_mesh(before, one_mesh(before, call), after,
+                                         one_mesh(after, call), options)));
+  return nullptr;
+}
+
+}  // namespace gradmesh

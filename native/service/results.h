@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "app/document.h"
+#include "app/edits.h"
+#include "service/arguments.h"
+
+namespace gradmesh {
+
+/// What functions return of the core's own records, as objects whose members are named as in
+/// docs/helper.md.
+
+/// Returns [template, [arguments]], where arguments are texts or such pairs.
+Json message_json(const Message& message);
+
+/// Returns all meshes that are not hidden originals. Throws InputError if there is none.
+Json meshes_json(const Document& document);
+
+Json reports_json(const std::vector<MeshReport>& reports);
+Json update_json(const UpdateReport& report);
+Json edit_json(const EditReport& report);
+
+}  // namespace gradmesh
