@@ -71,6 +71,10 @@ class Gradmesh:
             report.outcome = "unchanged" if isinstance(refusal, NothingToDo) else "refused"
             report.messages.append(str(refusal))
             raise
+        except gradmesh.HelperError as error:
+            report.outcome = "refused"
+            say(sentence(translated(error.message)))
+            sys.exit(1)
         except Exception as error:  # pylint: disable=broad-except
             where = log(traceback.format_exc())
             fault = _("Nothing was done because of a fault in gradmesh ({fault}).")

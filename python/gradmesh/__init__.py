@@ -7,8 +7,6 @@
     gradmesh.save(document, "simplified.svg")
 """
 
-from ._core import InputError
-from ._core import version as __version__
 from .api import (
     Conversion,
     Document,
@@ -26,12 +24,25 @@ from .api import (
     save,
     simplify,
 )
+from .core import core as _core_in_use
 from .edits import Edit, Update, merge, refine, to_one_mesh, update
+from .errors import HelperError, InputError
+
+# Fails at once where nothing here can compute.
+_core_in_use()
+
+
+def __getattr__(name):
+    if name == "__version__":
+        return _core_in_use().call("hello")["version"]
+    raise AttributeError(f"module 'gradmesh' has no attribute '{name}'")
+
 
 __all__ = [
     "Conversion",
     "Document",
     "Edit",
+    "HelperError",
     "InputError",
     "MeshInfo",
     "Result",

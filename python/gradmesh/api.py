@@ -8,7 +8,8 @@ import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable, Iterable, Optional, Union
 
-from . import _core
+from .core import Answers, CoreDocument, core, refusal
+from .errors import InputError
 
 if TYPE_CHECKING:
     import numpy
@@ -34,7 +35,7 @@ class MeshInfo:
     objects: int  #: that paint it: 1, or the blocks of a group
     smooth: bool  #: whether its type is "bicubic": then only whole lines can be taken out
     #: why it cannot be read, which named by its id it raises; then all its counts are 0
-    refused: Optional[_core.InputError] = None
+    refused: Optional[InputError] = None
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class Result:
     seconds: float
     method: str  #: the one asked for, "lines" where the mesh is smooth, or what was simplest
     renderer: str  #: where merges were priced: the device's name, or "software"
-    refused: Optional[_core.InputError] = None  #: why it was left alone: it cannot be read
+    refused: Optional[InputError] = None  #: why it was left alone: it cannot be read
 
 
 @dataclass(frozen=True)
@@ -71,27 +72,29 @@ class Conversion:
 class Document:
     """An SVG document or a .hemesh file. Made by load() or loads()."""
 
-    def __init__(self, core: _core.Document):
+    def __init__(self, core: CoreDocument):
         self._core = core
 
     @property
     def ids(self) -> list[str]:
         """Ids of all meshes but hidden originals; they need not be readable; may be empty."""
-        return list(dict.fromkeys(self._core.ids()))
+        return list(dict.fromkeys(self._core.call("ids")))
 
     @property
     def meshes(self) -> list[MeshInfo]:
         """All meshes; InputError where there is none."""
-        return [MeshInfo(**mesh) for mesh in self._core.meshes()]
+        found = self._core.call("meshes")
+        return [MeshInfo(**{**mesh, "refused": refusal(mesh["refused"])}) for mesh in found]
 
     def to_bytes(self) -> bytes:
         """The document; the bytes that were read where nothing was changed."""
-        return self._core.bytes()
+        return self._core.call("bytes")
 
 
 def load(path: Path) -> Document:
     """Reads an SVG document or a .hemesh file. Raises InputError, whose text is one sentence for the person."""
-    return Document(_core.Document.read_file(os.fspath(path)))
+    here = core()
+    return Document(here.document(here.call("read", path=os.fspath(path))))
 
 
 def loads(
@@ -106,15 +109,14 @@ def loads(
     """
     if isinstance(data, str):
         data = data.encode("utf-8")
-    document = _core.Document.parse(data, name)
-    if translate is not None:
-        document.set_translation(translate)
-    return Document(document)
+    here = core()
+    number = here.call("parse", bytes=data, name=name, translated=translate is not None)
+    return Document(here.document(number, translate))
 
 
 def info(document: Document) -> dict:
     """All meshes with their points, handles, faces and half-edges, as `gradmesh info --json`."""
-    return json.loads(document._core.info())
+    return json.loads(document._core.call("info"))
 
 
 def simplify(
@@ -212,38 +214,42 @@ def simplify(
     edges = list(edges)
     if any(abs(edge) >= 2**31 for edge in edges):
         raise ValueError("the numbers of half-edges are below 2^31.")
-    options = _options(metric, epsilon, resolution, color_model, threads)
-    options.use_renderer(renderer, device_lost or _warn_without_device)
-    options.method = method
-    options.max_local_error = max_local_error
-    options.handles = handles
-    options.patches = patches
-    options.ratio = ratio
-    options.count = count
-    options.visible_only = visible_only
-    options.seed = seed
-    options.omega = omega
-    options.kappa = kappa
-    options.edges = edges
-    options.time_budget = time_budget
-    core, ids = document._core, [ids] if isinstance(ids, str) else list(ids)
-    original = original and original._core
-    if kind not in (None, core.kind):
-        core, options = core.convert_for_run(kind=kind, ids=ids, options=options, original=original)
-        ids, original = [], None  # the options name what to measure against
-    results = core.simplify(
-        ids=ids,
-        options=options,
-        analyses=_analyses(load_analysis, save_analysis, analysis_cache),
+    outcome = document._core.call(
+        "simplify",
+        _answers(progress, device_lost),
+        ids=_list(ids),
+        metric=metric,
+        epsilon=epsilon,
+        max_local_error=max_local_error,
+        handles=handles,
+        patches=patches,
+        ratio=ratio,
+        count=count,
+        resolution=resolution,
+        color_model=color_model,
+        visible_only=visible_only,
+        method=method,
+        seed=seed,
+        omega=omega,
+        kappa=kappa,
+        edges=edges,
+        time_budget=time_budget,
+        threads=threads,
+        renderer=renderer,
         remember_original=remember_original,
         keep_original=keep_original,
         preview=preview,
-        progress=progress,
-        original=original,
+        original=original and original._core,
+        kind=kind,
+        load_analysis=_path(load_analysis),
+        save_analysis=_path(save_analysis),
+        analysis_cache=_path(analysis_cache),
     )
-    if not preview:
-        document._core = core
-    return [Result(**result) for result in results]
+    if outcome["document"] is not None:
+        made = document._core.core.document(outcome["document"], document._core.translate)
+        if not preview:
+            document._core = made
+    return [Result(**{**mesh, "refused": refusal(mesh["refused"])}) for mesh in outcome["meshes"]]
 
 
 def analyze(
@@ -267,38 +273,21 @@ def analyze(
     Changing epsilon, up to that of the analysis, omega or kappa then costs no new pricing. The file
     serves the same meshes with the same metric and resolution. Options and errors as of simplify().
     """
-    options = _options(metric, epsilon, resolution, color_model, threads)
-    options.use_renderer(renderer, device_lost or _warn_without_device)
-    return document._core.analyze(
-        ids=[ids] if isinstance(ids, str) else list(ids),
-        options=options,
-        analyses=_analyses(load_analysis, path),
-        progress=progress,
+    return document._core.call(
+        "analyze",
+        _answers(progress, device_lost),
+        ids=_list(ids),
+        metric=metric,
+        epsilon=epsilon,
+        resolution=resolution,
+        color_model=color_model,
+        threads=threads,
+        renderer=renderer,
         original=original and original._core,
+        load_analysis=_path(load_analysis),
+        save_analysis=_path(path),
+        analysis_cache=None,
     )
-
-
-def _options(
-    metric: str, epsilon: float, resolution: int, color_model: Optional[str], threads: int
-) -> _core.SimplifyOptions:
-    options = _core.SimplifyOptions()
-    options.metric = metric
-    options.epsilon = epsilon
-    options.resolution = resolution
-    options.color_model = color_model
-    options.threads = threads
-    return options
-
-
-def _warn_without_device(reason: str) -> None:
-    warnings.warn(f"{reason}; it goes on in software", RuntimeWarning, stacklevel=2)
-
-
-def _analyses(
-    load: Optional[Path], save: Optional[Path], cache: Optional[Path] = None
-) -> _core.AnalysisPaths:
-    paths = ("" if path is None else os.fspath(path) for path in (load, save, cache))
-    return _core.AnalysisPaths(*paths)
 
 
 def render(
@@ -318,8 +307,17 @@ def render(
     framed_as: paints the mesh where the other document's, of the same id or the only one, would be
     painted, so that the two pictures can be laid on each other.
     """
-    other = framed_as and framed_as._core
-    return document._core.render(id, _pixels(resolution), like_inkscape, other)
+    import numpy
+
+    painted = document._core.call(
+        "render",
+        id=id,
+        resolution=resolution,
+        like_inkscape=like_inkscape,
+        framed_as=framed_as and framed_as._core,
+    )
+    shape = painted["height"], painted["width"], 3
+    return numpy.frombuffer(painted["bytes"], numpy.uint8).reshape(shape).copy()
 
 
 def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: str = "flip") -> float:
@@ -328,7 +326,18 @@ def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: str = "fl
     metric: "flip", or "ssim", which is 1 - SSIM. Raises TypeError where an array is not of bytes and
     ValueError where its shape is not (height, width, 3).
     """
-    return _core.compare(reference, test, metric)
+    pictures = [memoryview(picture) for picture in (reference, test)]
+    if any(picture.format != "B" for picture in pictures):
+        raise TypeError("a picture is an array of height x width x 3 bytes.")
+    if any(picture.ndim != 3 or picture.shape[2] != 3 for picture in pictures):
+        raise ValueError("a picture is an array of height x width x 3 bytes.")
+    if pictures[0].shape != pictures[1].shape:
+        raise ValueError("the pictures are not of one size.")
+    height, width, _channels = pictures[0].shape
+    reference, test = (picture.tobytes() for picture in pictures)
+    return core().call(
+        "compare", width=width, height=height, reference=reference, test=test, metric=metric
+    )
 
 
 def draw(
@@ -352,15 +361,21 @@ def draw(
     picture: whether the mesh as it is painted lies behind the lines.
     Other options and errors as of simplify().
     """
-    options = _options(metric, epsilon, resolution, None, threads)
-    options.kappa = kappa
-    return document._core.draw(
+    return document._core.call(
+        "draw",
+        _answers(progress),
         id=id,
         show=show,
         picture=picture,
-        options=options,
-        analyses=_analyses(None, None, analysis_cache),
-        progress=progress,
+        metric=metric,
+        epsilon=epsilon,
+        kappa=kappa,
+        resolution=resolution,
+        color_model=None,
+        threads=threads,
+        load_analysis=None,
+        save_analysis=None,
+        analysis_cache=_path(analysis_cache),
     )
 
 
@@ -395,25 +410,24 @@ def report(
     progress: as of simplify(); where it returns False the page shows what was priced until then.
     Other options and errors as of simplify(); where this raises no page is written.
     """
-    pricing = _core.SimplifyOptions()
-    pricing.color_model = color_model
-    pricing.visible_only = visible_only
-    pricing.threads = threads
-    pricing.use_renderer(renderer, device_lost or _warn_without_device)
-    before._core.report(
+    before._core.call(
+        "report",
+        _answers(progress, device_lost),
         after=after._core,
         path=os.fspath(path),
         id=id,
-        options=_core.ReportOptions(
-            pricing=pricing,
-            analyses=_analyses(load_analysis, save_analysis),
-            run="" if run is None else os.fspath(run),
-            metric=metric,
-            epsilon=epsilon,
-            resolution=None if resolution is None else _pixels(resolution),
-        ),
-        progress=progress,
+        run=_path(run),
+        metric=metric,
+        epsilon=epsilon,
+        resolution=resolution,
+        color_model=color_model,
+        visible_only=visible_only,
+        threads=threads,
+        renderer=renderer,
         original=original and original._core,
+        load_analysis=_path(load_analysis),
+        save_analysis=_path(save_analysis),
+        analysis_cache=None,
     )
 
 
@@ -435,7 +449,8 @@ def convert(
     subdivide: instead, every patch is split into this many each way, 1 to 32. `id` may be left out where the
     document has one mesh only.
     """
-    made = document._core.convert(
+    made = document._core.call(
+        "convert",
         kind=kind,
         id=id,
         subdivide=subdivide,
@@ -443,14 +458,36 @@ def convert(
         metric=metric,
         resolution=resolution,
     )
-    return Conversion(**{**made, "document": Document(made["document"])})
-
-
-def _pixels(resolution: int) -> int:
-    _core.check_resolution(resolution)
-    return resolution
+    held = document._core.core.document(made["document"], document._core.translate)
+    return Conversion(**{**made, "document": Document(held)})
 
 
 def save(document: Document, path: Path) -> None:
     """Writes the document; the file is whole or as it was before."""
-    document._core.write_file(os.fspath(path))
+    document._core.call("write", path=os.fspath(path))
+
+
+def _list(ids: Union[str, Iterable[str]]) -> list[str]:
+    return [ids] if isinstance(ids, str) else list(ids)
+
+
+def _path(path: Optional[Path]) -> Optional[str]:
+    return None if path is None else os.fspath(path)
+
+
+def _answers(progress: Optional[Progress], device_lost: Optional[DeviceLost] = None) -> Answers:
+    """What answers the questions of a run."""
+    counts = ("done", "total", "patches", "error", "handles")
+
+    def tell_progress(question: dict) -> bool:
+        answer = progress(*(question[name] for name in counts)) if progress else None
+        return answer is None or bool(answer)
+
+    def tell_loss(question: dict) -> None:
+        (device_lost or _warn_without_device)(question["reason"])
+
+    return {"progress": tell_progress, "device_lost": tell_loss}
+
+
+def _warn_without_device(reason: str) -> None:
+    warnings.warn(f"{reason}; it goes on in software", RuntimeWarning, stacklevel=2)

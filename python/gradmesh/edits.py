@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Iterable, Optional, Union
 
-from .api import Document, _pixels
+from .api import Document, _list
 
 
 @dataclass(frozen=True)
@@ -40,8 +40,7 @@ def update(document: Document, ids: Union[str, Iterable[str]] = ()) -> list[Upda
     what later runs of simplify() measure against. ids: as of simplify(); objects that are not
     simplified are left alone. Raises InputError where none is, and for .hemesh files.
     """
-    ids = [ids] if isinstance(ids, str) else list(ids)
-    return [Update(**found) for found in document._core.update(ids)]
+    return [Update(**found) for found in document._core.call("update", ids=_list(ids))]
 
 
 def merge(
@@ -57,7 +56,7 @@ def merge(
     one; the document is then unchanged.
     """
     return Edit(
-        **document._core.merge(ids=list(blocks), metric=metric, resolution=_pixels(resolution))
+        **document._core.call("merge", ids=list(blocks), metric=metric, resolution=resolution)
     )
 
 
@@ -85,7 +84,8 @@ def refine(
     """
     if direction not in ("rows", "columns", "both"):
         raise ValueError(f"patches are split into rows, columns or both, not '{direction}'")
-    edit = document._core.refine(
+    edit = document._core.call(
+        "refine",
         id=id,
         rows=direction != "columns",
         columns=direction != "rows",
@@ -94,7 +94,7 @@ def refine(
         column=column,
         whole=whole,
         metric=metric,
-        resolution=_pixels(resolution),
+        resolution=resolution,
     )
     return Edit(**edit)
 
@@ -112,9 +112,10 @@ def to_one_mesh(
     rounding; the errors are against the simplified meshes. Raises InputError, also where none of
     the meshes is simplified; the document is then unchanged.
     """
-    edits = document._core.to_one_mesh(
-        ids=[ids] if isinstance(ids, str) else list(ids),
+    edits = document._core.call(
+        "to_one_mesh",
+        ids=_list(ids),
         metric=metric,
-        resolution=_pixels(resolution),
+        resolution=resolution,
     )
     return [Edit(**edit) for edit in edits]

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from bad_documents import BAD, TWO_PATCHES
-from built import PYTHON, ROOT, SAMPLES
+from built import PROGRAM, PYTHON, ROOT, SAMPLES
 from extension_runs import INKEX, extension, is_one_sentence, refused, run  # noqa: F401
 
 import gradmesh
@@ -320,10 +320,32 @@ def test_a_missing_module_is_named(run, extension):
     (module,) = (extension / "gradmesh").glob("_core*.so")
     aside = module.rename(extension / "aside")
     try:
-        said = refused(run(TWO_PATCHES, "--id=box"))
+        said = refused(run(TWO_PATCHES, "--id=box", GRADMESH_CORE="", GRADMESH_HELPER=""))
+        helped = run(TWO_PATCHES, "--id=box", GRADMESH_CORE="", GRADMESH_HELPER=str(PROGRAM))
     finally:
         aside.rename(module)
     assert "gradmesh._core" in said and "install gradmesh again" in said
+    assert (helped.returncode, helped.stderr) == (0, "")
+    assert "Gradient mesh: " in helped.stdout
+
+
+def test_a_helper_that_fails_ends_in_one_sentence(run, tmp_path):
+    broken = tmp_path / "broken"
+    broken.write_text("#!/bin/sh\nexit 3\n")
+    broken.chmod(0o755)
+    said = refused(run(TWO_PATCHES, "--id=box", GRADMESH_CORE="helper", GRADMESH_HELPER=str(broken)))
+    assert said == "Nothing was done because gradmesh's helper program ended before its work was done.\n"
+    said = refused(
+        run(
+            TWO_PATCHES,
+            "--id=box",
+            LANGUAGE="de",
+            LC_ALL="C.UTF-8",
+            GRADMESH_CORE="helper",
+            GRADMESH_HELPER=str(broken),
+        )
+    )
+    assert said.startswith("Es wurde nichts getan, weil das Hilfsprogramm von gradmesh")
 
 
 def test_a_fault_goes_to_the_log(run, extension, tmp_path):
