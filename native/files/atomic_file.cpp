@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <system_error>
 
 #include "base/error.h"
@@ -64,9 +64,10 @@ std::error_code last_error() { return {errno, std::generic_category()}; }
 /// Creates a new file in the folder and sets `path` to its path. Returns null with errno where none
 /// can be made.
 File create_temporary(const fs::path& folder, fs::path& path) {
-  std::random_device random;
+  // Hardly anybody has the same now, and a file that is there already is never taken.
+  const auto now = std::chrono::system_clock::now().time_since_epoch().count();
   for (int tries = 0; tries < 100; ++tries) {
-    path = folder / (".gradmesh-" + std::to_string(random()));
+    path = folder / (".gradmesh-" + std::to_string(now + tries));
     if (File file = create(path); file || errno != EEXIST) return file;
   }
   return nullptr;
