@@ -1,0 +1,81 @@
+#include <png.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "base/limits.h"
+#include "files/image_codec.h"
+#include "files/image_module.h"
+
+namespace gradmesh {
+namespace {
+
+/// A picture while libpng works on it.
+class PngImage {
+ public:
+  PngImage() { image.version = PNG_IMAGE_VERSION; }
+  PngImage(const PngImage&) = delete;
+  PngImage& operator=(const PngImage&) = delete;
+  ~PngImage() { png_image_free(&image); }
+
+  png_image image{};
+};
+
+/// Returns the sample laid over white with this alpha, rounded; both are 0..255.
+std::uint8_t over_white(int sample, int alpha) {
+  return std::uint8_t((sample * alpha + 255 * (255 - alpha) + 127) / 255);
+}
+
+std::string read(const std::string& path, Image& image) {
+  std::ifstream file(std::filesystem::path(std::u8string(path.begin(), path.end())),
+                     std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file) return "it cannot be read";
+  PngImage png;
+  if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()))
+    return std::string("it is no PNG image, which is all that can be read here: ") +
+           png.image.message;
+  const std::uint64_t longer = std::max(png.image.width, png.image.height);
+  if (const std::uint64_t most = limits().resolution; longer > most)
+    return "it is " + std::to_string(longer) + " pixels long, " +
+           beyond_limit("resolution", most, longer).english();
+  png.image.format = PNG_FORMAT_RGBA;
+  std::vector<std::uint8_t> samples(PNG_IMAGE_SIZE(png.image));
+  if (!png_image_finish_read(&png.image, nullptr, samples.data(), 0, nullptr))
+    return png.image.message;
+  image = Image(int(png.image.width), int(png.image.height));
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      image.samples[k * image.pixels() + i] = over_white(samples[4 * i + k], samples[4 * i + 3]);
+  return {};
+}
+
+std::string encode_png(const Image& image, std::string& bytes) {
+  PngImage png;
+  png.image.width = png_uint_32(image.width);
+  png.image.height = png_uint_32(image.height);
+  png.image.format = PNG_FORMAT_RGB;
+  const std::vector<std::uint8_t> samples = interleaved(image);
+  png_alloc_size_t size = 0;
+  if (!png_image_write_get_memory_size(png.image, size, 0, samples.data(), 0, nullptr))
+    return png.image.message;
+  bytes.resize(size);
+  if (!png_image_write_to_memory(&png.image, bytes.data(), &size, 0, samples.data(), 0, nullptr))
+    return png.image.message;
+  bytes.resize(size);
+  return {};
+}
+
+}  // namespace
+
+/// A program for other people's machines has no OpenImageIO, and reads and writes PNG alone.
+const ImageCodec& image_codec() {
+  static const ImageCodec codec{read, encode_png};
+  return codec;
+}
+
+}  // namespace gradmesh
