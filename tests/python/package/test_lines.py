@@ -213,7 +213,7 @@ def test_the_limit_counts_the_patches_of_the_document_not_those_that_are_painted
     text = (SAMPLES / "photo.svg").read_text()
     smooth.write_text(text.replace("<meshgradient ", '<meshgradient type="bicubic" '))
     assert gradmesh.load(smooth).meshes[0].smooth
-    options = ("--resolution", 100, "--epsilon", 0.02)
+    options = ("--resolution", 100, "--epsilon", 0.02, "--method", "lines")
     done = run("simplify", smooth, "-o", out, *options)
     assert done.returncode == 0 and gradmesh.load(out).meshes[0].patches < 400
     assert run("render", smooth, "-o", tmp_path / "out.png").returncode == 0

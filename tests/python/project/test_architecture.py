@@ -49,6 +49,7 @@ OWNERS = {
     r"libxml/": {"formats"},
     r"zlib\.h": {"files"},
     r"OpenImageIO/": {"files"},
+    r"png\.h": {"files"},
     r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
