@@ -14,11 +14,6 @@ namespace {
 
 std::string one_line(const std::string& message) { return message.substr(0, message.find('\n')); }
 
-/// Returns the sample laid over white with this alpha, rounded; both are 0..255.
-std::uint8_t over_white(int sample, int alpha) {
-  return std::uint8_t((sample * alpha + 255 * (255 - alpha) + 127) / 255);
-}
-
 std::string read(const std::string& path, Image& image) {
   // OpenImageIO gives colour multiplied by alpha unless told otherwise.
   OIIO::ImageSpec config;

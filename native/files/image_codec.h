@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "base/image.h"
@@ -14,6 +15,12 @@ struct ImageCodec {
   /// Encodes the image, which has pixels, as a PNG file in `bytes`.
   std::string (*encode_png)(const Image& image, std::string& bytes);
 };
+
+/// Returns the sample laid over white with this alpha, rounded; both are 0..255. Pictures with
+/// transparency are read so.
+inline std::uint8_t over_white(int sample, int alpha) {
+  return std::uint8_t((sample * alpha + 255 * (255 - alpha) + 127) / 255);
+}
 
 }  // namespace gradmesh
 

@@ -25,11 +25,6 @@ class PngImage {
   png_image image{};
 };
 
-/// Returns the sample laid over white with this alpha, rounded; both are 0..255.
-std::uint8_t over_white(int sample, int alpha) {
-  return std::uint8_t((sample * alpha + 255 * (255 - alpha) + 127) / 255);
-}
-
 std::string read(const std::string& path, Image& image) {
   std::ifstream file(std::filesystem::path(std::u8string(path.begin(), path.end())),
                      std::ios::binary);

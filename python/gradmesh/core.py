@@ -9,6 +9,7 @@ import os
 import threading
 import weakref
 from collections import deque
+from importlib import import_module
 from typing import Any, Callable, Dict, Mapping, Optional
 
 from .errors import InputError, ended
@@ -103,8 +104,7 @@ def _service() -> Any:
     failure = ImportError("there is no program that does the work on this system")
     if choice != "helper":
         try:
-            from . import _core as module
-
+            module = import_module("._core", __package__)
             if module.protocol == PROTOCOL:
                 return module.Service()
             failure = ImportError("gradmesh._core is of another version than the rest of the package")
