@@ -320,8 +320,9 @@ def test_a_missing_module_is_named(run, extension):
     (module,) = (extension / "gradmesh").glob("_core*.so")
     aside = module.rename(extension / "aside")
     try:
-        said = refused(run(TWO_PATCHES, "--id=box", GRADMESH_CORE="", GRADMESH_HELPER=""))
-        helped = run(TWO_PATCHES, "--id=box", GRADMESH_CORE="", GRADMESH_HELPER=str(PROGRAM))
+        blocks = ("--id=box", "--result=blocks")
+        said = refused(run(TWO_PATCHES, *blocks, GRADMESH_CORE="", GRADMESH_HELPER=""))
+        helped = run(TWO_PATCHES, *blocks, GRADMESH_CORE="", GRADMESH_HELPER=str(PROGRAM))
     finally:
         aside.rename(module)
     assert "gradmesh._core" in said and "install gradmesh again" in said
