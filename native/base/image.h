@@ -84,11 +84,16 @@ void fill(Raster<Sample, Channels>& raster, Window window, Sample value) {
 
 /// An opaque image in 8-bit sRGB.
 using Image = Raster<std::uint8_t, 3>;
+/// An image in 8-bit sRGB with opacities, by which the colours are not multiplied.
+using RgbaImage = Raster<std::uint8_t, 4>;
+
 /// Returns the samples as r, g, b, r, g, b, ..., as files and NumPy hold an image.
-inline std::vector<std::uint8_t> interleaved(const Image& image) {
+template <int Channels>
+std::vector<std::uint8_t> interleaved(const Raster<std::uint8_t, Channels>& image) {
   std::vector<std::uint8_t> bytes(image.samples.size());
   for (std::size_t i = 0; i < image.pixels(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) bytes[3 * i + c] = image.samples[c * image.pixels() + i];
+    for (std::size_t c = 0; c < Channels; ++c)
+      bytes[Channels * i + c] = image.samples[c * image.pixels() + i];
   return bytes;
 }
 

@@ -1,6 +1,5 @@
 #include "files/image_codec.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -42,20 +41,7 @@ std::string read(const std::string& path, Image& image) {
   return {};
 }
 
-std::string encode_png(const Image& image, std::string& bytes) {
-  std::vector<unsigned char> written;
-  OIIO::Filesystem::IOVecOutput memory(written);
-  const auto output = OIIO::ImageOutput::create("png", &memory);
-  if (!output) return one_line(OIIO::geterror());
-  const OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeDesc::UINT8);
-  if (!output->open("image.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, interleaved(image).data()) || !output->close())
-    return one_line(output->geterror());
-  bytes.assign(written.begin(), written.end());
-  return {};
-}
-
 }  // namespace
 }  // namespace gradmesh
 
-const gradmesh::ImageCodec gradmesh_image_codec{gradmesh::read, gradmesh::encode_png};
+const gradmesh::ImageCodec gradmesh_image_codec{gradmesh::read};

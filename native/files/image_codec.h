@@ -7,13 +7,11 @@
 
 namespace gradmesh {
 
-/// The functions that the module `gradmesh_images` offers to image_module.cpp. Both return the
-/// error in one line, or an empty string: errors do not cross the border of a module as exceptions.
+/// The function that the module `gradmesh_images` offers to image_module.cpp.
 struct ImageCodec {
-  /// Reads any file that OpenImageIO reads, as read_image does.
+  /// Reads any file that OpenImageIO reads, as read_image does. Returns the error in one line, or
+  /// an empty string: errors do not cross the border of a module as exceptions.
   std::string (*read)(const std::string& path, Image& image);
-  /// Encodes the image, which has pixels, as a PNG file in `bytes`.
-  std::string (*encode_png)(const Image& image, std::string& bytes);
 };
 
 /// Returns the sample laid over white with this alpha, rounded; both are 0..255. Pictures with

@@ -11,8 +11,9 @@ namespace gradmesh {
 /// alpha is laid over white. Throws InputError naming the file.
 Image read_image(const std::filesystem::path& path);
 
-/// Returns the image as a PNG file's bytes. Throws InputError for an image without pixels.
+/// Return the image as a PNG file's bytes. Throw InputError for an image without pixels.
 std::string png_bytes(const Image& image);
+std::string png_bytes(const RgbaImage& image);
 
 /// Writes the image as a PNG file, wholly or not at all. Throws InputError naming the file, also
 /// for an image without pixels.

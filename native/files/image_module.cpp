@@ -19,7 +19,7 @@ namespace {
 constexpr const char* symbol_name = "gradmesh_image_codec";
 
 [[noreturn]] void fail(const Message& why) {
-  throw InputError("images can be neither read nor written here: {0}.", why);
+  throw InputError("images cannot be read here: {0}.", why);
 }
 
 #ifdef _WIN32

@@ -1,5 +1,3 @@
-#include <png.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -10,20 +8,10 @@
 #include "base/limits.h"
 #include "files/image_codec.h"
 #include "files/image_module.h"
+#include "files/png_image.h"
 
 namespace gradmesh {
 namespace {
-
-/// A picture while libpng works on it.
-class PngImage {
- public:
-  PngImage() { image.version = PNG_IMAGE_VERSION; }
-  PngImage(const PngImage&) = delete;
-  PngImage& operator=(const PngImage&) = delete;
-  ~PngImage() { png_image_free(&image); }
-
-  png_image image{};
-};
 
 std::string read(const std::string& path, Image& image) {
   std::ifstream file(std::filesystem::path(std::u8string(path.begin(), path.end())),
@@ -49,27 +37,11 @@ std::string read(const std::string& path, Image& image) {
   return {};
 }
 
-std::string encode_png(const Image& image, std::string& bytes) {
-  PngImage png;
-  png.image.width = png_uint_32(image.width);
-  png.image.height = png_uint_32(image.height);
-  png.image.format = PNG_FORMAT_RGB;
-  const std::vector<std::uint8_t> samples = interleaved(image);
-  png_alloc_size_t size = 0;
-  if (!png_image_write_get_memory_size(png.image, size, 0, samples.data(), 0, nullptr))
-    return png.image.message;
-  bytes.resize(size);
-  if (!png_image_write_to_memory(&png.image, bytes.data(), &size, 0, samples.data(), 0, nullptr))
-    return png.image.message;
-  bytes.resize(size);
-  return {};
-}
-
 }  // namespace
 
-/// A program for other people's machines has no OpenImageIO, and reads and writes PNG alone.
+/// A program for other people's machines has no OpenImageIO, and reads PNG alone.
 const ImageCodec& image_codec() {
-  static const ImageCodec codec{read, encode_png};
+  static const ImageCodec codec{read};
   return codec;
 }
 
