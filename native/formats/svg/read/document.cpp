@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "files/atomic_file.h"
+#include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/scanner.h"
 
@@ -189,6 +190,15 @@ SvgDocument SvgDocument::parse(std::string_view bytes, const std::string& name) 
 }
 
 xmlNode* SvgDocument::root() const { return xmlDocGetRootElement(document_.get()); }
+
+xmlNode* SvgDocument::defs() {
+  const auto found = child_elements(root(), "defs");
+  if (!found.empty()) return found.front();
+  xmlNode* defs = add_child(root(), "defs");
+  xmlNode* first = root()->children;
+  if (first != defs) xmlAddPrevSibling(first, defs);
+  return defs;
+}
 
 xmlNode* SvgDocument::find(std::string_view id) const {
   const xmlAttr* found = xmlGetID(document_.get(), chars(std::string(id)));

@@ -24,6 +24,9 @@ class SvgDocument {
   xmlNode* root() const;
   const StyleSheet& styles() const { return styles_; }
 
+  /// Returns the first <defs> of the outermost <svg>, which is added if there is none.
+  xmlNode* defs();
+
   /// Returns the first element with this id; null if there is none.
   xmlNode* find(std::string_view id) const;
   /// Gives the element this id, which no other element may have.

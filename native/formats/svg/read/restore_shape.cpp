@@ -49,8 +49,7 @@ class ShapeRestorer {
     const std::string fallback = collect_gradients();
     give_group_attributes(shape);
 
-    xmlNode* gradient =
-        add_child(child_elements(document_.root(), "defs").front(), mesh_gradient_name);
+    xmlNode* gradient = add_child(document_.defs(), mesh_gradient_name);
     set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
     const std::string name = document_.give_id(gradient, id_ + "-mesh");
     const std::string paint = "url(#" + name + ")" + (fallback.empty() ? "" : " " + fallback);

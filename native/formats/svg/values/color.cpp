@@ -5,8 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <glm/common.hpp>
-#include <string>
+#include <glm/ext/vector_uint3.hpp>
 
 #include "formats/svg/values/color_names.h"
 #include "formats/text/scanner.h"
@@ -92,6 +93,16 @@ std::optional<glm::dvec3> parse_color(std::string_view text) {
   if (value.starts_with("rgb(")) return parse_rgb(value.substr(4));
   if (value.starts_with("hsl(")) return parse_hsl(value.substr(4));
   return parse_name(value);
+}
+
+std::string color_text(const glm::dvec3& color) {
+  const auto rgb = glm::uvec3(glm::round(color * 255.0));
+  const glm::uvec3 digits = rgb / 17u;
+  const bool is_short = 17u * digits == rgb;
+  const glm::uvec3 shown = is_short ? digits : rgb;
+  char hex[8];
+  std::snprintf(hex, sizeof hex, is_short ? "#%x%x%x" : "#%02x%02x%02x", shown.r, shown.g, shown.b);
+  return hex;
 }
 
 }  // namespace gradmesh

@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace gradmesh {
@@ -11,5 +12,8 @@ namespace gradmesh {
 /// `currentColor` and `inherit` are left to the caller. Returns nothing if the text is no colour,
 /// which includes all forms with an opacity.
 std::optional<glm::dvec3> parse_color(std::string_view text);
+
+/// Returns a colour, (r, g, b), 0..1, as `#rrggbb`, or `#rgb` where that is the same.
+std::string color_text(const glm::dvec3& color);
 
 }  // namespace gradmesh

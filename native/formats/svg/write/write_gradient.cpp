@@ -1,11 +1,11 @@
 #include "formats/svg/write/write_gradient.h"
 
 #include <cmath>
-#include <cstdio>
 #include <glm/common.hpp>
 
 #include "form/handles.h"
 #include "form/written_patch.h"
+#include "formats/svg/values/color.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
@@ -86,18 +86,6 @@ class GradientWriter {
       set_attribute(stop, "stop-color", color_text(shown));
       if (opacity != "1") set_attribute(stop, "stop-opacity", opacity);
     }
-  }
-
-  /// Returns the colour with two digits a channel, or with one where these are equal.
-  std::string color_text(const glm::dvec3& color) const {
-    const auto rgb = glm::uvec3(glm::round(color * 255.0));
-    const glm::uvec3 digits = rgb / 17u;
-    const bool is_short = 17u * digits == rgb;
-    const glm::uvec3 shown = is_short ? digits : rgb;
-    char hex[8];
-    std::snprintf(hex, sizeof hex, is_short ? "#%x%x%x" : "#%02x%02x%02x", shown.r, shown.g,
-                  shown.b);
-    return hex;
   }
 
   /// Returns a point of the mesh where it is written.

@@ -30,7 +30,7 @@ std::string empty_page(const SvgPage& page) {
 
 SvgDocument new_svg(const SvgPage& page, const std::string& outline, const WrittenMesh& written) {
   SvgDocument document = SvgDocument::parse(empty_page(page), "new document");
-  xmlNode* defs = child_elements(document.root(), "defs").front();
+  xmlNode* defs = document.defs();
   MeshObject object{.node = child_elements(document.root(), "path").front(), .id = "mesh"};
   document.set_id(object.node, object.id);
   const std::string gradient = write_block_gradient(
