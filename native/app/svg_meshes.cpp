@@ -12,11 +12,15 @@
 #include "formats/svg/read/restore_shape.h"
 #include "formats/svg/read/visible.h"
 #include "formats/svg/read/written_gradient.h"
+#include "formats/svg/values/length.h"
 #include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/shape.h"
 #include "formats/svg/write/keep_original.h"
 #include "formats/svg/write/memory.h"
 #include "formats/svg/write/mesh_outline.h"
+#include "formats/svg/write/remove_meshes.h"
 #include "formats/svg/write/write_group.h"
+#include "formats/svg/write/write_linear.h"
 #include "formats/svg/write/write_mesh.h"
 #include "formats/svg/write/write_new.h"
 #include "formats/svg/xml/node.h"
@@ -345,6 +349,29 @@ SvgMeshes::Rewritten SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edit
   replace({{entry, edited, result, original}}, metric, writing);
   mark_changed();
   return {counts_of(result.form.surface), result.form.object_count(), result.error};
+}
+
+SvgMeshes::Place SvgMeshes::place(const MeshEntry& entry) const {
+  const MeshObject& o = object(entry);
+  Place place;
+  if (o.gradient) place.to_user = mesh_to_user(svg_, o);
+  place.to_page = to_pixels(svg_.root()) * to_document(o);
+  place.seen = visible_area(entry);
+  place.fills_shape = o.gradient && o.role == PaintRole::fill && shape_outline(o.node).has_value();
+  return place;
+}
+
+void SvgMeshes::replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks) {
+  remove_hidden_originals(svg_);
+  for (const auto& [entry, look] : looks) {
+    if (const auto* picture = std::get_if<PlacedPicture>(&look))
+      write_picture(svg_, object(entry), *picture);
+    else
+      write_linear(svg_, object(entry), std::get<LinearColors>(look));
+  }
+  remove_meshes(svg_);
+  list_meshes();
+  mark_changed();
 }
 
 void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes,

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <variant>
+
 #include "app/document.h"
+#include "form/linear_colors.h"
 #include "formats/svg/read/document.h"
+#include "formats/svg/write/write_picture.h"
 #include "mesh/rectangle.h"
 
 namespace gradmesh {
@@ -47,6 +51,24 @@ class SvgMeshes : public Document {
   };
   /// Writes an edited mesh in the place of the entry's mesh. `entry` is no longer valid afterwards.
   Rewritten rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
+
+  /// Where a mesh is shown.
+  struct Place {
+    /// The map from the mesh's coordinates to the object's user space.
+    Affine to_user;
+    /// The map from there to pixels of the document in its own size.
+    Affine to_page;
+    /// In the mesh's coordinates, as of visible_area().
+    std::optional<VisibleArea> seen;
+    /// True if the object's own shape, painted by one mesh gradient, limits what is seen.
+    bool fills_shape = false;
+  };
+  Place place(const MeshEntry& entry) const;
+  /// What is to be shown instead of a mesh: a picture, or colours in the object's user space.
+  using Look = std::variant<PlacedPicture, LinearColors>;
+  /// Replaces meshes, each by what is to be shown instead, and removes what no other mesh of the
+  /// document needs (formats/svg/write/remove_meshes.h). All entries are listed anew.
+  void replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks);
 
   /// Replaces groups of blocks by the objects that they were made of, each painted by one mesh
   /// gradient. The meshes are grids with one colour at each point. All entries are listed anew.

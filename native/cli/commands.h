@@ -16,6 +16,7 @@ void add_draw(CLI::App& program);
 void add_report(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_update(CLI::App& program);
+void add_publish(CLI::App& program);
 void add_helper(CLI::App& program);
 
 }  // namespace gradmesh

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
     add_report(program);
     add_convert(program);
     add_update(program);
+    add_publish(program);
     add_helper(program);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -38,4 +38,11 @@ Json to_one_mesh_document(const Call& call) {
   return list;
 }
 
+Json publish_document(const Call& call) {
+  Json list = Json::array();
+  for (const PublishedMesh& mesh : publish(call.document(), {call.get<double>("scale")}))
+    list.push_back(published_json(mesh));
+  return list;
+}
+
 }  // namespace gradmesh

@@ -23,6 +23,7 @@ Json simplify_document(const Call& call);
 Json analyze_document(const Call& call);
 
 // Edits.
+Json publish_document(const Call& call);
 Json update_document(const Call& call);
 Json merge_patches(const Call& call);
 Json refine_patches(const Call& call);

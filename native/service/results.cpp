@@ -95,4 +95,10 @@ Json edit_json(const EditReport& report) {
           {"error", report.error}};
 }
 
+Json published_json(const PublishedMesh& mesh) {
+  return {{"id", mesh.id},       {"shown_as", name(mesh.as)},
+          {"width", mesh.width}, {"height", mesh.height},
+          {"bytes", mesh.bytes}, {"refused", refusal_json(mesh.refused)}};
+}
+
 }  // namespace gradmesh

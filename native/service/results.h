@@ -4,6 +4,7 @@
 
 #include "app/document.h"
 #include "app/edits.h"
+#include "app/publish.h"
 #include "service/arguments.h"
 
 namespace gradmesh {
@@ -20,5 +21,6 @@ Json meshes_json(const Document& document);
 Json reports_json(const std::vector<MeshReport>& reports);
 Json update_json(const UpdateReport& report);
 Json edit_json(const EditReport& report);
+Json published_json(const PublishedMesh& mesh);
 
 }  // namespace gradmesh

@@ -34,6 +34,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"merge", merge_patches},
       {"refine", refine_patches},
       {"to_one_mesh", to_one_mesh_document},
+      {"publish", publish_document},
       {"render", render_mesh},
       {"compare", compare_pictures},
       {"draw", draw_mesh},

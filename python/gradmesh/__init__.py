@@ -27,6 +27,7 @@ from .api import (
 from .core import core as _core_in_use
 from .edits import Edit, Update, merge, refine, to_one_mesh, update
 from .errors import HelperError, InputError
+from .publishing import Published, publish
 
 # Fails at once where nothing here can compute.
 _core_in_use()
@@ -45,6 +46,7 @@ __all__ = [
     "HelperError",
     "InputError",
     "MeshInfo",
+    "Published",
     "Result",
     "Update",
     "__version__",
@@ -56,6 +58,7 @@ __all__ = [
     "load",
     "loads",
     "merge",
+    "publish",
     "refine",
     "render",
     "report",

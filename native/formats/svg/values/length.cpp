@@ -1,5 +1,6 @@
 #include "formats/svg/values/length.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -8,12 +9,13 @@
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
 #include "formats/text/scanner.h"
+#include "geom/box.h"
 
 namespace gradmesh {
 namespace {
 
-/// Returns the size of a viewBox, `min-x min-y width height`.
-std::optional<glm::dvec2> parse_view_box(std::string_view text) {
+/// Returns a viewBox, `min-x min-y width height`.
+std::optional<Box> parse_view_box(std::string_view text) {
   Scanner scanner(text);
   double values[4] = {};
   for (double& value : values) {
@@ -22,14 +24,20 @@ std::optional<glm::dvec2> parse_view_box(std::string_view text) {
     if (!number) return std::nullopt;
     value = *number;
   }
-  return glm::dvec2(values[2], values[3]);
+  Box box;
+  box.add({values[0], values[1]});
+  box.add({values[0] + values[2], values[1] + values[3]});
+  return box;
 }
 
 std::optional<glm::dvec2> viewport_size(const xmlNode* node) {
   const xmlNode* svg = parent_element(node);
   while (svg && svg_name(svg) != "svg") svg = parent_element(svg);
   if (!svg) return std::nullopt;
-  if (const auto view_box = attribute(svg, "viewBox")) return parse_view_box(*view_box);
+  if (const auto text = attribute(svg, "viewBox")) {
+    const auto box = parse_view_box(*text);
+    return box ? std::optional(box->size()) : std::nullopt;
+  }
   const auto side = [&](const char* name) {
     return parse_length(attribute(svg, name).value_or(""), std::nullopt);
   };
@@ -63,6 +71,24 @@ double read_length(const xmlNode* node, const char* name, LengthAxis axis) {
 double read_box_length(const xmlNode* node, const char* name) {
   const auto text = attribute(node, name);
   return text ? length_or_fail(node, name, *text, 1.0) : 0;
+}
+
+Affine to_pixels(const xmlNode* root) {
+  const auto text = attribute(root, "viewBox");
+  const auto box = text ? parse_view_box(*text) : std::nullopt;
+  if (!box || !(box->size().x > 0 && box->size().y > 0)) return {};
+  const auto side = [&](const char* name) {
+    return parse_length(attribute(root, name).value_or(""), std::nullopt).value_or(0);
+  };
+  glm::dvec2 page(side("width"), side("height"));
+  // A document that gives one side only keeps its proportions.
+  for (int k = 0; k < 2; ++k)
+    if (!(page[k] > 0)) page[k] = page[1 - k] > 0 ? page[1 - k] * box->size()[k] / box->size()[1 - k] : box->size()[k];
+  // As preserveAspectRatio has it by default: all of the viewBox is seen, in the middle.
+  const glm::dvec2 scales = page / box->size();
+  const double scale = std::min(scales.x, scales.y);
+  return Affine::translation(0.5 * (page - scale * box->size())) *
+         Affine::scaling(glm::dvec2(scale)) * Affine::translation(-box->low());
 }
 
 }  // namespace gradmesh

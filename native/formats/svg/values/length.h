@@ -2,6 +2,8 @@
 
 #include <libxml/tree.h>
 
+#include "base/affine.h"
+
 namespace gradmesh {
 
 /// The size that a percentage refers to: the viewport's width, its height, or their root mean
@@ -16,5 +18,9 @@ double read_length(const xmlNode* node, const char* name, LengthAxis axis);
 /// Returns a length attribute with percentages as fractions, as in units of an object's bounding
 /// box.
 double read_box_length(const xmlNode* node, const char* name);
+
+/// Returns the map from units of the outermost <svg> to pixels of the document as it is shown in
+/// its own size; a unit is a pixel if that is not known.
+Affine to_pixels(const xmlNode* root);
 
 }  // namespace gradmesh

@@ -1,0 +1,176 @@
+#include "app/publish.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "app/svg_meshes.h"
+#include "base/limits.h"
+#include "files/image_file.h"
+#include "form/linear_colors.h"
+#include "formats/svg/write/mesh_outline.h"
+#include "mesh/boundary.h"
+#include "raster/hidden.h"
+#include "raster/picture.h"
+
+namespace gradmesh {
+namespace {
+
+/// Returns the box around the outlines of a set, which are in mesh units, as `view` shows them.
+Box box_of(const std::vector<FilledOutline>& set, const Affine& view) {
+  Box box;
+  for (const FilledOutline& filled : set)
+    for (const std::vector<glm::dvec2>& polygon : filled.outline)
+      for (const glm::dvec2 p : polygon) box.add(view.point(p));
+  return box;
+}
+
+Box common(const Box& a, const Box& b) {
+  Box box;
+  const glm::dvec2 low = glm::max(a.low(), b.low()), high = glm::min(a.high(), b.high());
+  if (b.empty() || low.x > high.x || low.y > high.y) return box;
+  box.add(low);
+  box.add(high);
+  return box;
+}
+
+/// Makes the picture of one mesh.
+class MeshPublisher {
+ public:
+  MeshPublisher(const SvgMeshes& document, const MeshEntry& entry, double scale)
+      : mesh_(document.mesh(entry)), place_(document.place(entry)) {
+    report_.id = entry.id;
+    choose_frame(scale);
+  }
+
+  SvgMeshes::Look look() {
+    const MeshPicture picture = picture_of(mesh_, frame_);
+    const bool is_cut = !shape_lies_inside(picture);
+    if (place_.fills_shape && !is_cut) {
+      if (auto colors = linear_colors(mesh_, coons_tolerance(frame_))) {
+        report_.as = colors->stops.size() == 1 ? PublishedAs::color : PublishedAs::linear_gradient;
+        colors->start = place_.to_user.point(colors->start);
+        colors->end = place_.to_user.point(colors->end);
+        return *std::move(colors);
+      }
+    }
+    PlacedPicture placed{.png = png(picture), .place = box_};
+    if (is_cut) {
+      placed.outline = outline_path(mesh_);
+      placed.outline_to_user = place_.to_user;
+    }
+    report_.width = frame_.width;
+    report_.height = frame_.height;
+    report_.bytes = placed.png.size();
+    return placed;
+  }
+
+  const PublishedMesh& report() const { return report_; }
+
+ private:
+  /// Lays the frame around what is seen of the mesh.
+  void choose_frame(double scale) {
+    Box seen = bounding_box(mesh_, place_.to_user);
+    if (place_.seen)
+      for (const auto& set : place_.seen->sets) seen = common(seen, box_of(set, place_.to_user));
+    if (seen.empty()) seen.add(place_.to_user.point(mesh_.position(*mesh_.points().begin())));
+
+    const Affine grid = document_pixels();
+    // What lies around blurs into what is seen where a picture is enlarged.
+    const glm::dvec2 margin(std::max(1.0, std::ceil(2 / scale)));
+    const glm::dvec2 low = glm::floor(grid.point(seen.low())) - margin;
+    const glm::dvec2 size = glm::ceil(grid.point(seen.high())) + margin - low;
+    scale = std::min(scale, double(limits().resolution) / std::max(size.x, size.y));
+    frame_.width = std::max(1, int(size.x * scale));
+    frame_.height = std::max(1, int(size.y * scale));
+    frame_.to_pixels =
+        Affine::scaling(glm::dvec2(scale)) * Affine::translation(-low) * grid * place_.to_user;
+    box_.add(grid.inverse().point(low));
+    box_.add(grid.inverse().point(low + glm::dvec2(frame_.width, frame_.height) / scale));
+  }
+
+  /// Returns the map from the object's user space to pixels that have the size of the document's,
+  /// and lie along the axes of the object's user space. If the document's do so as well these are
+  /// the same, so that in its own size the document shows pixels of the picture as they are, or
+  /// whole ones together.
+  Affine document_pixels() const {
+    const auto& [linear, offset] = place_.to_page;
+    const bool is_straight = linear[0].y == 0 && linear[1].x == 0;
+    const glm::dvec2 unit(glm::length(linear[0]), glm::length(linear[1]));
+    const glm::dvec2 turned(linear[0].x < 0 ? -1 : 1, linear[1].y < 0 ? -1 : 1);
+    return {glm::dmat2(unit.x, 0, 0, unit.y), is_straight ? turned * offset : glm::dvec2(0.0)};
+  }
+
+  /// Returns true if all that is seen is within a pixel of what the mesh covers.
+  bool shape_lies_inside(const MeshPicture& picture) const {
+    if (!place_.seen) return false;
+    const HiddenPixels hidden(*place_.seen, frame_);
+    const auto is_near_mesh = [&](int x, int y) {
+      for (int near_y = std::max(0, y - 1); near_y < std::min(frame_.height, y + 2); ++near_y)
+        for (int near_x = std::max(0, x - 1); near_x < std::min(frame_.width, x + 2); ++near_x)
+          if (*picture.covered.at(near_x, near_y)) return true;
+      return false;
+    };
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        if (!*picture.covered.at(x, y) && !hidden.contains(x, y) && !is_near_mesh(x, y))
+          return false;
+    return true;
+  }
+
+  std::string png(const MeshPicture& picture) const {
+    if (is_translucent(mesh_)) return png_bytes(picture.samples);
+    Image opaque(frame_.width, frame_.height);
+    std::copy_n(picture.samples.samples.begin(), opaque.samples.size(), opaque.samples.begin());
+    return png_bytes(opaque);
+  }
+
+  const Mesh& mesh_;
+  const SvgMeshes::Place place_;
+  Frame frame_;
+  /// The frame in the object's user space.
+  Box box_;
+  PublishedMesh report_;
+};
+
+SvgMeshes& svg(Document& document) {
+  if (auto* const svg = dynamic_cast<SvgMeshes*>(&document)) return *svg;
+  throw InputError(
+      "{0}: only SVG documents are published; gradmesh convert makes one of this file.",
+      document.name());
+}
+
+}  // namespace
+
+const char* name(PublishedAs as) {
+  static constexpr std::array<const char*, 4> names{"picture", "linear gradient", "colour",
+                                                    "nothing"};
+  return names[std::size_t(as)];
+}
+
+std::vector<PublishedMesh> publish(Document& document, const PublishOptions& options) {
+  constexpr double largest = 16;
+  if (!(options.scale > 0 && options.scale <= largest))
+    throw std::invalid_argument("the scale must be above 0, and at most 16.");
+  SvgMeshes& meshes = svg(document);
+  std::vector<PublishedMesh> reports;
+  std::vector<std::pair<MeshEntry, SvgMeshes::Look>> looks;
+  for (const MeshEntry& entry : meshes.selected({}))
+    document.naming(entry, [&] {
+      MeshPublisher publisher(meshes, entry, options.scale);
+      looks.emplace_back(entry, publisher.look());
+      reports.push_back(publisher.report());
+    });
+  for (const MeshEntry& entry : meshes.refused({}))
+    reports.push_back(
+        {.id = entry.id, .as = PublishedAs::nothing, .refused = entry.refused});
+  meshes.replace_by(looks);
+  return reports;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "formats/svg/read/document.h"
+
+namespace gradmesh {
+
+/// Removes the hidden originals (formats/svg/write/keep_original.h).
+void remove_hidden_originals(SvgDocument& document);
+
+/// Removes what a document without meshes does not need: mesh gradients that paint nothing, the
+/// scripts by which Inkscape has browsers paint meshes, and all that is in our own namespace. Where
+/// a mesh gradient that is removed is still named, which nobody sees, the colour for programs
+/// without meshes takes its place, or none.
+void remove_meshes(SvgDocument& document);
+
+}  // namespace gradmesh

@@ -1,0 +1,80 @@
+#include "raster/picture.h"
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+
+#include "form/smooth_colors.h"
+#include "mesh/build.h"
+#include "mesh/subdivide.h"
+#include "raster/painting.h"
+#include "raster/rasterizer.h"
+
+namespace gradmesh {
+namespace {
+
+/// Returns the mesh with each colour, or the derivative of one, replaced by what `change` makes of
+/// it, and opaque.
+Mesh recolored(const Mesh& mesh, glm::dvec3 (*change)(const glm::dvec4&)) {
+  MeshParts parts = subdivided(mesh, 1);
+  for (Patch& patch : parts.patches)
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const bool is_corner = i % 3 == 0 && j % 3 == 0;
+        glm::dvec4& color = patch.c[i][j].color;
+        color = glm::dvec4(change(color), is_corner ? 1 : 0);
+      }
+  return build_derived_mesh(parts);
+}
+
+glm::dvec3 to_color(const glm::dvec4& color) { return glm::dvec3(color); }
+glm::dvec3 to_opacity(const glm::dvec4& color) { return glm::dvec3(color.a); }
+
+/// Gives all pixels that are not covered the samples of a nearest one that is, counted in steps to
+/// the side, up and down.
+void spread(MeshPicture& picture) {
+  RgbaImage& samples = picture.samples;
+  Raster<std::uint8_t, 1> known = picture.covered;
+  struct Pixel {
+    int x, y;
+  };
+  std::deque<Pixel> border;
+  for (int y = 0; y < samples.height; ++y)
+    for (int x = 0; x < samples.width; ++x)
+      if (*known.at(x, y)) border.push_back({x, y});
+  for (; !border.empty(); border.pop_front()) {
+    const auto [x, y] = border.front();
+    for (const auto& [next_x, next_y] :
+         {Pixel{x - 1, y}, Pixel{x + 1, y}, Pixel{x, y - 1}, Pixel{x, y + 1}}) {
+      const bool is_inside =
+          next_x >= 0 && next_y >= 0 && next_x < samples.width && next_y < samples.height;
+      if (!is_inside || *known.at(next_x, next_y)) continue;
+      *known.at(next_x, next_y) = 1;
+      samples.set_pixel(next_x, next_y, samples.pixel(x, y));
+      border.push_back({next_x, next_y});
+    }
+  }
+}
+
+}  // namespace
+
+MeshPicture picture_of(const Mesh& mesh, Frame frame) {
+  frame.hidden = nullptr;
+  const Mesh painted = mesh.is_smooth() ? painted_mesh(mesh) : mesh;
+  const std::unique_ptr<Rasterizer> inkscape = make_cairo_like_rasterizer();
+  MeshPicture picture{RgbaImage(frame.width, frame.height, 255),
+                      Raster<std::uint8_t, 1>(frame.width, frame.height)};
+  std::ranges::copy(inkscape->paint(recolored(painted, to_color), frame).samples,
+                    picture.samples.samples.begin());
+  if (is_translucent(painted)) {
+    const Image opacity = inkscape->paint(recolored(painted, to_opacity), frame);
+    std::copy_n(opacity.samples.begin(), opacity.pixels(), picture.samples.at(0, 0, 3));
+  }
+  std::ranges::transform(
+      paint_whole(painted, frame).top.samples, picture.covered.samples.begin(),
+      [](std::uint32_t sample) { return std::uint8_t(TopFace(sample).face().valid()); });
+  spread(picture);
+  return picture;
+}
+
+}  // namespace gradmesh

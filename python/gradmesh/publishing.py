@@ -1,0 +1,40 @@
+"""Documents for programs without mesh gradients. Python checks and calls; the core computes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Optional
+
+from .api import Document
+from .core import refusal
+from .errors import InputError
+
+
+@dataclass(frozen=True)
+class Published:
+    """What publish() shows in the place of one mesh."""
+
+    id: str
+    shown_as: str  #: "picture", "linear gradient", "colour", or "nothing" where it cannot be read
+    width: int  #: of the picture, in pixels; 0 where there is none
+    height: int
+    bytes: int  #: of the picture's file
+    refused: Optional[InputError] = None  #: why it was left alone: it cannot be read
+
+
+def publish(document: Document, *, scale: float = 2) -> list[Published]:
+    """Makes an SVG document one that programs without mesh gradients show as Inkscape does, in place.
+
+    Instead of each mesh its object shows a picture of it, cut by the object's own shape; one colour
+    or a linear gradient where that is exact. Blocks become one picture. Everything else stays, but
+    for mesh gradients, hidden originals, what gradmesh remembers, and the script by which Inkscape
+    has browsers paint meshes.
+
+    scale: pixels of the pictures for each pixel of the document in its own size, above 0 to 16; a
+    picture is never longer than the limit on resolution. Raises InputError for .hemesh files and
+    where no mesh can be read, ValueError for another scale; the document is then unchanged.
+    """
+    return [
+        Published(**{**made, "refused": refusal(made["refused"])})
+        for made in document._core.call("publish", scale=float(scale))
+    ]
