@@ -57,6 +57,21 @@ TEST_F(ImageFile, round_trip) {
   EXPECT_EQ(read_image(folder / "a.png"), image);
 }
 
+TEST_F(ImageFile, opacities_do_not_change_colors) {
+  RgbaImage image(2, 1);
+  image.set_pixel(0, 0, {200, 100, 50, 0});
+  image.set_pixel(1, 0, {10, 20, 30, 128});
+  write_bytes(folder / "a.png", png_bytes(image));
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open((folder / "a.png").string(), &config);
+  ASSERT_TRUE(input);
+  ASSERT_EQ(input->spec().nchannels, 4);
+  Samples samples(8);
+  ASSERT_TRUE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::UINT8, samples.data()));
+  EXPECT_EQ(samples, (Samples{200, 100, 50, 0, 10, 20, 30, 128}));
+}
+
 TEST_F(ImageFile, other_channels_become_rgb) {
   EXPECT_EQ(interleaved(read_image(write_row(3, {1, 2, 3}))), (Samples{1, 2, 3}));
   EXPECT_EQ(interleaved(read_image(write_row(1, {7, 200}))), (Samples{7, 7, 7, 200, 200, 200}));
