@@ -101,7 +101,9 @@ class MeshPublisher {
   Affine document_pixels() const {
     const auto& [linear, offset] = place_.to_page;
     const bool is_straight = linear[0].y == 0 && linear[1].x == 0;
-    const glm::dvec2 unit(glm::length(linear[0]), glm::length(linear[1]));
+    glm::dvec2 unit(glm::length(linear[0]), glm::length(linear[1]));
+    // A transform may leave no width, or no height.
+    unit = glm::max(unit, 1e-3 * std::max(unit.x, unit.y));
     const glm::dvec2 turned(linear[0].x < 0 ? -1 : 1, linear[1].y < 0 ? -1 : 1);
     return {glm::dmat2(unit.x, 0, 0, unit.y), is_straight ? turned * offset : glm::dvec2(0.0)};
   }
@@ -167,8 +169,7 @@ std::vector<PublishedMesh> publish(Document& document, const PublishOptions& opt
       reports.push_back(publisher.report());
     });
   for (const MeshEntry& entry : meshes.refused({}))
-    reports.push_back(
-        {.id = entry.id, .as = PublishedAs::nothing, .refused = entry.refused});
+    reports.push_back({.id = entry.id, .as = PublishedAs::nothing, .refused = entry.refused});
   meshes.replace_by(looks);
   return reports;
 }

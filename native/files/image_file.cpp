@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "files/atomic_file.h"
 #include "files/image_module.h"
-#include "files/png_image.h"
+#include "files/png.h"
 
 namespace gradmesh {
 
@@ -19,22 +19,7 @@ namespace {
 template <int Channels>
 std::string encoded(const Raster<std::uint8_t, Channels>& image) {
   if (image.width <= 0 || image.height <= 0) throw InputError("the image is empty.");
-  PngImage png;
-  png.image.width = png_uint_32(image.width);
-  png.image.height = png_uint_32(image.height);
-  png.image.format = Channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-  const std::vector<std::uint8_t> samples = interleaved(image);
-  png_alloc_size_t size = 0;
-  std::string bytes;
-  bool done = png_image_write_get_memory_size(png.image, size, 0, samples.data(), 0, nullptr);
-  if (done) {
-    bytes.resize(size);
-    done =
-        png_image_write_to_memory(&png.image, bytes.data(), &size, 0, samples.data(), 0, nullptr);
-  }
-  if (!done) throw InputError("{0}.", png.image.message);
-  bytes.resize(size);
-  return bytes;
+  return encode_png(image.width, image.height, Channels, interleaved(image).data());
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <png.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -8,10 +10,20 @@
 #include "base/limits.h"
 #include "files/image_codec.h"
 #include "files/image_module.h"
-#include "files/png_image.h"
 
 namespace gradmesh {
 namespace {
+
+/// A picture while libpng works on it.
+class PngImage {
+ public:
+  PngImage() { image.version = PNG_IMAGE_VERSION; }
+  PngImage(const PngImage&) = delete;
+  PngImage& operator=(const PngImage&) = delete;
+  ~PngImage() { png_image_free(&image); }
+
+  png_image image{};
+};
 
 std::string read(const std::string& path, Image& image) {
   std::ifstream file(std::filesystem::path(std::u8string(path.begin(), path.end())),

@@ -80,15 +80,15 @@ Affine to_pixels(const xmlNode* root) {
   const auto side = [&](const char* name) {
     return parse_length(attribute(root, name).value_or(""), std::nullopt).value_or(0);
   };
+  const glm::dvec2 size = box->size();
   glm::dvec2 page(side("width"), side("height"));
-  // A document that gives one side only keeps its proportions.
-  for (int k = 0; k < 2; ++k)
-    if (!(page[k] > 0)) page[k] = page[1 - k] > 0 ? page[1 - k] * box->size()[k] / box->size()[1 - k] : box->size()[k];
+  // With one side only the document keeps its proportions; with none a unit is a pixel.
+  if (!(page.x > 0)) page.x = page.y > 0 ? page.y * size.x / size.y : size.x;
+  if (!(page.y > 0)) page.y = page.x * size.y / size.x;
   // As preserveAspectRatio has it by default: all of the viewBox is seen, in the middle.
-  const glm::dvec2 scales = page / box->size();
-  const double scale = std::min(scales.x, scales.y);
-  return Affine::translation(0.5 * (page - scale * box->size())) *
-         Affine::scaling(glm::dvec2(scale)) * Affine::translation(-box->low());
+  const double scale = std::min(page.x / size.x, page.y / size.y);
+  return Affine::translation(0.5 * (page - scale * size)) * Affine::scaling(glm::dvec2(scale)) *
+         Affine::translation(-box->low());
 }
 
 }  // namespace gradmesh
