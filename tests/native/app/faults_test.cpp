@@ -114,8 +114,8 @@ TEST_F(Faults, an_allocation_that_fails_ends_the_run_with_an_exception) {
   std::uniform_int_distribution<long> any(0, all - 1);
   int told = 0, runs = 0;
   // Reading and writing allocate often and in many places, merging over and over in the same.
-  for (long n = 0; n < 2000; n += 7) told += decides(n, n % 2), ++runs;
-  for (int i = 0; i < 200; ++i) told += decides(any(random), i % 2), ++runs;
+  for (long n = 0; n < 2000; n += 13) told += decides(n, n % 2), ++runs;
+  for (int i = 0; i < 60; ++i) told += decides(any(random), i % 2), ++runs;
   EXPECT_GT(told, runs * 9 / 10);
   EXPECT_EQ(read_simplify_write(bytes_), usual_);
 }
