@@ -104,6 +104,17 @@ bool is_used_in(const xmlNode* node, const std::string& id) {
   return std::ranges::any_of(children, [&](const xmlNode* child) { return is_used_in(child, id); });
 }
 
+/// Takes the paints of the parts of a text away, which are those of the text then.
+void remove_paints_below(xmlNode* text) {
+  for (xmlNode* part : child_elements(text)) {
+    for (const char* paint : {"fill", "stroke"}) {
+      take_style(part, paint);
+      remove_attribute(part, paint);
+    }
+    remove_paints_below(part);
+  }
+}
+
 }  // namespace
 
 void set_style(xmlNode* node, const std::string& property, const std::string& value) {
@@ -200,6 +211,7 @@ xmlNode* geometry_copy(const StyleSheet& styles, const xmlNode* shape, xmlNode* 
          {"font-family", "font-size", "font-weight", "font-style", "text-anchor"})
       if (const auto value = styles.inherited(shape, name)) fonts[name] = *value;
     write_style(copy, fonts);
+    remove_paints_below(copy);
   }
   return copy;
 }

@@ -1,0 +1,47 @@
+// Whatever a document is, what is published of it can be read, and shows no mesh that could be.
+#include <cstdlib>
+
+#include "app/publish.h"
+#include "app/svg_meshes.h"
+#include "target.h"
+
+namespace gradmesh::fuzz {
+namespace {
+
+/// Small pictures, however large a document says that it is.
+[[maybe_unused]] const int limited = setenv("GRADMESH_LIMITS", "resolution=64", 1);
+
+void check(std::string_view bytes) {
+  accepts([&] {
+    SvgMeshes document(bytes, input_name);
+    const std::string before = document.bytes();
+    std::size_t refused = 0;
+    const bool published = accepts([&] {
+      for (const PublishedMesh& mesh : publish(document)) {
+        refused += mesh.as == PublishedAs::nothing;
+        require(mesh.width <= 64 && mesh.height <= 64, "pictures keep to the limit");
+      }
+    });
+    if (!published) {
+      require(document.bytes() == before, "what is refused stays as it is");
+      return;
+    }
+    must_accept(
+        [&] {
+          const SvgMeshes again(document.bytes(), input_name);
+          std::size_t left = 0;
+          for (const MeshEntry& entry : again.meshes()) left += entry.refused.has_value();
+          require(left == again.meshes().size() && left <= refused,
+                  "only meshes that cannot be read are left");
+        },
+        "what was published can be read");
+  });
+}
+
+}  // namespace
+}  // namespace gradmesh::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
+  return 0;
+}
