@@ -78,7 +78,8 @@ class MeshPublisher {
     Box seen = bounding_box(mesh_, place_.to_user);
     if (place_.seen)
       for (const auto& set : place_.seen->sets) seen = common(seen, box_of(set, place_.to_user));
-    if (seen.empty()) seen.add(place_.to_user.point(mesh_.position(*mesh_.points().begin())));
+    shows_nothing_ = seen.empty();
+    if (shows_nothing_) seen.add(place_.to_user.point(mesh_.position(*mesh_.points().begin())));
 
     const Affine grid = document_pixels();
     // What lies around blurs into what is seen where a picture is enlarged.
@@ -110,7 +111,7 @@ class MeshPublisher {
 
   /// Returns true if all that is seen is within a pixel of what the mesh covers.
   bool shape_lies_inside(const MeshPicture& picture) const {
-    if (!place_.seen) return false;
+    if (!place_.seen || shows_nothing_) return false;
     const HiddenPixels hidden(*place_.seen, frame_);
     const auto is_near_mesh = [&](int x, int y) {
       for (int near_y = std::max(0, y - 1); near_y < std::min(frame_.height, y + 2); ++near_y)
@@ -135,6 +136,8 @@ class MeshPublisher {
   const Mesh& mesh_;
   const SvgMeshes::Place place_;
   Frame frame_;
+  /// True if nothing of the mesh is seen, so that the frame shows some corner of it.
+  bool shows_nothing_ = false;
   /// The frame in the object's user space.
   Box box_;
   PublishedMesh report_;

@@ -1,6 +1,7 @@
 #include "app/publish.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "cli/commands.h"
 
@@ -32,7 +33,7 @@ void run_publish(const PublishArguments& a) {
     else if (!a.quiet)
       print(mesh);
   }
-  if (!a.quiet) std::printf("%s: %zu bytes\n", a.out.c_str(), document->bytes().size());
+  if (!a.quiet) std::printf("%s: %zu bytes\n", a.out.c_str(), std::size_t(std::filesystem::file_size(a.out)));
 }
 
 }  // namespace

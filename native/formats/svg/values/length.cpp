@@ -59,6 +59,11 @@ double length_or_fail(const xmlNode* node, const char* name, const std::string& 
   return *length;
 }
 
+/// Returns the share of the room around a viewBox that lies before it, by preserveAspectRatio.
+double share(const std::string& fit, const char* none, const char* all) {
+  return fit.find(none) != fit.npos ? 0 : fit.find(all) != fit.npos ? 1 : 0.5;
+}
+
 }  // namespace
 
 double read_length(const xmlNode* node, const char* name, LengthAxis axis) {
@@ -85,10 +90,15 @@ Affine to_pixels(const xmlNode* root) {
   // With one side only the document keeps its proportions; with none a unit is a pixel.
   if (!(page.x > 0)) page.x = page.y > 0 ? page.y * size.x / size.y : size.x;
   if (!(page.y > 0)) page.y = page.x * size.y / size.x;
-  // As preserveAspectRatio has it by default: all of the viewBox is seen, in the middle.
-  const double scale = std::min(page.x / size.x, page.y / size.y);
-  return Affine::translation(0.5 * (page - scale * size)) * Affine::scaling(glm::dvec2(scale)) *
-         Affine::translation(-box->low());
+  const std::string fit = attribute(root, "preserveAspectRatio").value_or("");
+  glm::dvec2 scale = page / size;
+  if (fit.find("none") == fit.npos)
+    scale = glm::dvec2(fit.find("slice") == fit.npos ? std::min(scale.x, scale.y)
+                                                     : std::max(scale.x, scale.y));
+  const glm::dvec2 room = page - scale * size;
+  const glm::dvec2 corner =
+      room * glm::dvec2(share(fit, "xMin", "xMax"), share(fit, "YMin", "YMax"));
+  return Affine::translation(corner) * Affine::scaling(scale) * Affine::translation(-box->low());
 }
 
 }  // namespace gradmesh

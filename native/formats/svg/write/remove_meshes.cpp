@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "formats/svg/read/objects.h"
@@ -45,8 +46,41 @@ void replace_paints(SvgDocument& document, const std::vector<const xmlNode*>& gr
   });
 }
 
+/// Returns rules with the paints that name this id replaced likewise.
+std::string without_paint(std::string css, const std::string& id) {
+  for (std::size_t at = 0; (at = css.find("url(", at)) != css.npos;) {
+    const std::size_t end = std::min(css.find_first_of(";}", at), css.size());
+    const std::string_view paint = std::string_view(css).substr(at, end - at);
+    if (referenced_id(paint) != id) {
+      ++at;
+      continue;
+    }
+    const std::string fallback = fallback_color(paint);
+    css.replace(at, end - at,
+                fallback.empty() || fallback.front() == '!' ? "none" + fallback : fallback);
+  }
+  return css;
+}
+
+void replace_paints_in_rules(SvgDocument& document, const std::vector<const xmlNode*>& gradients) {
+  for_each_element(document.root(), [&](xmlNode* node) {
+    if (svg_name(node) != "style") return;
+    for (xmlNode* text = node->children; text; text = text->next) {
+      if (text->type != XML_TEXT_NODE && text->type != XML_CDATA_SECTION_NODE) continue;
+      const std::string css = reinterpret_cast<const char*>(text->content);
+      std::string changed = css;
+      for (const xmlNode* gradient : gradients)
+        changed = without_paint(changed, attribute(gradient, "id").value_or(""));
+      if (changed != css)
+        xmlNodeSetContent(text, reinterpret_cast<const xmlChar*>(changed.c_str()));
+    }
+  });
+}
+
 void remove_unused_gradients(SvgDocument& document) {
-  replace_paints(document, unused_mesh_gradients(document, mesh_objects(document)));
+  const auto unused = unused_mesh_gradients(document, mesh_objects(document));
+  replace_paints(document, unused);
+  replace_paints_in_rules(document, unused);
   // Those that give others their rows become unused after these.
   for (bool goes_on = true; goes_on;) {
     goes_on = false;
