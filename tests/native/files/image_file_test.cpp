@@ -1,7 +1,7 @@
 #include "files/image_file.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <png.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Samples = std::vector<std::uint8_t>;
+
 class ImageFile : public testing::Test {
  protected:
   ImageFile()
@@ -24,22 +26,14 @@ class ImageFile : public testing::Test {
   }
   ~ImageFile() override { fs::remove_all(folder); }
 
-  /// A PNG of one row with these 8-bit samples.
-  fs::path write_row(int channels, const std::vector<std::uint8_t>& samples) const {
-    const fs::path path = folder / "row.png";
-    const auto output = OIIO::ImageOutput::create(path.string());
-    OIIO::ImageSpec spec(int(samples.size()) / channels, 1, channels, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    EXPECT_TRUE(output->open(path.string(), spec));
-    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::UINT8, samples.data()));
-    EXPECT_TRUE(output->close());
-    return path;
+  /// The samples of a PNG file of one row, in base64 without the beginning, which all have.
+  Samples read(const std::string& png) const {
+    write_bytes(folder / "row.png", *base64_bytes("iVBORw0KGgoAAAANSUhEUgAAAA" + png));
+    return interleaved(read_image(folder / "row.png"));
   }
 
   fs::path folder;
 };
-
-using Samples = std::vector<std::uint8_t>;
 
 std::string complaint(const std::function<void()>& action) {
   try {
@@ -61,24 +55,28 @@ TEST_F(ImageFile, opacities_do_not_change_colors) {
   RgbaImage image(2, 1);
   image.set_pixel(0, 0, {200, 100, 50, 0});
   image.set_pixel(1, 0, {10, 20, 30, 128});
-  write_bytes(folder / "a.png", png_bytes(image));
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  const auto input = OIIO::ImageInput::open((folder / "a.png").string(), &config);
-  ASSERT_TRUE(input);
-  ASSERT_EQ(input->spec().nchannels, 4);
+  const std::string bytes = png_bytes(image);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  ASSERT_TRUE(png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()));
+  ASSERT_EQ(png.format, png_uint_32(PNG_FORMAT_RGBA));
   Samples samples(8);
-  ASSERT_TRUE(input->read_image(0, 0, 0, 4, OIIO::TypeDesc::UINT8, samples.data()));
+  ASSERT_TRUE(png_image_finish_read(&png, nullptr, samples.data(), 0, nullptr));
   EXPECT_EQ(samples, (Samples{200, 100, 50, 0, 10, 20, 30, 128}));
 }
 
 TEST_F(ImageFile, other_channels_become_rgb) {
-  EXPECT_EQ(interleaved(read_image(write_row(3, {1, 2, 3}))), (Samples{1, 2, 3}));
-  EXPECT_EQ(interleaved(read_image(write_row(1, {7, 200}))), (Samples{7, 7, 7, 200, 200, 200}));
-  EXPECT_EQ(
-      interleaved(read_image(write_row(4, {10, 20, 30, 255, 10, 20, 30, 0, 0, 100, 255, 51}))),
-      (Samples{10, 20, 30, 255, 255, 255, 204, 224, 255}));
-  EXPECT_EQ(interleaved(read_image(write_row(2, {0, 51, 90, 255}))),
+  // 1, 2, 3 in red, green and blue
+  EXPECT_EQ(read("EAAAABCAIAAACQd1PeAAAADElEQVR42mNgZGIGAAAOAAfpkjfUAAAAAElFTkSuQmCC"),
+            (Samples{1, 2, 3}));
+  // 7 and 200 in grey
+  EXPECT_EQ(read("IAAAABCAAAAADRSSBWAAAAC0lEQVR42mNgPwEAANkA0EQCVdsAAAAASUVORK5CYII="),
+            (Samples{7, 7, 7, 200, 200, 200}));
+  // 10, 20, 30, opaque and transparent; 0, 100, 255 with an alpha of 51
+  EXPECT_EQ(read("MAAAABCAYAAAAb4BS0AAAAE0lEQVR42mPgEpH7D8QMDCn/jQEQcQMOQqTKsAAAAABJRU5ErkJggg=="),
+            (Samples{10, 20, 30, 255, 255, 255, 204, 224, 255}));
+  // 0 in grey with an alpha of 51, opaque 90
+  EXPECT_EQ(read("IAAAABCAQAAABeK7cBAAAADUlEQVR42mNgMI76DwACUQGNGOcKfwAAAABJRU5ErkJggg=="),
             (Samples{204, 204, 204, 90, 90, 90}));
 }
 

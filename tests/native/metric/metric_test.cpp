@@ -1,6 +1,5 @@
 #include "metric/metric.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
@@ -15,6 +14,7 @@
 #include <string>
 
 #include "base/parallel.h"
+#include "files/image_file.h"
 #include "naive_metrics.h"
 
 namespace gradmesh {
@@ -459,19 +459,6 @@ TEST(Metric, accepts_an_image_without_pixels) {
 TEST(Metric, mean_is_summed_in_double) {
   const Plane map(2000, 1500, 0.1F);
   EXPECT_NEAR(mean(map), double(0.1F), 1e-12);
-}
-
-Image read_image(const std::string& path) {
-  const auto file = OIIO::ImageInput::open(path);
-  if (!file) throw std::runtime_error("Cannot read " + path + ": " + OIIO::geterror());
-  Image image(file->spec().width, file->spec().height);
-  std::vector<std::uint8_t> bytes(image.samples.size());
-  if (!file->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, bytes.data())) {
-    throw std::runtime_error("Cannot read " + path + ": " + file->geterror());
-  }
-  for (std::size_t i = 0; i < bytes.size(); ++i)
-    image.samples[i % 3 * image.pixels() + i / 3] = bytes[i];
-  return image;
 }
 
 // Pairs measured with the published programs. Their FLIP adds in float, which alone moves the
