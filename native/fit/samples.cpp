@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "base/per_thread.h"
 #include "geom/hermite.h"
 
 namespace gradmesh {
@@ -40,8 +41,8 @@ std::array<double, 16> basis_products(double u, double v) {
 }
 
 const Samples& samples_of(int rows, int columns) {
-  static thread_local std::array<std::unique_ptr<Samples>, std::size_t(most_samples) * most_samples>
-      made;
+  using Made = std::array<std::unique_ptr<Samples>, std::size_t(most_samples) * most_samples>;
+  Made& made = per_thread<Made>();
   auto& place = made[std::size_t(rows - 1) * most_samples + std::size_t(columns - 1)];
   if (!place) place = std::make_unique<Samples>(make_samples(rows, columns));
   return *place;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/per_thread.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "metric/differences.cpp"
 #include <hwy/foreach_target.h>
@@ -57,7 +59,7 @@ class StripSearch {
 
   void append_to(std::vector<Window>& tiles) const {
     if (seen_.empty()) return;
-    static thread_local std::vector<std::uint8_t> differing;
+    auto& differing = per_thread<std::vector<std::uint8_t>, struct Differing>();
     differing.resize(seen_.width());
     HWY_DYNAMIC_DISPATCH(mark_columns)(a_, b_, seen_, differing.data());
     int begin = 0, end = 0;

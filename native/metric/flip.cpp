@@ -65,6 +65,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "base/parallel.h"
+#include "base/per_thread.h"
 
 namespace gradmesh {
 namespace {
@@ -76,11 +77,6 @@ struct Scratch {
   AppearanceFilter filter;
   AppearanceRows row;
   PaddedRows<float> distance;
-
-  static Scratch& of_this_thread() {
-    static thread_local Scratch scratch;
-    return scratch;
-  }
 };
 
 }  // namespace
@@ -88,14 +84,14 @@ struct Scratch {
 Flip::Flip(Image image) : LocalMetric(std::move(image), appearance_reach) {
   appearance_.reset(reference().window());
   for_each_strip(reference().window(), [&](Window strip) {
-    AppearanceFilter& filter = Scratch::of_this_thread().filter;
+    AppearanceFilter& filter = per_thread<Scratch>().filter;
     filter.read(reference(), reference().window(), strip);
     for (int y = strip.y0; y < strip.y1; ++y) filter.row(y, appearance_.row(0, y));
   });
 }
 
 void Flip::score(const Image& test, Window tile, Plane& map) const {
-  Scratch& scratch = Scratch::of_this_thread();
+  Scratch& scratch = per_thread<Scratch>();
   const Window one_row = {tile.x0, 0, tile.x1, 1};
   scratch.row.reset(one_row);
   scratch.distance.reset(one_row, 1);

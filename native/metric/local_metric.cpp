@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/per_thread.h"
 #include "metric/differences.h"
 
 namespace gradmesh {
@@ -36,7 +37,7 @@ void for_each_strip(Window window, const std::function<void(Window)>& body) {
 
 void LocalMetric::score_near_differences(const Image& test, Window window, Plane& map) const {
   // Kept from call to call, as there may be hundreds of thousands of calls.
-  static thread_local std::vector<Window> tiles;
+  auto& tiles = per_thread<std::vector<Window>, struct TilesOfCall>();
   tiles.clear();
   append_tiles_near_differences(reference_, test, around(window, reach_), window, reach_,
                                 strip_height, tiles);
@@ -62,7 +63,7 @@ double LocalMetric::update_map(const Image& before, const Image& test, Window ch
       !covers(map, measured)) {
     throw std::invalid_argument("The images do not cover what the change reaches.");
   }
-  static thread_local std::vector<Window> tiles;
+  auto& tiles = per_thread<std::vector<Window>, struct TilesOfUpdate>();
   tiles.clear();
   append_tiles_near_differences(before, test, changed, measured, reach_, step_height, tiles);
   double old_sum = 0;
@@ -70,12 +71,12 @@ double LocalMetric::update_map(const Image& before, const Image& test, Window ch
   // The largest tiles are scored first, as they soonest show that the sum rises too much; the sums
   // are added from top to bottom all the same. No distance is negative, so a sum that is still 0
   // takes nothing back.
-  static thread_local std::vector<double> sums;
+  auto& sums = per_thread<std::vector<double>, struct Sums>();
   sums.assign(tiles.size(), 0);
-  static thread_local std::vector<std::size_t> order;
+  auto& order = per_thread<std::vector<std::size_t>, struct Order>();
   order.resize(tiles.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::ranges::sort(order, [](std::size_t i, std::size_t j) {
+  std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
     const int area_i = area(tiles[i]), area_j = area(tiles[j]);
     return area_i != area_j ? area_i > area_j : i < j;
   });

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/per_thread.h"
 #include "metric/padded_rows.h"
 #include "metric/ssim_taps.h"
 
@@ -20,7 +21,7 @@ constexpr int byte_centre = 128;
 /// The number of rows for which columns are filtered at a time; these share most of their input.
 constexpr int rows_at_once = 4;
 
-/// Buffers for one tile.
+/// Buffers for one tile. Each thread keeps its own, as there may be hundreds of thousands of tiles.
 struct Scratch {
   PaddedRows<float> planes, columns;
 
@@ -269,26 +270,19 @@ namespace {
 HWY_EXPORT(find_moments);
 HWY_EXPORT(add_channels);
 
-/// Returns the buffers of this thread, which keeps them, as there may be hundreds of thousands of
-/// tiles.
-Scratch& scratch_of_this_thread() {
-  static thread_local Scratch scratch;
-  return scratch;
-}
-
 }  // namespace
 
 Ssim::Ssim(Image image) : LocalMetric(std::move(image), radius) {
   moments_.reset(reference().window(), 2 * channels);
   for_each_strip(reference().window(), [&](Window strip) {
-    HWY_DYNAMIC_DISPATCH(find_moments)(reference(), strip, scratch_of_this_thread(), moments_);
+    HWY_DYNAMIC_DISPATCH(find_moments)(reference(), strip, per_thread<Scratch>(), moments_);
   });
 }
 
 void Ssim::score(const Image& test, Window tile, Plane& map) const {
-  static thread_local PaddedRows<float> distances;
+  auto& distances = per_thread<PaddedRows<float>, struct Distances>();
   HWY_DYNAMIC_DISPATCH(add_channels)
-  (test, reference(), moments_, tile, scratch_of_this_thread(), distances);
+  (test, reference(), moments_, tile, per_thread<Scratch>(), distances);
   for (int y = tile.y0; y < tile.y1; ++y) {
     const float* sums = distances.row(0, y);
     std::transform(sums, sums + tile.width(), map.at(tile.x0, y),
