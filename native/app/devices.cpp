@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/utf8_path.h"
 #include "files/atomic_file.h"
 #include "mesh/build.h"
 #include "simplify/simplify.h"
@@ -96,7 +97,7 @@ Speed measure(RunOptions options) {
 std::filesystem::path speeds_file() {
   const auto variable = [](const char* key) {
     const char* const value = std::getenv(key);
-    return std::filesystem::path(value ? value : "");
+    return utf8_path(value ? value : "");
   };
   std::filesystem::path folder = variable("XDG_CACHE_HOME");
 #ifdef _WIN32

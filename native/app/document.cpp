@@ -6,6 +6,7 @@
 #include "app/common_frames.h"
 #include "app/devices.h"
 #include "base/limits.h"
+#include "base/utf8_path.h"
 #include "files/atomic_file.h"
 #include "files/zip.h"
 #include "form/handles.h"
@@ -68,7 +69,7 @@ std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::str
     document->compressed_ = bytes;
     return document;
   }
-  return format_of_content(bytes, name).read(bytes, name);
+  return format_of_content(bytes, utf8_path(name)).read(bytes, name);
 }
 
 Frame Document::frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const {

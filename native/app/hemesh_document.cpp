@@ -1,5 +1,6 @@
 #include "app/hemesh_document.h"
 
+#include "base/utf8_path.h"
 #include "formats/hemesh/read_hemesh.h"
 #include "formats/hemesh/write_hemesh.h"
 #include "formats/text/excerpt.h"
@@ -49,7 +50,7 @@ std::vector<MeshEntry> HemeshDocument::selected(const std::vector<std::string>& 
 }
 
 std::string HemeshDocument::title(const MeshEntry&) const {
-  return std::filesystem::path(name()).stem().string();
+  return utf8_path(name()).stem().string();
 }
 
 std::shared_ptr<const WritingRules> HemeshDocument::rules(const MeshEntry&, bool) const {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "app/common_frames.h"
+#include "base/utf8_path.h"
 #include "files/atomic_file.h"
 #include "raster/hidden.h"
 
@@ -69,7 +70,7 @@ void price(Report& report, const RunOptions& options) {
   if (fits(report.run)) report.fitted = analyze_fits(mesh, options, report.regions);
 }
 
-std::filesystem::path path_of(const Document& document) { return document.name(); }
+std::filesystem::path path_of(const Document& document) { return utf8_path(document.name()); }
 
 }  // namespace
 

@@ -10,7 +10,8 @@ namespace gradmesh {
 namespace {
 
 struct AnalyzeArguments {
-  std::string in, original, metric = "flip", renderer = name(Renderer::automatic);
+  std::filesystem::path in, original;
+  std::string metric = "flip", renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
   AnalysisPaths analyses;
@@ -37,8 +38,8 @@ void add_analyze(CLI::App& program) {
   const auto a = std::make_shared<AnalyzeArguments>();
   CLI::App& command = *program.add_subcommand(
       "analyze", "Work out what merging single edges and regions costs, for later runs");
-  command.add_option("IN", a->in, any_document())->required();
-  command.add_option("-o,--output", a->analyses.save, "Where to write the analysis")->required();
+  add_path(command, "IN", a->in, any_document())->required();
+  add_path(command, "-o,--output", a->analyses.save, "Where to write the analysis")->required();
   add_original_option(command, a->original);
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()
@@ -47,8 +48,8 @@ void add_analyze(CLI::App& program) {
   add_metric_option(command, a->metric);
   add_epsilon_option(command, a->options.epsilon);
   add_resolution_option(command, a->options.resolution);
-  command.add_option("--load-analysis", a->analyses.load,
-                     "Take prices from this file, which an earlier run has saved");
+  add_path(command, "--load-analysis", a->analyses.load,
+           "Take prices from this file, which an earlier run has saved");
   add_threads_option(command, a->options.threads);
   add_renderer_option(command, a->renderer);
   command.add_flag("--quiet", a->quiet, "Print nothing");

@@ -4,6 +4,7 @@
 
 #include "app/devices.h"
 #include "base/limits.h"
+#include "base/utf8_path.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
@@ -31,12 +32,18 @@ void add_resolution_option(CLI::App& command, int& resolution) {
       ->capture_default_str();
 }
 
-void add_original_option(CLI::App& command, std::string& original) {
-  command.add_option("--original", original,
-                     "Measure against the mesh of this file, of the same id or the only one");
+CLI::Option* add_path(CLI::App& command, const std::string& names, std::filesystem::path& path,
+                      const std::string& description) {
+  return command.add_option_function<std::string>(
+      names, [&path](const std::string& text) { path = utf8_path(text); }, description);
 }
 
-std::unique_ptr<Document> take_original(const std::string& original, Document& document) {
+void add_original_option(CLI::App& command, std::filesystem::path& original) {
+  add_path(command, "--original", original,
+           "Measure against the mesh of this file, of the same id or the only one");
+}
+
+std::unique_ptr<Document> take_original(const std::filesystem::path& original, Document& document) {
   if (original.empty()) return nullptr;
   std::unique_ptr<Document> other = Document::read_file(original);
   document.measure_against(other.get());
@@ -95,9 +102,9 @@ void say_without_device(const std::string& reason) {
 }
 
 void add_analysis_options(CLI::App& command, AnalysisPaths& analyses) {
-  command.add_option("--load-analysis", analyses.load,
-                     "Take prices from this file, which an earlier run has saved");
-  command.add_option("--save-analysis", analyses.save, "Save all prices that were used");
+  add_path(command, "--load-analysis", analyses.load,
+           "Take prices from this file, which an earlier run has saved");
+  add_path(command, "--save-analysis", analyses.save, "Save all prices that were used");
 }
 
 }  // namespace gradmesh

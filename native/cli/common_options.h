@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -29,11 +30,14 @@ void add_renderer_option(CLI::App& command, std::string& renderer);
 void take_renderer(const std::string& renderer, RunOptions& options);
 /// Says in one line on stderr that the run goes on without a device.
 void say_without_device(const std::string& reason);
+/// Adds an option that names a file.
+CLI::Option* add_path(CLI::App& command, const std::string& names, std::filesystem::path& path,
+                      const std::string& description);
 /// Adds --original.
-void add_original_option(CLI::App& command, std::string& original);
+void add_original_option(CLI::App& command, std::filesystem::path& original);
 /// Lets `document` be measured against the file `original`, unless that is empty. Returns the
 /// document of the file, which must outlive the runs.
-std::unique_ptr<Document> take_original(const std::string& original, Document& document);
+std::unique_ptr<Document> take_original(const std::filesystem::path& original, Document& document);
 /// Adds --load-analysis and --save-analysis.
 void add_analysis_options(CLI::App& command, AnalysisPaths& analyses);
 

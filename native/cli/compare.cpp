@@ -11,17 +11,18 @@ namespace gradmesh {
 namespace {
 
 struct CompareArguments {
-  std::string a, b, metric = "flip";
+  std::filesystem::path a, b;
+  std::string metric = "flip";
   int resolution = 700;
 };
 
 /// The only mesh of a document.
 struct OnlyMesh {
-  explicit OnlyMesh(const std::string& path) : document(Document::read_file(path)) {
+  explicit OnlyMesh(const std::filesystem::path& path) : document(Document::read_file(path)) {
     const auto found = document->selected({});
     if (found.size() > 1)
       throw InputError("{0}: there are {1} meshes, but a document to be compared must hold one.",
-                       path, found.size());
+                       path.string(), found.size());
     seen = {document.get(), found.front(), document->mesh(found.front())};
   }
 
@@ -43,7 +44,7 @@ Pair paint_both(const OnlyMesh& a, const OnlyMesh& b, int resolution) {
 }
 
 /// Returns the two pictures. A document beside an image is painted as large as the image.
-Pair pictures(const std::string& a, const std::string& b, int resolution) {
+Pair pictures(const std::filesystem::path& a, const std::filesystem::path& b, int resolution) {
   if (format_of(a) && format_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b), resolution);
   if (format_of(a)) {
     const Image second = read_image(b);
@@ -56,7 +57,7 @@ Pair pictures(const std::string& a, const std::string& b, int resolution) {
 void run_compare(const CompareArguments& args) {
   const auto [first, second] = pictures(args.a, args.b, args.resolution);
   if (first.width != second.width || first.height != second.height)
-    throw InputError("{0} and {1} are not of one size.", args.a, args.b);
+    throw InputError("{0} and {1} are not of one size.", args.a.string(), args.b.string());
   std::printf("%.6f\n", mean(make_metric(metric_named(args.metric), first)->map(second)));
 }
 
@@ -67,8 +68,8 @@ void add_compare(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "compare",
       "Print the error between two pictures: images of one size, or documents of one mesh each");
-  command.add_option("A", a->a, "Image, " + any_document() + "; the reference")->required();
-  command.add_option("B", a->b, "Image, " + any_document())->required();
+  add_path(command, "A", a->a, "Image, " + any_document() + "; the reference")->required();
+  add_path(command, "B", a->b, "Image, " + any_document())->required();
   add_metric_option(command, a->metric);
   add_resolution_option(command, a->resolution);
   command.callback([a] { run_compare(*a); });

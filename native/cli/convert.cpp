@@ -10,15 +10,16 @@ namespace gradmesh {
 namespace {
 
 struct ConvertArguments {
-  std::string in, out, id, metric = "flip";
+  std::filesystem::path in, out;
+  std::string id, metric = "flip";
   ConvertOptions options;
 };
 
 void run_convert(ConvertArguments& a) {
   const Format* format = format_of(a.out);
   if (!format)
-    throw std::invalid_argument(a.out + " must end in " + formats_in_words(&Format::extension) +
-                                ".");
+    throw std::invalid_argument(a.out.string() + " must end in " +
+                                formats_in_words(&Format::extension) + ".");
   a.options.metric = metric_named(a.metric);
   const std::unique_ptr<Document> from = Document::read_file(a.in);
   const MeshEntry entry = one_mesh(*from, a.id);
@@ -38,11 +39,9 @@ void add_convert(CLI::App& program) {
   const auto a = std::make_shared<ConvertArguments>();
   CLI::App& command =
       *program.add_subcommand("convert", "Make an SVG document of a .hemesh file, or the reverse");
-  command.add_option("IN", a->in, any_document())->required();
-  command
-      .add_option(
-          "OUT", a->out,
-          "Its extension, " + formats_in_words(&Format::extension) + ", says what it becomes")
+  add_path(command, "IN", a->in, any_document())->required();
+  add_path(command, "OUT", a->out,
+           "Its extension, " + formats_in_words(&Format::extension) + ", says what it becomes")
       ->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
   CLI::Option* subdivide =

@@ -9,7 +9,8 @@ namespace gradmesh {
 namespace {
 
 struct DevicesArguments {
-  std::string in, metric = "flip";
+  std::filesystem::path in;
+  std::string metric = "flip";
   std::vector<std::string> ids;
   RunOptions options;
 };
@@ -64,7 +65,7 @@ void add_devices(CLI::App& program) {
   const auto a = std::make_shared<DevicesArguments>();
   CLI::App& command = *program.add_subcommand(
       "devices", "List the graphics processors that EGL offers, and which --renderer auto takes");
-  command.add_option("IN", a->in, "Tell it for the meshes of this " + any_document());
+  add_path(command, "IN", a->in, "Tell it for the meshes of this " + any_document());
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()
       ->expected(1);

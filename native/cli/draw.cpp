@@ -9,7 +9,8 @@ namespace gradmesh {
 namespace {
 
 struct DrawArguments {
-  std::string in, out, id, show, metric = "flip", region;
+  std::filesystem::path in, out;
+  std::string id, show, metric = "flip", region;
   DrawOptions options;
   AnalysisPaths analyses;
   bool no_picture = false, quiet = false;
@@ -44,8 +45,8 @@ void run_draw(DrawArguments& a) {
 void add_draw(CLI::App& program) {
   const auto a = std::make_shared<DrawArguments>();
   CLI::App& command = *program.add_subcommand("draw", "Draw a mesh and what is known about it");
-  command.add_option("IN", a->in, any_document())->required();
-  command.add_option("-o,--output", a->out, "SVG document")->required();
+  add_path(command, "IN", a->in, any_document())->required();
+  add_path(command, "-o,--output", a->out, "SVG document")->required();
   command
       .add_option("--show", a->show,
                   "edges: curves, points, handles. faces: patches and their numbers. errors: of "

@@ -10,7 +10,7 @@ namespace gradmesh {
 namespace {
 
 struct InfoArguments {
-  std::string in;
+  std::filesystem::path in;
   bool as_json = false;
 };
 
@@ -47,7 +47,7 @@ void run_info(const InfoArguments& a) {
 void add_info(CLI::App& program) {
   const auto a = std::make_shared<InfoArguments>();
   CLI::App& command = *program.add_subcommand("info", "List the meshes of a document");
-  command.add_option("IN", a->in, any_document())->required();
+  add_path(command, "IN", a->in, any_document())->required();
   command.add_flag("--json", a->as_json,
                    "Print JSON, with all points, handles, faces and half-edges");
   command.callback([a] { run_info(*a); });

@@ -1,19 +1,37 @@
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
 
 namespace gradmesh {
 namespace {
 
-int run(int argc, char** argv) {
+/// Returns the arguments in UTF-8, as all texts inside are, and the last one first, as CLI11 takes
+/// them.
+template <class Character>
+std::vector<std::string> in_utf8(int argc, Character** argv) {
+  std::vector<std::string> arguments;
+  for (int i = argc - 1; i > 0; --i) {
+    const std::u8string text = std::filesystem::path(argv[i]).u8string();
+    arguments.emplace_back(text.begin(), text.end());
+  }
+  return arguments;
+}
+
+template <class Character>
+int run(int argc, Character** argv) {
   CLI::App program(
       "Takes needless handles and patches out of gradient meshes, without visible change.",
       "gradmesh");
   program.set_version_flag("--version", GRADMESH_VERSION);
   program.require_subcommand(1);
+  // A path may begin with a slash on Windows, too.
+  program.allow_windows_style_options(false);
   try {
     add_info(program);
     add_devices(program);
@@ -27,7 +45,7 @@ int run(int argc, char** argv) {
     add_update(program);
     add_publish(program);
     add_helper(program);
-    program.parse(argc, argv);
+    program.parse(in_utf8(argc, argv));
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {
@@ -46,7 +64,12 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace gradmesh
 
+#ifdef _WIN32
+// The arguments of main() are in the system's code page there, which lacks most letters.
+int wmain(int argc, wchar_t** argv) {
+#else
 int main(int argc, char** argv) {
+#endif
   try {
     return gradmesh::run(argc, argv);
   } catch (...) {

@@ -9,7 +9,8 @@ namespace gradmesh {
 namespace {
 
 struct RenderArguments {
-  std::string in, out, id, framed_as;
+  std::filesystem::path in, out, framed_as;
+  std::string id;
   int resolution = 700;
   std::string renderer = name(Renderer::automatic);
   bool like_inkscape = false;
@@ -45,12 +46,11 @@ void run_render(const RenderArguments& a) {
 void add_render(CLI::App& program) {
   const auto a = std::make_shared<RenderArguments>();
   CLI::App& command = *program.add_subcommand("render", "Paint a mesh to a PNG image");
-  command.add_option("IN", a->in, any_document())->required();
-  command.add_option("-o,--output", a->out, "PNG image")->required();
+  add_path(command, "IN", a->in, any_document())->required();
+  add_path(command, "-o,--output", a->out, "PNG image")->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
-  command.add_option(
-      "--framed-as", a->framed_as,
-      "Paint it where this document's mesh would be, of the same id or the only one");
+  add_path(command, "--framed-as", a->framed_as,
+           "Paint it where this document's mesh would be, of the same id or the only one");
   add_resolution_option(command, a->resolution);
   add_renderer_option(command, a->renderer);
   command.add_flag("--like-inkscape", a->like_inkscape,

@@ -12,8 +12,8 @@ namespace gradmesh {
 namespace {
 
 struct ReportArguments {
-  std::string before, after, out, id, original, metric = "flip",
-                                                renderer = name(Renderer::automatic);
+  std::filesystem::path before, after, out, original;
+  std::string id, metric = "flip", renderer = name(Renderer::automatic);
   double epsilon = RunOptions().epsilon;
   int resolution = RunOptions().resolution;
   ReportOptions options;
@@ -43,14 +43,13 @@ void add_report(CLI::App& program) {
   const auto a = std::make_shared<ReportArguments>();
   CLI::App& command = *program.add_subcommand(
       "report", "Make a page that shows a mesh before and after its simplification");
-  command.add_option("BEFORE", a->before, any_document())->required();
-  command.add_option("AFTER", a->after, "The same, simplified")->required();
-  command.add_option("-o,--output", a->out, "HTML page")->required();
+  add_path(command, "BEFORE", a->before, any_document())->required();
+  add_path(command, "AFTER", a->after, "The same, simplified")->required();
+  add_path(command, "-o,--output", a->out, "HTML page")->required();
   command.add_option("--id", a->id, "Which mesh, where there are several");
-  command.add_option(
-      "--run", a->options.run,
-      "What simplify --report wrote: gives the page the options of the run, and this "
-      "command their values");
+  add_path(command, "--run", a->options.run,
+           "What simplify --report wrote: gives the page the options of the run, and this "
+           "command their values");
   add_original_option(command, a->original);
   add_color_model_option(command, a->options.pricing.color_model);
   add_metric_option(command, a->metric);

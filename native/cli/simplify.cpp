@@ -13,8 +13,8 @@ namespace gradmesh {
 namespace {
 
 struct SimplifyArguments {
-  std::string in, out, original, report, count, metric = "flip",
-                                                renderer = name(Renderer::automatic);
+  std::filesystem::path in, out, original, report;
+  std::string count, metric = "flip", renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
   AnalysisPaths analyses;
@@ -87,7 +87,7 @@ void run_simplify(SimplifyArguments& a) {
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty())
-    write_bytes(a.report, report_json(reports, a.options, a.original).dump(2) + "\n");
+    write_bytes(a.report, report_json(reports, a.options, a.original.string()).dump(2) + "\n");
   if (!a.preview) document->write_file(a.out);
   tell_refused(reports);
   if (!a.quiet) print_results(reports, a.options);
@@ -120,9 +120,9 @@ void add_simplify(CLI::App& program) {
   const auto a = std::make_shared<SimplifyArguments>();
   CLI::App& command =
       *program.add_subcommand("simplify", "Take out handles and patches while the error allows it");
-  command.add_option("IN", a->in, any_document())->required();
+  add_path(command, "IN", a->in, any_document())->required();
   CLI::App& target = *command.add_option_group("Output")->require_option(1);
-  target.add_option("-o,--output", a->out, "Where to write the document");
+  add_path(target, "-o,--output", a->out, "Where to write the document");
   target.add_flag("--preview", a->preview,
                   "Write no document, only say what would become of the meshes");
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
@@ -162,7 +162,7 @@ void add_simplify(CLI::App& program) {
   add_threads_option(command, a->options.threads);
   add_renderer_option(command, a->renderer);
   add_analysis_options(command, a->analyses);
-  command.add_option("--report", a->report, "Write a report as JSON");
+  add_path(command, "--report", a->report, "Write a report as JSON");
   command.add_flag("--keep-original", a->writing.keep_original,
                    "SVG: leave a hidden copy of each object as it was below the result");
   command.add_flag("!--forget-original", a->writing.remember_original,

@@ -2,12 +2,13 @@
 
 #include "app/document.h"
 #include "cli/commands.h"
+#include "cli/common_options.h"
 
 namespace gradmesh {
 namespace {
 
 struct UpdateArguments {
-  std::string in, out;
+  std::filesystem::path in, out;
   std::vector<std::string> ids;
   bool quiet = false;
 };
@@ -29,8 +30,8 @@ void add_update(CLI::App& program) {
   const auto a = std::make_shared<UpdateArguments>();
   CLI::App& command = *program.add_subcommand(
       "update", "Make simplified meshes fit together again after their blocks were edited");
-  command.add_option("IN", a->in, "SVG document")->required();
-  command.add_option("-o,--output", a->out, "Where to write the document")->required();
+  add_path(command, "IN", a->in, "SVG document")->required();
+  add_path(command, "-o,--output", a->out, "Where to write the document")->required();
   command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
       ->take_all()
       ->expected(1);

@@ -1,13 +1,13 @@
 #include <png.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
 #include "base/limits.h"
+#include "base/utf8_path.h"
 #include "files/image_codec.h"
 #include "files/image_module.h"
 
@@ -26,8 +26,7 @@ class PngImage {
 };
 
 std::string read(const std::string& path, Image& image) {
-  std::ifstream file(std::filesystem::path(std::u8string(path.begin(), path.end())),
-                     std::ios::binary);
+  std::ifstream file(utf8_path(path), std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file) return "it cannot be read";
   PngImage png;

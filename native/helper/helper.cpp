@@ -10,6 +10,7 @@
 #include <ostream>
 #include <thread>
 
+#include "base/utf8_path.h"
 #include "helper/wire.h"
 #include "service/service.h"
 
@@ -129,9 +130,8 @@ Json ask(Inbox& in, Outbox& out, const Json& question) {
 /// Makes relative paths begin where they begin for the caller. A folder that is gone is none.
 void go_to_folder(const Json& request) {
   if (!request.is_object() || !request.contains("folder") || !request["folder"].is_string()) return;
-  const std::string folder = request["folder"];
   std::error_code gone;
-  std::filesystem::current_path(std::u8string(folder.begin(), folder.end()), gone);
+  std::filesystem::current_path(utf8_path(request["folder"].get<std::string>()), gone);
 }
 
 }  // namespace

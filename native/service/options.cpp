@@ -1,13 +1,14 @@
 #include "service/options.h"
 
 #include "app/devices.h"
+#include "base/utf8_path.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
 
 std::filesystem::path path_argument(const Call& call, const std::string& name) {
   const std::string path = call.get<std::optional<std::string>>(name).value_or("");
-  return std::filesystem::path(std::u8string(path.begin(), path.end()));
+  return utf8_path(path);
 }
 
 RunOptions pricing_options(const Call& call) {
