@@ -32,19 +32,28 @@ bool allocation_fails() {
   return true;
 }
 
+#ifdef _WIN32
+void* allocate_aligned(std::size_t size, std::size_t alignment) {
+  return _aligned_malloc(size, alignment);
+}
+void free_aligned(void* memory) { _aligned_free(memory); }
+#else
+void* allocate_aligned(std::size_t size, std::size_t alignment) {
+  return std::aligned_alloc(alignment, (size + alignment - 1) & ~(alignment - 1));
+}
+void free_aligned(void* memory) { std::free(memory); }
+#endif
+
 void* allocate(std::size_t size, std::size_t alignment) {
   if (allocation_fails()) throw std::bad_alloc();
-  void* const memory =
-      alignment <= alignof(std::max_align_t)
-          ? std::malloc(size ? size : 1)
-          : std::aligned_alloc(alignment, (size + alignment - 1) & ~(alignment - 1));
+  void* const memory = alignment ? allocate_aligned(size, alignment) : std::malloc(size ? size : 1);
   if (!memory) throw std::bad_alloc();
   return memory;
 }
 
 }  // namespace
 
-void* operator new(std::size_t size) { return allocate(size, 1); }
+void* operator new(std::size_t size) { return allocate(size, 0); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, std::size_t(alignment));
 }
@@ -54,8 +63,8 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { free_aligned(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { free_aligned(memory); }
 
 namespace gradmesh {
 namespace {
