@@ -309,6 +309,24 @@ def test_files_that_cannot_be_read_or_written(fruit):
     assert files(fruit.parent) == before
 
 
+def test_files_of_any_name(tmp_path):
+    folder = tmp_path.joinpath("Jörg Müller", *["ein Ordner mit langem Namen, один или 日本"] * 6)
+    folder.mkdir(parents=True)
+    fruit, fewer, picture = (folder / name for name in ("Früchte.svg", "wenig ö.svg", "ä.png"))
+    assert len(str(fruit)) > 260
+    fruit.write_bytes((SAMPLES / "fruit.svg").read_bytes())
+    report, page = folder / "ü.json", folder / "ß.html"
+    done = gradmesh("simplify", fruit, "-o", fewer, *QUICK, "--report", report, "--original", fruit)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads(report.read_text(encoding="utf-8"))["meshes"][0]["original"] == str(fruit)
+    assert gradmesh("report", fruit, fewer, "-o", page, "--resolution", 64, "--id", "pear").returncode == 0
+    assert "Früchte.svg" in page.read_text(encoding="utf-8")
+    assert gradmesh("render", fewer, "-o", picture, "--id", "pear").returncode == 0
+    assert gradmesh("compare", picture, picture).stdout == "0.000000\n"
+    assert len(files(folder)) == 5
+    assert "/ä.svg cannot be read" in refused(gradmesh("info", folder / "ä.svg"))
+
+
 def test_compressed_documents(tmp_path, fruit):
     plain, packed = tmp_path / "plain.svg", tmp_path / "packed.svgz"
     quick = ("--id", "pear", *QUICK)

@@ -240,6 +240,16 @@ def test_relative_paths_begin_where_python_is(use, tmp_path, monkeypatch):
         gradmesh.load("missing.svg")
 
 
+def test_files_of_any_name(use, tmp_path):
+    use(PROGRAM)
+    folder = tmp_path.joinpath("Jörg Müller", *["ein Ordner mit langem Namen, один или 日本"] * 6)
+    folder.mkdir(parents=True)
+    copy = folder / "Früchte.svg"
+    gradmesh.save(gradmesh.load(TWO), copy)
+    assert len(str(copy)) > 260 and copy.read_bytes() == TWO.read_bytes()
+    assert gradmesh.load(copy).ids == ["stalk", "cap"]
+
+
 def test_a_callback_cannot_ask_for_more(use):
     use(PROGRAM)
     document = gradmesh.load(TWO)
