@@ -1,6 +1,7 @@
 #include "helper/helper.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <chrono>
 #include <istream>
@@ -19,6 +20,11 @@ using test::parse_request;
 using test::request;
 using test::sample;
 using test::simplify_request;
+
+/// Keeps TBB's threads until the program ends. Otherwise they end with the thread of a helper, and
+/// with MinGW that one and they have been seen to wait for each other, in what threads do at their
+/// end. The program has its helper on the main thread.
+const tbb::task_scheduler_handle tbb_threads{tbb::attach{}};
 
 /// A helper on a thread of its own, as its caller sees it. Who ends it during a call ends the
 /// program, as the helper's caller has gone.
