@@ -4,12 +4,13 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/common_options.h"
 
 namespace gradmesh {
 namespace {
 
 struct PublishArguments {
-  std::string in, out;
+  std::filesystem::path in, out;
   PublishOptions options;
   bool quiet = false;
 };
@@ -33,7 +34,9 @@ void run_publish(const PublishArguments& a) {
     else if (!a.quiet)
       print(mesh);
   }
-  if (!a.quiet) std::printf("%s: %zu bytes\n", a.out.c_str(), std::size_t(std::filesystem::file_size(a.out)));
+  if (!a.quiet)
+    std::printf("%s: %zu bytes\n", a.out.string().c_str(),
+                std::size_t(std::filesystem::file_size(a.out)));
 }
 
 }  // namespace
@@ -42,8 +45,8 @@ void add_publish(CLI::App& program) {
   const auto a = std::make_shared<PublishArguments>();
   CLI::App& command = *program.add_subcommand(
       "publish", "Make a copy for programs without mesh gradients, such as browsers");
-  command.add_option("IN", a->in, "SVG document")->required();
-  command.add_option("-o,--output", a->out, "Where to write the copy")->required();
+  add_path(command, "IN", a->in, "SVG document")->required();
+  add_path(command, "-o,--output", a->out, "Where to write the copy")->required();
   command
       .add_option("--scale", a->options.scale,
                   "Pixels of the pictures for each pixel of the document")
