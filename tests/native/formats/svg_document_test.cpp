@@ -194,6 +194,9 @@ TEST(SvgDocument, keeps_what_it_does_not_know) {
 }
 
 TEST(SvgDocument, can_be_read_again_whatever_its_encoding) {
+#ifdef _WIN32
+  GTEST_SKIP() << "libxml2 is built without iconv there.";
+#endif
   for (const std::string encoding : {"UTF-7", "windows-1252", "KOI8-R", "ISO-8859-15", "ASCII"}) {
     const std::string text =
         "<?xml version=\"1.0\" encoding=\"" + encoding + "\"?>\n" + head + "<g id=\"a\"/></svg>\n";
@@ -252,19 +255,10 @@ TEST_F(SvgFile, external_entities_are_not_loaded) {
 TEST_F(SvgFile, writes_whole_file_or_nothing) {
   const fs::path path = folder / "drawing.svg";
   write_bytes(path, head + "<rect/></svg>");
-  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
   SvgDocument document = SvgDocument::read_file(path);
   document.write_file(path);
   EXPECT_EQ(read_bytes(path), document.serialize());
-  EXPECT_EQ(fs::status(path).permissions(),
-            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
   EXPECT_EQ(entries(), 1u);
-
-  const fs::path link = folder / "link.svg";
-  fs::create_symlink(path, link);
-  document.write_file(link);
-  EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_EQ(entries(), 2u);
 
   const fs::path nowhere = folder / "missing" / "drawing.svg";
   EXPECT_EQ(complaint([&] { document.write_file(nowhere); }),
@@ -275,6 +269,23 @@ TEST_F(SvgFile, writes_whole_file_or_nothing) {
             nowhere.string() + " cannot be read: No such file or directory.");
   EXPECT_EQ(complaint([&] { SvgDocument::read_file(folder); }),
             folder.string() + " cannot be read: Is a directory.");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(SvgFile, keeps_permissions_and_links) {
+#ifdef _WIN32
+  GTEST_SKIP() << "There are no such permissions, and not everybody may make links.";
+#endif
+  const fs::path path = folder / "drawing.svg", link = folder / "link.svg";
+  write_bytes(path, head + "<rect/></svg>");
+  constexpr fs::perms some = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
+  fs::permissions(path, some);
+  fs::create_symlink(path, link);
+  const SvgDocument document = SvgDocument::read_file(path);
+  document.write_file(link);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(read_bytes(path), document.serialize());
+  EXPECT_EQ(fs::status(path).permissions(), some);
   EXPECT_EQ(entries(), 2u);
 }
 
