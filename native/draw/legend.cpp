@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/power_of_ten.h"
 #include "formats/text/number.h"
 
 namespace gradmesh {
@@ -121,9 +122,9 @@ void Legend::scale(const HeatScale& scale, double least) {
   tick(0, least < scale.lowest() ? subject_.say(Message("{0} and less", lowest)) : lowest);
   const int first = int(std::ceil(std::log10(scale.lowest())));
   for (int power = first; power < std::log10(scale.highest()); ++power) {
-    const double position = scale.position(std::pow(10, power));
+    const double position = scale.position(power_of_ten(power));
     // The ends have their own numbers, which must stay legible.
-    if (position > 0.08 && position < 0.92) tick(position, short_number(std::pow(10, power)));
+    if (position > 0.08 && position < 0.92) tick(position, short_number(power_of_ten(power)));
   }
   y_ = top + height + 0.5 * line_height();
   text(subject_.say(Message("Least: {0}", short_number(least))));

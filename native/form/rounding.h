@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
+#include "base/power_of_ten.h"
+
 namespace gradmesh {
 
 /// Returns the largest power of ten that is at most `most` and at most 1: a step for coordinates
@@ -11,7 +13,7 @@ namespace gradmesh {
 /// digits are shorter.
 inline double decimal_step(double most) {
   constexpr double least = 1e-9;
-  return most < least ? 0 : std::pow(10.0, std::min(0.0, std::floor(std::log10(most) + 1e-9)));
+  return most < least ? 0 : power_of_ten(std::min(0, int(std::floor(std::log10(most) + 1e-9))));
 }
 
 /// Returns the multiple of a decimal step that is nearest; upwards where two are, up to the last

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "base/power_of_ten.h"
 #include "form/handles.h"
 #include "form/written_patch.h"
 #include "geom/box.h"
@@ -80,12 +81,12 @@ std::int64_t levels_of(const std::vector<PatchGrid>& grids, int channel) {
 
 double Step::times(double steps) const {
   if (!is_decimal) return std::ldexp(steps, exponent);
-  return exponent < 0 ? steps / std::pow(10.0, -exponent) : steps * std::pow(10.0, exponent);
+  return exponent < 0 ? steps / power_of_ten(-exponent) : steps * power_of_ten(exponent);
 }
 
 double Step::count(double number) const {
   if (!is_decimal) return std::ldexp(number, -exponent);
-  return exponent < 0 ? number * std::pow(10.0, -exponent) : number / std::pow(10.0, exponent);
+  return exponent < 0 ? number * power_of_ten(-exponent) : number / power_of_ten(exponent);
 }
 
 double Step::noise() const {

@@ -1,10 +1,10 @@
 #include "formats/svg/read/written_gradient.h"
 
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 
 #include "base/hash.h"
+#include "base/power_of_ten.h"
 #include "formats/svg/read/read_group.h"
 #include "formats/svg/read/read_mesh.h"
 #include "formats/svg/xml/node.h"
@@ -64,7 +64,7 @@ bool is_as_written(const SvgDocument& document, const MeshObject& object) {
       std::from_chars(written->data(), written->data() + written->size(), exponent);
   constexpr int finest = -9;
   if (error != std::errc{} || exponent > 0 || exponent < finest) return false;
-  return gradient_fingerprint(document, object.gradient, std::pow(10.0, exponent)) == *written;
+  return gradient_fingerprint(document, object.gradient, power_of_ten(exponent)) == *written;
 }
 
 }  // namespace gradmesh
