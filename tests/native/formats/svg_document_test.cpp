@@ -267,8 +267,10 @@ TEST_F(SvgFile, writes_whole_file_or_nothing) {
             folder.string() + " cannot be written: it is not a regular file.");
   EXPECT_EQ(complaint([&] { SvgDocument::read_file(nowhere); }),
             nowhere.string() + " cannot be read: No such file or directory.");
-  EXPECT_EQ(complaint([&] { SvgDocument::read_file(folder); }),
-            folder.string() + " cannot be read: Is a directory.");
+  // Why is in the system's words.
+  EXPECT_TRUE(complaint([&] {
+                SvgDocument::read_file(folder);
+              }).starts_with(folder.string() + " cannot be read: "));
   EXPECT_EQ(entries(), 1u);
 }
 
