@@ -18,8 +18,10 @@ SVG = "{http://www.w3.org/2000/svg}"
 INX = "{http://www.inkscape.org/namespace/inkscape/extension}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
-#: Of the menu, and of File > Open and Save As.
+#: Of the menu, and of File > Open, Save As and Save a Copy.
 ITEMS = sorted(file.stem.removeprefix("gradmesh_") for file in (ROOT / "inx").glob("*.inx"))
+#: What suffices where it does not matter at how many pixels a mesh is measured.
+SMALL = "--resolution=150"
 
 pytestmark = pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
 
@@ -106,7 +108,7 @@ def test_other_objects_are_not_touched(run):
 
 @pytest.mark.parametrize("chosen", [["svg1"], ["cap", "stalk"], ["stalk", "title1", "cap"]])
 def test_groups_and_mixed_selections(run, chosen):
-    done = run(SAMPLES / "two.svg", *(f"--id={name}" for name in chosen), "--result=blocks")
+    done = run(SAMPLES / "two.svg", *(f"--id={name}" for name in chosen), "--result=blocks", SMALL)
     after = by_id(done.stdout)
     assert after["cap"].tag == after["stalk"].tag == SVG + "g"
 
@@ -118,17 +120,17 @@ def test_a_broken_mesh_elsewhere_does_not_matter(run):
     )
     text = (SAMPLES / "fruit.svg").read_text().replace("</svg>", broken)
     assert 'meshgradient "broken"' in refused(run(text, "--id=other"))
-    assert by_id(run(text, "--id=pear", "--result=blocks").stdout)["pear"].tag == SVG + "g"
+    assert by_id(run(text, "--id=pear", "--result=blocks", SMALL).stdout)["pear"].tag == SVG + "g"
 
 
 def test_settings_are_used(run):
     def label(*options):
-        options = ("--amount=custom", "--result=blocks", *options)
+        options = ("--amount=custom", "--result=blocks", SMALL, *options)
         return by_id(run(SAMPLES / "fruit.svg", "--id=pear", *options).stdout)["pear"].get(LABEL)
 
     assert "SSIM" in label("--metric=ssim")
     assert label("--epsilon=0.002") != label("--epsilon=0.03")
-    assert label("--resolution=100") != label("--resolution=700")
+    assert label("--resolution=100") != label("--resolution=200")
 
 
 def test_the_dialog_offers_every_method(run):
@@ -142,7 +144,7 @@ def test_the_dialog_offers_every_method(run):
 
 def test_how_much_by_name_or_number(run):
     def left(*options):
-        options = ("--result=blocks", "--resolution=150", *options)
+        options = ("--result=blocks", "--method=gqe", SMALL, *options)
         done = run(SAMPLES / "fruit.svg", "--id=pear", *options)
         label = by_id(done.stdout)["pear"].get(LABEL)
         patches, error = re.fullmatch(r".+ handles, (\d+) of 132 .+ (0\.\d+)", label).groups()

@@ -84,7 +84,7 @@ def everything(sample):
     return before, facts, document.to_bytes(), painted.tobytes(), painted.shape, bool(seen)
 
 
-@pytest.mark.parametrize("sample", ["fruit", "opacity", "smooth", "stroke", "tensor"])
+@pytest.mark.parametrize("sample", ["fruit", "opacity", "stroke", "tensor"])
 def test_the_same_comes_of_module_and_helper(use, sample):
     use(module_core())
     by_module = everything(sample)

@@ -93,7 +93,9 @@ def test_without_memory_they_add_up(tmp_path):
     assert errors[-1] > 1.3 * errors[0], errors
 
 
-@pytest.mark.parametrize("sample", PAINTED)
+@pytest.mark.parametrize(
+    "sample", [pytest.param(name, marks=[pytest.mark.long] * (name == "photo")) for name in PAINTED]
+)
 def test_no_file_becomes_larger(sample, tmp_path):
     before, after = SAMPLES / f"{sample}.svg", tmp_path / "after.svg"
     simplify(before, after, max_local_error=0.1, visible_only=True)
