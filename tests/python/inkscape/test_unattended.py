@@ -213,8 +213,9 @@ def test_settings(inkscape, report, tmp_path, values, outcome, words):
     assert content(after) == content(plain)
 
 
-#: Of the documents that gradmesh refuses those that Inkscape opens.
-OPENED = ["no mesh", "missing stops", "dangling href", "huge", "zero size"]
+#: Of the documents that gradmesh refuses those that Inkscape opens. With missing stops it paints points
+#: that were never set, if the window comes to be painted before the run ends, and 1.2.2 crashed once.
+OPENED = ["no mesh", "dangling href", "huge", "zero size"]
 
 
 def test_bad_documents_in_one_run(inkscape, report, tmp_path):
