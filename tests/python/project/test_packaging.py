@@ -123,6 +123,18 @@ def test_the_extension_runs_from_the_zip(unpacked_zip, tmp_path):
 
 
 @pytest.mark.skipif(not PORTABLE.exists(), reason="not built: scripts/package builds what is carried to others")
+def test_the_licenses_of_what_a_program_holds_lie_beside_it(unpacked_zip):
+    for system in (unpacked_zip / "gradmesh" / "bin").iterdir():
+        licenses = {path.name: path.read_text(errors="replace") for path in (system / "licenses").iterdir()}
+        assert {"cli11", "eigen", "glm", "glpk", "hwy", "json", "png", "tbb", "xml2", "zlib"} <= licenses.keys()
+        assert ("epoxy" in licenses) == ("linux" in system.name)
+        assert ("mingw-w64" in licenses) == ("windows" in system.name)
+        assert all("opyright" in text and len(text) > 500 for text in licenses.values())
+        assert "GNU GENERAL PUBLIC LICENSE" in licenses["glpk"] and "Version 3, 29 June 2007" in licenses["glpk"]
+        assert "APPENDIX: How to apply the Apache License" in licenses["tbb"]
+
+
+@pytest.mark.skipif(not PORTABLE.exists(), reason="not built: scripts/package builds what is carried to others")
 def test_the_program_for_others_needs_next_to_nothing():
     needed = set(re.findall(r"NEEDED\s+(\S+)", run("objdump", "-p", PORTABLE)))
     assert needed <= {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
