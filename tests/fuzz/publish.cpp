@@ -8,8 +8,9 @@
 namespace gradmesh::fuzz {
 namespace {
 
-/// Small pictures, however large a document says that it is.
-[[maybe_unused]] const int limited = setenv("GRADMESH_LIMITS", "resolution=64", 1);
+/// Small pictures, however large a document says that it is. Windows has no setenv.
+char limits[] = "GRADMESH_LIMITS=resolution=64";
+[[maybe_unused]] const int limited = putenv(limits);
 
 void check(std::string_view bytes) {
   accepts([&] {
