@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any, BinaryIO, Callable, Optional, Tuple
 
 from .errors import HelperError, ended
+from .interrupts import Interrupts
 
 #: The name of the environment variable that names the program.
 PROGRAM = "GRADMESH_HELPER"
@@ -71,10 +72,10 @@ class Helper:
         if self._caller == threading.get_ident():
             raise RuntimeError("gradmesh is at work, and what it calls cannot ask it for more")
         words = message_bytes({**request, "folder": current_folder()})
-        with self._one_call:
+        with self._one_call, Interrupts() as interrupts:
             self._caller = threading.get_ident()
             try:
-                outcome, raised = self._converse(words, ask)
+                outcome, raised = self._converse(words, ask, interrupts)
             except BaseException:
                 self._end()
                 raise
@@ -85,7 +86,7 @@ class Helper:
         return outcome
 
     def _converse(
-        self, request: bytes, ask: Callable[[dict], Any]
+        self, request: bytes, ask: Callable[[dict], Any], interrupts: Interrupts
     ) -> Tuple[dict, Optional[BaseException]]:
         """Returns the outcome, and what has given the call up: what `ask` has raised, or Ctrl+C."""
         if self.has_failed:
@@ -95,19 +96,14 @@ class Helper:
         raised: Optional[BaseException] = None
         self._to_say.put(request)
         while True:
-            try:
-                heard = self._hear()
-            except KeyboardInterrupt as interrupt:
-                if raised:  # Whoever presses Ctrl+C again does not want to wait.
-                    raise
-                raised = interrupt
-                continue
+            heard = self._hear()
             if "ask" not in heard:
                 return heard, raised
             answer = message_bytes({"give_up": True})
             if raised is None:
                 try:
-                    answer = message_bytes({"answer": ask(heard)})
+                    with interrupts.allowed():
+                        answer = message_bytes({"answer": ask(heard)})
                 except BaseException as error:  # pylint: disable=broad-except
                     raised = error
             self._to_say.put(answer)

@@ -15,6 +15,7 @@ from built import PACKAGES, PROGRAM, PYTHON, SAMPLES
 import gradmesh
 from gradmesh import core as cores
 from gradmesh import helper as helpers
+from gradmesh.interrupts import Interrupts
 
 TWO = SAMPLES / "two.svg"
 
@@ -324,6 +325,67 @@ def test_ctrl_c_gives_the_run_up_and_keeps_the_document():
     said, _ = python.communicate(timeout=60)
     size = (SAMPLES / "photo.svg").stat().st_size
     assert said.splitlines()[-1] == f"given up {size} True"
+
+
+def test_ctrl_c_loses_no_document_whenever_it_comes():
+    """Seeded moments, of which many lie between two steps of a conversation."""
+    code = (
+        "import gradmesh, gradmesh.core, _thread, random, threading\n"
+        "moments = random.Random(20)\n"
+        f"d = gradmesh.load({str(SAMPLES / 'tensor.svg')!r})\n"
+        "size, given_up = len(d.to_bytes()), 0\n"
+        "for _ in range(200):\n"
+        "    timer = threading.Timer(moments.uniform(0, 0.03), _thread.interrupt_main)\n"
+        "    try:\n"
+        "        timer.start()\n"
+        "        while timer.is_alive():\n"
+        "            gradmesh.simplify(d, method='grid', resolution=16, epsilon=0, progress=lambda *_: None)\n"
+        "        timer.join()\n"
+        "    except KeyboardInterrupt:\n"
+        "        given_up += 1\n"
+        "    timer.join()\n"
+        "    assert gradmesh.core.core().works and len(d.to_bytes()) == size\n"
+        "print(given_up)\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(PACKAGES), cores.CHOICE: "helper"}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, timeout=100
+    )
+    assert done.returncode == 0, done.stderr
+    assert int(done.stdout) == 200
+
+
+def test_ctrl_c_twice_does_not_wait():
+    reached = []
+    with pytest.raises(KeyboardInterrupt), Interrupts():
+        for press in (1, 2):
+            signal.raise_signal(signal.SIGINT)
+            reached.append(press)
+    assert reached == [1]
+
+
+def test_ctrl_c_is_held_until_it_is_allowed():
+    reached = []
+    with Interrupts() as interrupts:
+        signal.raise_signal(signal.SIGINT)
+        with pytest.raises(KeyboardInterrupt), interrupts.allowed():
+            reached.append("while it is held")
+        with interrupts.allowed():
+            reached.append("after it was let go")
+    assert reached == ["after it was let go"]
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_a_handler_of_ones_own_gets_ctrl_c():
+    pressed = []
+    before = signal.signal(signal.SIGINT, lambda *_: pressed.append(1))
+    try:
+        with Interrupts():
+            signal.raise_signal(signal.SIGINT)
+            assert not pressed
+        assert pressed == [1]
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_a_forked_process_has_a_helper_of_its_own(use, monkeypatch):
