@@ -45,8 +45,8 @@ def fruit():
     mesh.dab(colour("#8c4a1d"), 290 + 458j, 26, 20, 0.7)
     defs = [
         meshgradient(mesh, "pear-mesh"),
-        radial("table", (0, "#fdf3df", 1), (1, "#e3c9a0", 1)),
-        radial("shade", (0, "#4a2b10", 0.65), (0.6, "#4a2b10", 0.3), (1, "#4a2b10", 0)),
+        radial("table", (240, 300, 240, 300), (0, "#fdf3df", 1), (1, "#e3c9a0", 1)),
+        radial("shade", (262, 508, 176, 36), (0, "#4a2b10", 0.65), (0.6, "#4a2b10", 0.3), (1, "#4a2b10", 0)),
         linear("leaf-green", (0, "#8fb93c", 1), (1, "#3f6f1d", 1)),
     ]
     body = f"""<rect id="background" width="480" height="600" style="fill:url(#table)"/>
@@ -111,7 +111,7 @@ def face():
     defs = [
         meshgradient(mesh, "face-mesh", notation=Notation(relative=False)),
         linear("throat", (0.3, "#7d3f36", 1), (1, "#c98263", 1)),
-        radial("night", (0, "#3f5d8c", 1), (1, "#16233f", 1)),
+        radial("night", (260, 310, 260, 310), (0, "#3f5d8c", 1), (1, "#16233f", 1)),
     ]
     body = """<rect id="background" width="520" height="620" style="fill:url(#night)"/>
 <path id="hair" style="fill:#2b1a22"
@@ -161,7 +161,7 @@ def ellipse():
     units = 'gradientUnits="objectBoundingBox"'
     defs = [
         meshgradient(mesh, "planet-mesh", units, Notation(relative=False, comma=False, digits=5)),
-        radial("space", (0, "#27305c", 1), (1, "#070914", 1)),
+        radial("space", (280, 260, 280, 260), (0, "#27305c", 1), (1, "#070914", 1)),
     ]
     body = f"""<rect id="background" width="560" height="520" style="fill:url(#space)"/>
 <g id="stars" style="fill:#ffffff;fill-opacity:0.8">{stars}</g>

@@ -26,9 +26,15 @@ def _gradient(element, stops):
     return f"<{element}>{text}</{element.split()[0]}>"
 
 
-def radial(name, *stops):
-    """A radial gradient over its object's box; `stops` are (offset, colour, opacity)."""
-    return _gradient(f'radialGradient id="{name}"', stops)
+def radial(name, ellipse, *stops):
+    """A radial gradient over an ellipse (its centre and radii); `stops` are (offset, colour, opacity).
+
+    In user space: those in an object's box Inkscape 1.4 paints flat as soon as an extension has run.
+    """
+    x, y, width, height = ellipse
+    matrix = f"matrix({width} 0 0 {height} {x} {y})"
+    place = f'cx="0" cy="0" r="1" gradientUnits="userSpaceOnUse" gradientTransform="{matrix}"'
+    return _gradient(f'radialGradient id="{name}" {place}', stops)
 
 
 def linear(name, *stops):

@@ -764,7 +764,7 @@ def test_title_and_other_children_stay():
 
 def test_gradients_in_the_box_of_the_object():
     text = (SAMPLES / "ellipse.svg").read_text()
-    assert 'gradientUnits="userSpaceOnUse"' not in text
+    assert 'gradientUnits="objectBoundingBox"' in text.partition("<meshgradient")[2].partition(">")[0]
     after = Copy(text)
     expect_around(after.image, (80, 72, 400, 376), 2)
 
