@@ -69,7 +69,8 @@ def simplified(inkscape, sample, out, ids, **values):
 
 def all_but_the_view(svg):
     """The document, whatever file it was read from and window it was seen in."""
-    return ET.canonicalize(from_file=svg, exclude_tags=[VIEW], exclude_attrs=[FILE_NAME])
+    options = {"exclude_tags": [VIEW], "exclude_attrs": [FILE_NAME]}
+    return ET.canonicalize(from_file=svg, rewrite_prefixes=True, **options)
 
 
 def written(path):
