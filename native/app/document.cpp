@@ -206,6 +206,10 @@ SimplifyResult Document::simplest_of(const MeshEntry& entry, const Start& start,
     if (is_simple || !suits(method_named(method), start.mesh)) continue;
     Mesh other = start.mesh;
     const auto found = simplified_anew(entry, start, method, result, other);
+    const Stopped stopped = found ? found->stopped : Stopped::budget;
+    const bool is_over = stopped == Stopped::budget || stopped == Stopped::cancelled;
+    // What is left untried might have been simpler.
+    if (is_over && !result.changed) result.stopped = stopped;
     if (!found) break;
     const double most = method == line_method ? 1 : most_of_plain;
     if (found->changed && to_handle(*found) < most * to_handle(result)) {
@@ -215,6 +219,7 @@ SimplifyResult Document::simplest_of(const MeshEntry& entry, const Start& start,
       result.evaluations = found->evaluations;
       result.seconds = found->seconds;
     }
+    if (is_over) break;
   }
   return result;
 }

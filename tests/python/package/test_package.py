@@ -110,6 +110,15 @@ def test_cancelling_keeps_the_best_so_far(fruit):
     assert fruit.meshes[0].patches == result.patches_after
 
 
+def test_where_a_first_try_finds_nothing_the_end_of_the_next_is_told():
+    silk = gradmesh.load(SAMPLES / "tensor.svg")
+    before = silk.to_bytes()
+    (result,) = gradmesh.simplify(silk, progress=lambda *_: False)
+    assert result.stopped == "cancelled" and silk.to_bytes() == before
+    (result,) = gradmesh.simplify(silk, time_budget=1e-6)
+    assert result.stopped == "budget" and silk.to_bytes() == before
+
+
 def test_cancelling_at_once_keeps_every_byte(fruit):
     (result,) = gradmesh.simplify(fruit, progress=lambda *_: False)
     assert result.stopped == "cancelled" and result.patches_after == result.patches_before
