@@ -303,9 +303,20 @@ def test_the_helper_ends_with_python(at_work):
     assert ends(pid)
 
 
+#: What a shell starts in the background may have been told to pass over Ctrl+C.
+HEARS_CTRL_C = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
+
+
+@pytest.fixture
+def hears_ctrl_c():
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 def test_ctrl_c_gives_the_run_up_and_keeps_the_document():
     code = (
-        "import gradmesh, gradmesh.core, sys\n"
+        f"{HEARS_CTRL_C}import gradmesh, gradmesh.core\n"
         f"d = gradmesh.load({str(SAMPLES / 'photo.svg')!r})\n"
         "try:\n"
         "    gradmesh.simplify(d, resolution=2000, progress=lambda *_: print('at work', flush=True))\n"
@@ -330,7 +341,7 @@ def test_ctrl_c_gives_the_run_up_and_keeps_the_document():
 def test_ctrl_c_loses_no_document_whenever_it_comes():
     """Seeded moments, of which many lie between two steps of a conversation."""
     code = (
-        "import gradmesh, gradmesh.core, _thread, random, threading\n"
+        f"{HEARS_CTRL_C}import gradmesh, gradmesh.core, _thread, random, threading\n"
         "moments = random.Random(20)\n"
         f"d = gradmesh.load({str(SAMPLES / 'tensor.svg')!r})\n"
         "size, given_up = len(d.to_bytes()), 0\n"
@@ -355,7 +366,7 @@ def test_ctrl_c_loses_no_document_whenever_it_comes():
     assert int(done.stdout) == 200
 
 
-def test_ctrl_c_twice_does_not_wait():
+def test_ctrl_c_twice_does_not_wait(hears_ctrl_c):
     reached = []
     with pytest.raises(KeyboardInterrupt), Interrupts():
         for press in (1, 2):
@@ -364,7 +375,7 @@ def test_ctrl_c_twice_does_not_wait():
     assert reached == [1]
 
 
-def test_ctrl_c_is_held_until_it_is_allowed():
+def test_ctrl_c_is_held_until_it_is_allowed(hears_ctrl_c):
     reached = []
     with Interrupts() as interrupts:
         signal.raise_signal(signal.SIGINT)
