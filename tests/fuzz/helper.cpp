@@ -15,7 +15,7 @@ namespace {
 
 /// So that no input takes seconds: the most calls, and the bytes of a document that is read and of
 /// one that calls go on with.
-constexpr int most_calls = 8;
+constexpr int most_calls = 5;
 constexpr std::size_t most_bytes = 4096, most_bytes_made = 32768;
 
 std::deque<Json> read_messages(std::string_view bytes) {
