@@ -1,28 +1,54 @@
+#include "simplify/options.h"
+
+#include <cmath>
 #include <stdexcept>
 
-#include "simplify/simplify.h"
+#include "base/limits.h"
 
 namespace gradmesh {
+
+void check(const SimplifyOptions& options) {
+  if (!(options.epsilon >= 0 && options.epsilon <= 1))
+    throw std::invalid_argument("epsilon must be between 0 and 1.");
+  if (options.max_local_error && !(*options.max_local_error >= 0 && *options.max_local_error <= 1))
+    throw std::invalid_argument("the largest local error must be between 0 and 1.");
+  check_resolution(options.resolution);
+  if (!std::isfinite(options.time_budget) || options.time_budget < 0)
+    throw std::invalid_argument("the time budget must be 0 or more seconds.");
+  if (!(options.omega >= 0 && options.omega <= 1))
+    throw std::invalid_argument("omega must be between 0 and 1.");
+  if (!std::isfinite(options.kappa) || options.kappa < 0)
+    throw std::invalid_argument("kappa must be 0 or more.");
+  if (options.threads < 0) throw std::invalid_argument("threads must be 0 or more.");
+}
+
+void check_resolution(int resolution) {
+  const std::uint64_t most = limits().resolution;
+  if (resolution < least_resolution || std::uint64_t(resolution) > most)
+    throw std::invalid_argument("the resolution must be between 16 and " + std::to_string(most) +
+                                " pixels.");
+}
+
+Count what_is_counted(const SimplifyOptions& options, Count otherwise) {
+  if (options.handles.has_value() + options.patches.has_value() + options.ratio.has_value() > 1)
+    throw std::invalid_argument(
+        "a target is a number of handles, a number of patches or a ratio, and one of these only.");
+  if (options.handles && options.count == Count::patches)
+    throw std::invalid_argument("a number of handles is no target where patches are counted.");
+  if (options.patches && options.count == Count::handles)
+    throw std::invalid_argument("a number of patches is no target where handles are counted.");
+  if (options.handles) return Count::handles;
+  if (options.patches) return Count::patches;
+  if (options.count) return *options.count;
+  if (options.method == simplest) return otherwise;
+  return method_named(options.method).makes_plain ? Count::handles : Count::patches;
+}
 
 const char* name(ColorModel model) {
   return model == ColorModel::bilinear ? "bilinear" : "bicubic";
 }
 
 const char* name(Count count) { return count == Count::handles ? "handles" : "patches"; }
-
-const char* name(Stopped stopped) {
-  switch (stopped) {
-    case Stopped::done:
-      return "done";
-    case Stopped::budget:
-      return "budget";
-    case Stopped::cancelled:
-      return "cancelled";
-    case Stopped::nothing_to_merge:
-      return "nothing to merge";
-  }
-  return "";
-}
 
 ColorModel color_model_named(const std::string& wanted) {
   for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})

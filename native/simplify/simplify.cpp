@@ -21,23 +21,6 @@
 namespace gradmesh {
 namespace {
 
-constexpr int least_resolution = 16;
-
-void check(const SimplifyOptions& options) {
-  if (!(options.epsilon >= 0 && options.epsilon <= 1))
-    throw std::invalid_argument("epsilon must be between 0 and 1.");
-  if (options.max_local_error && !(*options.max_local_error >= 0 && *options.max_local_error <= 1))
-    throw std::invalid_argument("the largest local error must be between 0 and 1.");
-  check_resolution(options.resolution);
-  if (!std::isfinite(options.time_budget) || options.time_budget < 0)
-    throw std::invalid_argument("the time budget must be 0 or more seconds.");
-  if (!(options.omega >= 0 && options.omega <= 1))
-    throw std::invalid_argument("omega must be between 0 and 1.");
-  if (!std::isfinite(options.kappa) || options.kappa < 0)
-    throw std::invalid_argument("kappa must be 0 or more.");
-  if (options.threads < 0) throw std::invalid_argument("threads must be 0 or more.");
-}
-
 /// Throws InputError if the mesh is smooth and the method does not keep rectangles. The colours of
 /// a smooth patch follow those of its neighbours in rows and columns.
 void check_smooth(const Mesh& mesh, bool keeps_rectangle) {
@@ -351,15 +334,22 @@ class Run {
 
 }  // namespace
 
-int to_handle(const SimplifyResult& result) {
-  return result.handles_after + handles_of_an_object * result.objects;
+const char* name(Stopped stopped) {
+  switch (stopped) {
+    case Stopped::done:
+      return "done";
+    case Stopped::budget:
+      return "budget";
+    case Stopped::cancelled:
+      return "cancelled";
+    case Stopped::nothing_to_merge:
+      return "nothing to merge";
+  }
+  return "";
 }
 
-void check_resolution(int resolution) {
-  const std::uint64_t most = limits().resolution;
-  if (resolution < least_resolution || std::uint64_t(resolution) > most)
-    throw std::invalid_argument("the resolution must be between 16 and " + std::to_string(most) +
-                                " pixels.");
+int to_handle(const SimplifyResult& result) {
+  return result.handles_after + handles_of_an_object * result.objects;
 }
 
 SimplifyResult simplify(Mesh& mesh, const RunOptions& options) {
