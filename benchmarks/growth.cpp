@@ -35,7 +35,7 @@ void gqe(benchmark::State& state, int resolution) {
   RunOptions options;
   options.resolution = resolution;
   SimplifyResult result;
-  for (auto _ : state) result = document->preview({pear.id}, options).front().result;
+  for (auto _ : state) result = preview(*document, {pear.id}, options).front().result;
   count(state, result);
 }
 

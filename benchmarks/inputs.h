@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/document.h"
+#include "app/runs.h"
 
 namespace gradmesh::bench {
 

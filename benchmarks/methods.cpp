@@ -1,4 +1,5 @@
 #include "cases.h"
+#include "app/runs.h"
 #include "mesh/rectangle.h"
 
 namespace gradmesh::bench {
@@ -7,7 +8,7 @@ namespace {
 void run(benchmark::State& state, const MeshFile& file, const RunOptions& options) {
   const auto document = Document::read_file(file.path);
   SimplifyResult result;
-  for (auto _ : state) result = document->preview({file.id}, options).front().result;
+  for (auto _ : state) result = preview(*document, {file.id}, options).front().result;
   state.SetLabel(result.renderer);
   state.counters["patches"] = result.patches_before;
   state.counters["left"] = result.patches_after;

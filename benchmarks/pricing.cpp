@@ -9,7 +9,7 @@ namespace {
 
 constexpr int blocks = 8, resolution = 1000;
 
-using Price = std::function<void(const Mesh&, const RunOptions&)>;
+using Price = std::function<void(const Problem&, StopWatch&)>;
 
 void price(benchmark::State& state, const Price& price, std::shared_ptr<Device> device) {
   const Mesh mesh = block_mesh(blocks);
@@ -19,8 +19,12 @@ void price(benchmark::State& state, const Price& price, std::shared_ptr<Device> 
   std::string fault;
   options.device_lost = [&](const DeviceError& error) { fault = error.what(); };
   // Shaders are built once in a run of the program.
-  if (options.device) analyze_edges(block_mesh(1), options);
-  for (auto _ : state) price(mesh, options);
+  const auto run = [&](const Mesh& priced, const Price& work) {
+    StopWatch watch = watch_of(options);
+    work(problem_of(std::make_shared<const Mesh>(priced), options), watch);
+  };
+  if (options.device) run(block_mesh(1), analyze_edges);
+  for (auto _ : state) run(mesh, price);
   state.counters["patches"] = mesh.face_count();
   state.SetLabel(options.device ? options.device->info().name : "software");
   if (!fault.empty()) state.SkipWithError(fault.c_str());
@@ -38,7 +42,7 @@ void describe(benchmark::State& state) {
   const Mesh start = mesh;
   RunOptions options;
   const Frame frame = fit_frame(mesh, options.view, resolution, options.padding);
-  MergeTrial trial(mesh, EditError(start, start, frame, options.metric), options.epsilon);
+  MergeTrial trial(mesh, EditError(std::make_shared<const Reference>(start, frame, options.metric), start), options.epsilon);
   ParallelTrials trials(trial);
   std::vector<Region> regions;
   for (const Halfedge edge : inner_edges(start))
@@ -62,8 +66,8 @@ void register_pricing() {
                  [=](auto& state) { price(state, work_on, nullptr); });
     add_parallel("pricing/" + work + "/egl", [=](auto& state) { price_on_device(state, work_on); });
   };
-  add_both("edges", [](const Mesh& m, const RunOptions& o) { analyze_edges(m, o); });
-  add_both("regions", [](const Mesh& m, const RunOptions& o) { analyze_regions(m, o); });
+  add_both("edges", analyze_edges);
+  add_both("regions", analyze_regions);
   add_parallel("pricing/edges/left-to-the-cores", describe);
 }
 

@@ -10,7 +10,7 @@
 #include "base/hash.h"
 #include "files/atomic_file.h"
 #include "ops/merge/region_finder.h"
-#include "simplify/simplify.h"
+#include "simplify/options.h"
 
 namespace gradmesh {
 namespace {

@@ -11,6 +11,7 @@
 #include "mesh/color_model.h"
 #include "mesh/subdivide.h"
 #include "simplify/adapt.h"
+#include "simplify/options.h"
 
 namespace gradmesh {
 namespace {
@@ -71,8 +72,13 @@ class Converter {
     Conversion conversion = start();
     conversion.lost_opacity = !to_.holds_opacity && is_translucent(source_);
     const bool is_exact = to_.holds(ColorModel::bicubic);
-    const Mesh mesh = is_exact ? exact_mesh() : bilinear_mesh(conversion);
-    write(mesh, conversion);
+    const Problem problem = this->problem(conversion);
+    const Candidate made = is_exact ? problem.measure(exact_mesh()) : bilinear(problem);
+    const Mesh& mesh = made.mesh;
+    conversion.error = made.error;
+    conversion.document = to_.read(
+        to_.write({mesh, conversion.original, problem.frame(), page_, from_.translation()}),
+        from_.name());
     if (!is_exact && options_.must_keep_epsilon && conversion.error > options_.epsilon)
       throw InputError(
           "{0}: in {1} its error is {2} at least, with {3} patches, which is above epsilon.",
@@ -103,10 +109,18 @@ class Converter {
                                                    : read_.is_smooth() ? painted_mesh(read_)
                                                                        : read_,
                                                    1));
-    frame_ = fit_frame(conversion.original, {}, options_.resolution,
-                       to_ == from_.format() ? from_.padding() : FramePadding{});
-    metric_ = make_metric(options_.metric, rasterizer_->paint(conversion.original, frame_));
     return conversion;
+  }
+
+  /// Returns the problem to write the mesh, in the new coordinates, as the new format does.
+  Problem problem(const Conversion& conversion) const {
+    const auto mesh = std::make_shared<const Mesh>(build_mesh(parts(1)));
+    const Layout layout{{}, to_ == from_.format() ? from_.padding() : FramePadding{}};
+    Problem result(mesh, std::make_shared<const Mesh>(conversion.original), layout,
+                   options_.resolution, options_.metric);
+    result.bounds.epsilon = options_.epsilon;
+    result.rules = to_.rules(from_.name());
+    return result;
   }
 
   /// Returns the mesh in the colour model of the new format, with the same picture.
@@ -119,31 +133,11 @@ class Converter {
   }
 
   /// Returns the mesh in the colour model `bilinear`, with patches as small as the options require.
-  Mesh bilinear_mesh(const Conversion& conversion) const {
-    if (options_.subdivide) {
-      MeshParts patches = as_bilinear(parts(*options_.subdivide));
-      join_colors(patches);
-      return build_mesh(patches);
-    }
-    const auto original = std::make_shared<const Mesh>(conversion.original);
-    const auto error_of = [&](const Mesh& mesh) {
-      Conversion trial;
-      trial.original = *original;
-      write(mesh, trial);
-      return trial.error;
-    };
-    return adapted(build_mesh(parts(1)),
-                   {options_.epsilon, error_of, original, frame_, options_.metric})
-        .mesh;
-  }
-
-  /// Puts a document of the mesh into the conversion and measures its error.
-  void write(const Mesh& mesh, Conversion& conversion) const {
-    const std::string text =
-        to_.write({mesh, conversion.original, frame_, page_, from_.translation()});
-    conversion.document = to_.read(text, from_.name());
-    const Mesh read = conversion.document->mesh(conversion.document->meshes().front());
-    conversion.error = mean(metric_->map(rasterizer_->paint(read, frame_)));
+  Candidate bilinear(const Problem& problem) const {
+    if (!options_.subdivide) return adapted(problem);
+    MeshParts patches = as_bilinear(parts(*options_.subdivide));
+    join_colors(patches);
+    return problem.measure(build_mesh(patches));
   }
 
   const Document& from_;
@@ -156,10 +150,6 @@ class Converter {
   /// The map from the old mesh's coordinates to the new document's, and the size of its page.
   Affine place_;
   glm::dvec2 page_{0.0};
-  /// How the error is measured.
-  const std::unique_ptr<Rasterizer> rasterizer_ = make_software_rasterizer();
-  Frame frame_;
-  std::unique_ptr<Metric> metric_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/document.h"
+#include "simplify/simplify.h"
 
 namespace gradmesh {
 

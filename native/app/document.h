@@ -7,14 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "app/analysis_file.h"
 #include "app/formats.h"
 #include "base/error.h"
 #include "base/image.h"
 #include "formats/svg/read/objects.h"
 #include "mesh/mesh.h"
+#include "problem/problem.h"
 #include "raster/rasterizer.h"
-#include "simplify/simplify.h"
 
 namespace gradmesh {
 
@@ -41,13 +40,6 @@ struct UnusedMesh {
   int patches = 0;
 };
 
-struct MeshReport {
-  std::string id;
-  SimplifyResult result;
-  /// The value of MeshEntry::refused. If there is one, there is no result.
-  std::optional<Message> refused = std::nullopt;
-};
-
 /// What an update has found of one mesh.
 struct UpdateReport {
   std::string id;
@@ -67,6 +59,16 @@ struct WriteOptions {
   /// SVG only: true if a hidden copy of the object as it was stays directly below the object
   /// (formats/svg/write/keep_original.h).
   bool keep_original = false;
+};
+
+/// A mesh that was made simpler, or edited, and is to be written in the place of its entry's.
+struct ChangedMesh {
+  MeshEntry entry;
+  Candidate written;
+  MeshCounts before;
+  /// The frame in which it was measured, and the mesh against which.
+  Frame frame;
+  std::shared_ptr<const Mesh> original;
 };
 
 /// A document of one of the formats, with its meshes. The command line and the Python package work
@@ -114,8 +116,9 @@ class Document {
   virtual int objects(const MeshEntry&) const { return 1; }
   /// Returns the frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
-  /// Returns the same frame, in which only visible pixels count, as by default.
-  Frame seen_frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
+  /// Returns how a mesh is laid out on pictures. Leaves out what is visible of it if all of the mesh
+  /// counts.
+  Layout layout(const MeshEntry& entry, bool visible_only) const;
   /// Paints a mesh in its own frame. If there is a document `framed_as`, paints the mesh in the
   /// frame of its counterpart there (common_frames.h), so that the two pictures can be laid on each
   /// other.
@@ -135,57 +138,38 @@ class Document {
   /// corresponds.
   std::shared_ptr<const Mesh> given_original(const MeshEntry& entry) const;
 
-  /// The input of a run over a mesh: the mesh in the colour model that is asked for, and the
-  /// options with those that this document sets. The document sets the view, the padding, the rules
-  /// of writing, the original if that is another mesh, and the analysis, which is one of `files`.
-  /// For a smooth mesh the document sets the method `lines` unless the person names edges.
-  /// `simplest` becomes `plain` if handles are counted and the mesh can stay one mesh gradient, and
-  /// `best` otherwise.
-  struct Start {
-    Mesh mesh;
-    RunOptions options;
-    /// True if whatever is simplest is asked for, which may be a group of blocks too.
-    bool may_be_blocks = false;
-  };
-  Start start(const MeshEntry& entry, const RunOptions& options, AnalysisFiles& files) const;
-
+  /// Returns the mesh against which runs measure: its given_original, or the original that the mesh
+  /// remembers unless a person has edited the mesh since; null if the mesh itself.
+  std::shared_ptr<const Mesh> original(const MeshEntry& entry) const;
   /// Returns true if runs measure against an original that the mesh remembers, unless they are told
   /// otherwise: it can be read, and no person has edited the mesh since.
   bool remembers(const MeshEntry& entry) const { return remembered_original(entry) != nullptr; }
+  /// Returns true if the mesh may have been moved away from an original before.
+  bool may_differ(const MeshEntry& entry) const {
+    return entry.simplified || remembers(entry) || originals_;
+  }
 
-  /// Simplifies the selected meshes in place. A mesh is measured against the first of these that
-  /// there is: `options.original`, its given_original, the original that the mesh remembers unless
-  /// a person has edited the mesh since, and the mesh as it was. Meshes that cannot be read are
-  /// only reported.
-  ///
-  /// If nothing is merged, or if the result needs a mask for opacities, the method `lines` is tried
-  /// as well. Its result, one mesh gradient, is taken if that has no more patches. If `simplest`
-  /// leaves more than half of the handles as a plain mesh gradient and there is no target, lines
-  /// and blocks are tried, and taken if these leave less to handle. A mesh that does not become
-  /// simpler stays as it is. If another colour model than the mesh's own is asked for, the mesh is
-  /// converted first, and the conversion counts towards the error. If an analysis is loaded, it
-  /// must hold prices for each of the meshes.
-  ///
-  /// Throws std::invalid_argument as gradmesh::simplify does, if edges are named for another method
-  /// than `manual`, if `manual` has no edges, and if there are no prices to save. The document is
-  /// unchanged after an exception.
-  std::vector<MeshReport> simplify(const std::vector<std::string>& ids, const RunOptions& options,
-                                   const AnalysisPaths& analyses = {},
-                                   const WriteOptions& writing = {});
-  /// Returns the reports that simplify() would return, and changes nothing. With the method
-  /// `manual` reports the error of the edges even if the error is too large.
-  std::vector<MeshReport> preview(const std::vector<std::string>& ids, RunOptions options,
-                                  const AnalysisPaths& analyses = {}) const;
+  /// Returns the visible area of the mesh; nothing if all of the mesh counts as visible.
+  virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
+  /// Returns true if the mesh is one mesh gradient on its object, and may stay one.
+  virtual bool is_one_gradient(const MeshEntry&) const { return false; }
+  /// Returns the rules by which the mesh of an entry is written. If `stays_one` is true and the
+  /// mesh is one mesh gradient, the rules are those of one mesh gradient.
+  virtual std::shared_ptr<const WritingRules> rules(const MeshEntry& entry,
+                                                    bool stays_one) const = 0;
+  /// Throws InputError if the document cannot hold the colour model.
+  void check_color_model(ColorModel model) const;
+  /// Throws InputError if the format cannot write meshes with these options.
+  virtual void check_writing(const WriteOptions&) const {}
+  /// Writes meshes in the place of those of their entries, and lists the entries afresh.
+  void write(const std::vector<ChangedMesh>& meshes, MetricKind metric,
+             const WriteOptions& writing);
   /// Makes the selected meshes that are simplified fit together again if a person has edited their
   /// blocks (form/reconcile.h), and fits the paths of the blocks to the new outlines. The labels of
   /// the meshes get the error against the originals that the meshes remember. From then on the
   /// meshes remember themselves as edited. Throws if no selected mesh is simplified, and if the
   /// format holds no blocks. The document is unchanged after an exception.
   std::vector<UpdateReport> update(const std::vector<std::string>& ids);
-  /// Prices the selected meshes up to epsilon and saves the prices. Returns the number of prices.
-  std::size_t analyze(const std::vector<std::string>& ids, const RunOptions& options,
-                      const AnalysisPaths& analyses) const;
-
   /// Returns the result of `work`. Adds the names of the file and the element to InputErrors of
   /// `work`, since most of the core does not know the names.
   template <class Work>
@@ -197,9 +181,13 @@ class Document {
     }
   }
 
+  /// Returns the name of a mesh in messages: the file and, if the file may have several meshes, the
+  /// element.
+  virtual Message describe(const MeshEntry& entry) const = 0;
+
   /// Returns the content of the document, never compressed: exactly the bytes that were read if
   /// nothing was changed.
-  std::string bytes() const { return changed_ ? changed_bytes() : original_; }
+  std::string bytes() const { return changed_ ? changed_bytes() : content_; }
   /// Throws InputError if a mesh of this document cannot be converted to a document of `to`.
   virtual void check_conversion(const Format& /*to*/) const {}
   /// Throws InputError if the path's extension is that of another format.
@@ -209,38 +197,17 @@ class Document {
   void write_file(const std::filesystem::path& path) const;
 
  protected:
-  struct SimplifiedMesh {
-    MeshEntry entry;
-    Mesh mesh;
-    SimplifyResult result;
-    /// The mesh against which the error was measured.
-    std::shared_ptr<const Mesh> original;
-  };
+  Document(std::string name, std::string_view bytes) : name_(std::move(name)), content_(bytes) {}
 
-  Document(std::string name, std::string_view bytes) : name_(std::move(name)), original_(bytes) {}
-
-  /// Returns the name of a mesh in messages: the file and, if the file may have several meshes, the
-  /// element.
-  virtual Message describe(const MeshEntry& entry) const = 0;
   /// Returns the mesh before it was first simplified; null if the document does not hold it.
   virtual std::shared_ptr<const Mesh> remembered_original(const MeshEntry&) const {
     return nullptr;
   }
-  /// Returns the visible area of the mesh; nothing if all of the mesh counts as visible.
-  virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
-  /// Returns true if the mesh is one mesh gradient on its object, and may stay one.
-  virtual bool is_one_gradient(const MeshEntry&) const { return false; }
-  /// Returns the rules by which the mesh of an entry is written. If `stays_one` is true and the
-  /// mesh is one mesh gradient, the rules are those of one mesh gradient.
-  virtual std::shared_ptr<const WritingRules> rules(const MeshEntry& entry,
-                                                    bool stays_one) const = 0;
-  /// Replaces meshes by the simplified ones, and lists the entries afresh.
-  virtual void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+  /// Does the work of write().
+  virtual void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;
   /// Returns the sentence that refuses a colour model which the format does not hold.
   virtual Message why_not(ColorModel model) const;
-  /// Throws InputError if the format cannot write meshes with these options.
-  virtual void check_writing(const WriteOptions&) const {}
   /// Does the work of update() for these meshes. Throws InputError by default.
   virtual std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries);
   virtual std::string changed_bytes() const = 0;
@@ -251,32 +218,7 @@ class Document {
   std::vector<MeshEntry> entries_;
 
  private:
-  /// Returns the method that is used where a person asks for one and `count` is made few.
-  std::string method_for(const std::string& asked, const MeshEntry& entry, const Mesh& mesh,
-                         Count count) const;
-  std::vector<SimplifiedMesh> simplified(const std::vector<std::string>& ids,
-                                         const RunOptions& options,
-                                         const AnalysisPaths& analyses) const;
-  /// Simplifies the mesh of `start`, also by another method where simplify() says so.
-  SimplifyResult simplified(const MeshEntry& entry, const Start& start, Mesh& mesh) const;
-  /// Returns whatever is simplest, `result` being that of the method `plain`, which made `mesh`:
-  /// where more than half of the handles are left, lines and blocks are tried as well.
-  SimplifyResult simplest_of(const MeshEntry& entry, const Start& start, SimplifyResult result,
-                             Mesh& mesh) const;
-  /// Simplifies the mesh of `start` by that method, after a run that found `before`: its time
-  /// counts towards the budget. Returns nothing if no time is left.
-  std::optional<SimplifyResult> simplified_anew(const MeshEntry& entry, const Start& start,
-                                                const std::string& method,
-                                                const SimplifyResult& before, Mesh& mesh) const;
-  /// Throws InputError if the document cannot hold the colour model that is asked for.
-  void check_color_model(const RunOptions& options) const;
-  /// Throws InputError if the error of a mesh was above epsilon before anything was merged, because
-  /// of another colour model or another document.
-  void check_start(const SimplifiedMesh& mesh, const RunOptions& options) const;
-  static std::vector<MeshReport> reports_of(const std::vector<SimplifiedMesh>& meshes,
-                                            const std::vector<MeshEntry>& refused);
-
-  std::string name_, original_;
+  std::string name_, content_;
   /// The bytes that were read if those were compressed; empty otherwise.
   std::string compressed_;
   Translation translation_ = [](const std::string& text) { return text; };

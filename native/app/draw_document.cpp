@@ -21,9 +21,9 @@ class Draw {
         entry_(entry),
         options_(options),
         files_(analyses),
-        start_(document.start(entry, options.simplify, files_)),
-        mesh_(start_.mesh),
-        subject_(mesh_, start_.options.view, document.translation()) {}
+        problem_(priced_problem_of(document, entry, options.simplify, files_)),
+        mesh_(problem_.mesh()),
+        subject_(mesh_, document.view(entry), document.translation()) {}
 
   std::string text() {
     Drawing drawing = this->drawing();
@@ -32,7 +32,7 @@ class Draw {
     if (options_.picture && options_.show != Show::faces) {
       const Frame frame = document_.frame(entry_, mesh_, options_.simplify.resolution);
       drawing.picture = backdrop(make_software_rasterizer()->paint(mesh_, frame), frame,
-                                 start_.options.view, options_.show != Show::edges);
+                                 document_.view(entry_), options_.show != Show::edges);
     }
     return svg_text(drawing);
   }
@@ -47,12 +47,13 @@ class Draw {
   }
 
   Drawing priced_drawing() const {
-    const RunOptions& options = start_.options;
+    const RunOptions& options = options_.simplify;
+    StopWatch watch = watch_of(options);
     if (options_.show == Show::regions) {
-      return regions(document_.naming(entry_, [&] { return analyze_regions(mesh_, options); }));
+      return regions(document_.naming(entry_, [&] { return analyze_regions(problem_, watch); }));
     }
     const std::vector<EdgePrice> prices =
-        document_.naming(entry_, [&] { return analyze_edges(mesh_, options); });
+        document_.naming(entry_, [&] { return analyze_edges(problem_, watch); });
     if (options_.show == Show::errors) return draw_errors(subject_, prices, measure());
     const double limit = options.kappa * options.epsilon;
     return draw_motorcycle(subject_, motorcycle_graph(mesh_, prices, limit), limit);
@@ -60,7 +61,7 @@ class Draw {
 
   std::string measure() const {
     return subject_.say(
-        Message("{0} at {1} pixels", label(start_.options.metric), start_.options.resolution));
+        Message("{0} at {1} pixels", label(options_.simplify.metric), options_.simplify.resolution));
   }
 
   Drawing regions(const std::vector<RegionPrice>& all) const {
@@ -92,7 +93,7 @@ class Draw {
   const MeshEntry entry_;
   const DrawOptions& options_;
   AnalysisFiles files_;
-  const Document::Start start_;
+  const Problem problem_;
   const Mesh& mesh_;
   const Subject subject_;
 };

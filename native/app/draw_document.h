@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "app/document.h"
+#include "app/runs.h"
 
 namespace gradmesh {
 

@@ -18,7 +18,7 @@
 #include "ops/split/split.h"
 #include "ops/split/split_line.h"
 #include "ops/straighten.h"
-#include "trial/edit_error.h"
+#include "problem/problem.h"
 
 namespace gradmesh {
 namespace {
@@ -151,12 +151,13 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
     const Mesh before = meshes.mesh(entry);
     const Mesh& grid =
         grids.emplace_back(entry, meshes.naming(entry, [&] { return as_grid(before); })).second;
-    const Frame frame = meshes.frame(entry, before, measure.resolution);
-    const WrittenForm form =
-        meshes.naming(entry, [&] { return gradient_rules({})->form(grid, frame); });
-    const EditError error(before, before, frame, measure.metric);
-    reports.push_back({entry.id, counts_of(before), counts_of(form.surface), 1,
-                       error.whole_frame(form.surface).mean});
+    const Candidate written = meshes.naming(entry, [&] {
+      Problem problem(std::make_shared<const Mesh>(before), nullptr, meshes.layout(entry, false),
+                      measure.resolution, measure.metric);
+      problem.rules = gradient_rules({});
+      return problem.measure(grid);
+    });
+    reports.push_back({entry.id, counts_of(before), written.counts(), 1, written.error});
   }
   if (grids.empty())
     throw InputError("{0}: only simplified meshes can be made one mesh gradient.", document.name());

@@ -5,6 +5,7 @@
 
 #include "app/hemesh_document.h"
 #include "app/svg_meshes.h"
+#include "app/svg_rules.h"
 
 namespace gradmesh {
 namespace {
@@ -30,6 +31,7 @@ const std::vector<Format>& all_formats() {
        .margin = 20,
        .recognises = SvgMeshes::recognises,
        .read = read<SvgMeshes>,
+       .rules = [](const std::string&) { return exact_block_rules(); },
        .write = SvgMeshes::write_new},
       {.name = "hemesh",
        .label = ".hemesh",
@@ -39,6 +41,7 @@ const std::vector<Format>& all_formats() {
        .length = 2,
        .recognises = HemeshDocument::recognises,
        .read = read<HemeshDocument>,
+       .rules = HemeshDocument::rules_of_new,
        .write = HemeshDocument::write_new},
   };
   return formats;

@@ -12,6 +12,7 @@
 #include "base/message.h"
 #include "form/counts.h"
 #include "mesh/mesh.h"
+#include "problem/writing_rules.h"
 #include "raster/frame.h"
 
 namespace gradmesh {
@@ -60,6 +61,8 @@ struct Format {
   bool (*recognises)(std::string_view bytes);
   /// Reads a document, whose name stands in messages. Throws InputError.
   std::unique_ptr<Document> (*read)(std::string_view bytes, const std::string& name);
+  /// Returns the rules by which a new document holds its mesh; the name stands in messages.
+  std::shared_ptr<const WritingRules> (*rules)(const std::string& name);
   /// Returns the content of a new document that holds one mesh.
   std::string (*write)(const NewDocument& document);
 

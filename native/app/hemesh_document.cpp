@@ -37,6 +37,10 @@ HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
   mesh_ = naming(entries_.front(), [&] { return build_mesh(parts); });
 }
 
+std::shared_ptr<const WritingRules> HemeshDocument::rules_of_new(const std::string& name) {
+  return std::make_shared<HemeshRules>(name);
+}
+
 std::string HemeshDocument::write_new(const NewDocument& document) {
   return text_of(document.mesh);
 }
@@ -54,12 +58,12 @@ std::string HemeshDocument::title(const MeshEntry&) const {
 }
 
 std::shared_ptr<const WritingRules> HemeshDocument::rules(const MeshEntry&, bool) const {
-  return std::make_shared<HemeshRules>(name());
+  return rules_of_new(name());
 }
 
-void HemeshDocument::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind,
+void HemeshDocument::replace(const std::vector<ChangedMesh>& meshes, MetricKind,
                              const WriteOptions&) {
-  text_ = text_of(meshes.front().mesh);
+  text_ = text_of(meshes.front().written.mesh);
   mesh_ = build_mesh(read_hemesh(text_, name()));
 }
 

@@ -10,6 +10,7 @@ class HemeshDocument : public Document {
   HemeshDocument(std::string_view bytes, const std::string& name);
 
   static bool recognises(std::string_view bytes) { return bytes.starts_with("HEMESH"); }
+  static std::shared_ptr<const WritingRules> rules_of_new(const std::string& name);
   static std::string write_new(const NewDocument& document);
 
   const Format& format() const override { return format_named("hemesh"); }
@@ -25,7 +26,7 @@ class HemeshDocument : public Document {
  protected:
   Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
   std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
-  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+  void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   void check_writing(const WriteOptions& writing) const override;
   std::string changed_bytes() const override { return text_; }

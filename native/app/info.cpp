@@ -6,6 +6,7 @@
 
 #include "form/handles.h"
 #include "formats/json/elements.h"
+#include "simplify/options.h"
 
 namespace gradmesh {
 namespace {

@@ -51,23 +51,20 @@ RunOptions pricing_options(const ordered_json& run, const ReportOptions& given) 
   return options;
 }
 
-/// Returns true if the method of the run fits what it merges.
-bool fits(const ordered_json& run) {
-  if (!run.is_object()) return false;
-  const std::string method = run.value("method", "");
-  return std::ranges::any_of(all_methods(),
-                             [&](const Method& m) { return m.name == method && m.fits; });
+/// Returns true if the method of the run is the one that fits what it merges.
+bool is_of_best(const ordered_json& run) {
+  return run.is_object() && run.value("method", "") == best_method;
 }
 
 /// Prices the edges and regions of the mesh before.
-void price(Report& report, const RunOptions& options) {
-  const Mesh& mesh = report.before.mesh;
+void price(Report& report, const Problem& problem, const RunOptions& options) {
   // Single edges and regions of a smooth mesh cannot be merged, so they have no prices.
-  if (mesh.is_smooth()) return;
-  report.edges = analyze_edges(mesh, options);
-  report.regions = analyze_regions(mesh, options);
+  if (problem.mesh().is_smooth()) return;
+  StopWatch watch = watch_of(options);
+  report.edges = analyze_edges(problem, watch);
+  report.regions = analyze_regions(problem, watch);
   // Takes longer than all the rest, and no other method fits.
-  if (fits(report.run)) report.fitted = analyze_fits(mesh, options, report.regions);
+  if (is_of_best(report.run)) report.fitted = analyze_fits(problem, report.regions, watch);
 }
 
 std::filesystem::path path_of(const Document& document) { return utf8_path(document.name()); }
@@ -79,26 +76,28 @@ Report report_on_mesh(const Document& before, const MeshEntry& entry, const Docu
   Report report;
   if (!options.run.empty()) report.run = read_run(options.run, entry.id);
   AnalysisFiles files(options.analyses);
-  const Document::Start start = before.start(entry, pricing_options(report.run, options), files);
-  report.before = {path_of(before).filename().string(), start.mesh, {}};
+  const RunOptions run = pricing_options(report.run, options);
+  const Problem problem = priced_problem_of(before, entry, run, files);
+  report.before = {path_of(before).filename().string(), problem.mesh(), {}};
   report.before.objects = before.objects(entry);
-  price(report, start.options);
+  price(report, problem, run);
   files.save();
 
   report.after = {path_of(after).filename().string(), after.mesh(entry_after), {}};
   report.after.objects = after.objects(entry_after);
   Frame &first = report.before.frame, &second = report.after.frame;
   std::tie(first, second) =
-      common_frames({&before, entry, start.mesh}, {&after, entry_after, report.after.mesh},
-                    start.options.resolution);
+      common_frames({&before, entry, problem.mesh()}, {&after, entry_after, report.after.mesh},
+                    run.resolution);
   // What the run did not count is not shown either.
-  if (start.options.visible && before.format() == after.format())
+  const Layout layout = before.layout(entry, run.visible_only);
+  if (layout.visible && before.format() == after.format())
     for (Frame* frame : {&first, &second})
-      frame->hidden = std::make_shared<HiddenPixels>(*start.options.visible, *frame);
+      frame->hidden = std::make_shared<HiddenPixels>(*layout.visible, *frame);
   report.id = before.title(entry);
-  report.original = start.options.original;
-  report.metric = start.options.metric;
-  report.epsilon = start.options.epsilon;
+  if (problem.original().get() != &problem.mesh()) report.original = problem.original();
+  report.metric = run.metric;
+  report.epsilon = run.epsilon;
   return report;
 }
 

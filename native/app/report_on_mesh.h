@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/document.h"
+#include "app/runs.h"
 #include "report/report.h"
 
 namespace gradmesh {

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "form/blocks.h"
-#include "form/handles.h"
 #include "formats/svg/read/read_group.h"
 #include "formats/svg/read/read_mesh.h"
 #include "formats/svg/read/restore_shape.h"
@@ -31,6 +30,7 @@
 #include "mesh/subdivide.h"
 #include "ops/split/without_faces.h"
 #include "raster/overlaps.h"
+#include "simplify/options.h"
 #include "trial/edit_error.h"
 
 namespace gradmesh {
@@ -243,34 +243,32 @@ std::shared_ptr<const WritingRules> SvgMeshes::rules(const MeshEntry& entry, boo
   return gradient_rules(mesh_to_gradient(svg_, object(entry)));
 }
 
-void SvgMeshes::replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+void SvgMeshes::replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                         const WriteOptions& writing) {
   if (writing.keep_original)
-    for (const SimplifiedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
-  for (const SimplifiedMesh& m : meshes) {
-    const auto& [entry, mesh, result, measured] = m;
+    for (const ChangedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
+  for (const ChangedMesh& m : meshes) {
+    const auto& [entry, written, counts, frame, measured] = m;
     const std::string original = writing.remember_original ? new_memory(m) : "";
-    if (!result.form.blocks) {
+    if (!written.form.blocks) {
       replace_gradient(m, original);
       continue;
     }
     const MeshObject& o = object(entry);
-    const MeshCounts now{result.handles_after, result.patches_after};
-    const MeshCounts before = entry.simplified
-                                  ? counts_before(o.node)
-                                  : MeshCounts{result.handles_before, result.patches_before};
-    const std::string label = mesh_label(now, before, metric, result.error).in(translation());
-    write_mesh(svg_, o, {mesh, *result.form.blocks, label, before, original});
+    const MeshCounts now{written.counts().handles, written.mesh.face_count()};
+    const MeshCounts before = entry.simplified ? counts_before(o.node) : counts;
+    const std::string label = mesh_label(now, before, metric, written.error).in(translation());
+    write_mesh(svg_, o, {written.mesh, *written.form.blocks, label, before, original});
   }
   list_meshes();
 }
 
-std::string SvgMeshes::new_memory(const SimplifiedMesh& m) const {
-  const bool stays_one = !m.result.form.blocks;
+std::string SvgMeshes::new_memory(const ChangedMesh& m) const {
+  const bool stays_one = !m.written.form.blocks;
   const bool stays_what_it_is = stays_one != m.entry.simplified;
   if (stays_what_it_is && !has_given_originals() && remembered_original(m.entry))
     return *memory(m.entry);
-  const std::vector<Overlap> overlaps = all_overlaps(*m.original, m.result.frame);
+  const std::vector<Overlap> overlaps = all_overlaps(*m.original, m.frame);
   const Affine place = stays_one ? mesh_to_gradient(svg_, object(m.entry)) : Affine();
   if (place == Affine()) return remember(*m.original, overlaps);
   MeshParts parts = subdivided(*m.original, 1);
@@ -278,13 +276,13 @@ std::string SvgMeshes::new_memory(const SimplifiedMesh& m) const {
   return remember(build_derived_mesh(parts), overlaps);
 }
 
-void SvgMeshes::replace_gradient(const SimplifiedMesh& m, const std::string& original) {
+void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& original) {
   constexpr std::size_t names = 120;  // Of the attributes and their namespace, and a fingerprint.
   const bool has_remembered = remembered_original(m.entry) != nullptr;
-  const double tolerance = m.result.form.coons_tolerance;
+  const double tolerance = m.written.form.coons_tolerance;
   // Of the bytes that were read as well, to which serializing may add a declaration.
   const std::size_t before = std::min(bytes().size(), svg_.serialize().size());
-  const MeshObject written = write_mesh_gradient(svg_, object(m.entry), m.mesh, tolerance);
+  const MeshObject written = write_mesh_gradient(svg_, object(m.entry), m.written.mesh, tolerance);
   if (original.empty()) return;
   if (has_remembered || svg_.serialize().size() + original.size() + names <= before)
     remember_original(svg_, written, tolerance, original);
@@ -333,22 +331,17 @@ SvgMeshes::Rewritten SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edit
                                         MetricKind metric, int resolution) {
   std::shared_ptr<const Mesh> original = remembered_original(entry);
   if (!original) original = std::make_shared<const Mesh>(mesh(entry));
-  SimplifyResult result;
-  result.handles_before = count_handles(*original);
-  result.patches_before = original->face_count();
-  result.patches_after = edited.face_count();
-  result.frame = seen_frame(entry, *original, resolution);
-  const EditError error(*original, edited, result.frame, metric);
-  // A rectangle that was one mesh gradient stays one.
-  const auto rules = this->rules(entry, find_grid(edited).has_value());
-  result.form = naming(entry, [&] { return rules->form(edited, result.frame); });
-  result.handles_after = count_handles(result.form.surface);
-  result.error = error.whole_frame(result.form.surface, result.form.masks_opacity()).mean;
+  const auto measured = naming(entry, [&] {
+    Problem problem(original, nullptr, layout(entry, true), resolution, metric);
+    // A rectangle that was one mesh gradient stays one.
+    problem.rules = rules(entry, find_grid(edited).has_value());
+    return std::pair(problem.measure(edited), problem.frame());
+  });
+  const auto& [written, frame] = measured;
   WriteOptions writing;
   writing.remember_original = !entry.simplified || memory(entry);
-  replace({{entry, edited, result, original}}, metric, writing);
-  mark_changed();
-  return {counts_of(result.form.surface), result.form.object_count(), result.error};
+  write({{entry, written, counts_of(*original), frame, original}}, metric, writing);
+  return {written.counts(), written.form.object_count(), written.error};
 }
 
 SvgMeshes::Place SvgMeshes::place(const MeshEntry& entry) const {
@@ -398,9 +391,10 @@ Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenForm& form
   const std::shared_ptr<const Mesh> original = recalled(group);
   if (!original) return mesh_label(now, before);
   const SimplifyOptions usual;
-  const EditError error(*original, form.surface, frame(group, *original, usual.resolution),
-                        usual.metric, form.masks_opacity());
-  return mesh_label(now, before, usual.metric, error.error());
+  const Reference reference(*original, frame(group, *original, usual.resolution), usual.metric);
+  const FrameError error =
+      whole_frame_error(reference, form.surface, form.masks_opacity(), nullptr);
+  return mesh_label(now, before, usual.metric, error.mean);
 }
 
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {

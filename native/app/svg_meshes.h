@@ -82,7 +82,7 @@ class SvgMeshes : public Document {
     return object(entry).gradient != nullptr;
   }
   std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
-  void replace(const std::vector<SimplifiedMesh>& meshes, MetricKind metric,
+  void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   Message why_not(ColorModel model) const override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
@@ -111,10 +111,10 @@ class SvgMeshes : public Document {
   /// Returns that mesh; null if none is remembered that can be read.
   std::shared_ptr<const Mesh> recalled(const MeshEntry& entry) const;
   /// Returns what a simplified mesh remembers from now on, as the value of the attribute.
-  std::string new_memory(const SimplifiedMesh& mesh) const;
+  std::string new_memory(const ChangedMesh& mesh) const;
   /// Writes a mesh as one mesh gradient. It remembers its original if it did so before, or if the
   /// document becomes no larger by that.
-  void replace_gradient(const SimplifiedMesh& mesh, const std::string& original);
+  void replace_gradient(const ChangedMesh& mesh, const std::string& original);
   /// Returns the label of a group that was edited: how far the mesh, as it will be written, is from
   /// the one that the group remembers.
   Message updated_label(const MeshEntry& group, const WrittenForm& form) const;

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "base/affine.h"
-#include "simplify/writing_rules.h"
+#include "problem/writing_rules.h"
 
 namespace gradmesh {
 

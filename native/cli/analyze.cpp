@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "app/devices.h"
-#include "app/document.h"
+#include "app/runs.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
@@ -27,7 +27,7 @@ void run_analyze(AnalyzeArguments& a) {
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    prices = document->analyze(a.ids, a.options, a.analyses);
+    prices = analyze(*document, a.ids, a.options, a.analyses);
   }
   if (!a.quiet) std::printf("%s: %zu prices\n", a.analyses.save.string().c_str(), prices);
 }

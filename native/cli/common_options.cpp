@@ -5,7 +5,6 @@
 #include "app/devices.h"
 #include "base/limits.h"
 #include "base/utf8_path.h"
-#include "simplify/simplify.h"
 
 namespace gradmesh {
 namespace {

@@ -5,8 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/document.h"
-#include "simplify/simplify.h"
+#include "app/runs.h"
 
 namespace gradmesh {
 

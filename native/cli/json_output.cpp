@@ -36,8 +36,7 @@ nlohmann::ordered_json report_json(const std::vector<MeshReport>& reports,
                       {"seconds",
                        {{"total", result.seconds.total},
                         {"rasterize", result.seconds.rasterize},
-                        {"select", result.seconds.select},
-                        {"verify", result.seconds.verify}}},
+                        {"select", result.seconds.select}}},
                       {"stopped", name(result.stopped)}});
   }
   return {{"meshes", meshes}};

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/document.h"
+#include "app/runs.h"
 
 namespace gradmesh {
 

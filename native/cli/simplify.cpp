@@ -47,7 +47,7 @@ std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyAr
 const char* how_it_ended(const SimplifyResult& result) {
   if (result.changed) return name(result.stopped);
   if (result.stopped == Stopped::budget) return "no time left";
-  if (result.stopped == Stopped::nothing_to_merge && method_named(result.method).makes_plain)
+  if (result.stopped == Stopped::nothing_to_merge && method_named(result.method).count == Count::handles)
     return "no handle could be taken out";
   return name(result.stopped);
 }
@@ -82,8 +82,8 @@ void run_simplify(SimplifyArguments& a) {
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    reports = a.preview ? document->preview(a.ids, a.options, a.analyses)
-                        : document->simplify(a.ids, a.options, a.analyses, a.writing);
+    reports = a.preview ? preview(*document, a.ids, a.options, a.analyses)
+                        : simplify(*document, a.ids, a.options, a.analyses, a.writing);
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty())

@@ -78,7 +78,7 @@ void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted, const Robustn
                                             : std::pow(beyond, power));
 }
 
-void pull_back(Surface& s, Eigen::Index i, const FitTarget& target) {
+void pull_back(Surface& s, Eigen::Index i, const Reference& target) {
   const glm::dvec2 place(s.at(i, 0), s.at(i, 1));
   const auto outline = target.outline_near(place);
   if (!outline) return;
@@ -87,7 +87,7 @@ void pull_back(Surface& s, Eigen::Index i, const FitTarget& target) {
   s.beyond(i) = outline_weight * glm::dot(place - outline->place, outline->normal);
 }
 
-Surface sampled(const Patch& patch, const Samples& samples, const FitTarget& target,
+Surface sampled(const Patch& patch, const Samples& samples, const Reference& target,
                 const Robustness& robustness) {
   const auto control = control_in_pixels(patch, target.frame());
   const Eigen::Index n = samples.at.rows();
@@ -235,7 +235,7 @@ SideRow side_row(const std::vector<Influence>& influences, const Columns& column
 /// Adds the distances of a side's points from the target's outline, across the outline.
 void add_outline(const Patch& patch, const std::vector<Influence>& influences,
                  const Columns& columns, const std::map<int, int>& local, int side,
-                 const FitTarget& target, NormalEquations& equations) {
+                 const Reference& target, NormalEquations& equations) {
   const Cubic<glm::dvec2> line = in_pixels(patch.side(side), target.frame());
   const int steps = std::clamp(int(glm::length(line.p1 - line.p0) / 3), 6, 40);
   // y follows x, by as many columns as there are places.
@@ -278,7 +278,7 @@ Columns::Columns(int places) : color(std::size_t(places), -1), count(2 * places)
 
 NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
                                  const std::array<bool, 4>& is_outline, const Columns& columns,
-                                 const FitTarget& target, const Robustness& robustness) {
+                                 const Reference& target, const Robustness& robustness) {
   const Samples& samples = samples_of(sample_count(patch, 1, 3, target.frame()),
                                       sample_count(patch, 0, 2, target.frame()));
   NormalEquations equations = SurfaceEquations(influences, columns)
@@ -293,7 +293,7 @@ NormalEquations normal_equations(const Patch& patch, const std::vector<Influence
 }
 
 NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
-                                 const Columns& columns, const FitTarget& target) {
+                                 const Columns& columns, const Reference& target) {
   const std::array<Halfedge, 4> sides = mesh.sides(face.face);
   std::array<bool, 4> are_outlines;
   for (std::size_t k = 0; k < 4; ++k) are_outlines[k] = is_outline(mesh, mesh.curve_side(sides[k]));

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "fit/target.h"
+#include "reference/reference.h"
 #include "fit/unknowns.h"
 
 namespace gradmesh {
@@ -44,13 +44,13 @@ struct NormalEquations {
 /// colour changes along the way there: so only the gradients of the patch's own colours are needed,
 /// and places can do what colours cannot.
 NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
-                                 const Columns& columns, const FitTarget& target);
+                                 const Columns& columns, const Reference& target);
 
 /// Returns the same for a patch that the unknowns change by `influences`; `is_outline` says which
 /// of its sides are outlines.
 NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
                                  const std::array<bool, 4>& is_outline, const Columns& columns,
-                                 const FitTarget& target, const Robustness& robustness = {});
+                                 const Reference& target, const Robustness& robustness = {});
 
 /// Solves the sum of the equations. `damping` holds for each column the share of itself by which
 /// the diagonal is raised (Levenberg and Marquardt). Returns numbers that are not finite if there

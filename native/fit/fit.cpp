@@ -20,21 +20,21 @@ Eigen::VectorXd by_column(const std::vector<double>& by_unknown, const Columns& 
 
 }  // namespace
 
-Fit::Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces, Plainness plain)
+Fit::Fit(Journal& journal, const Reference& target, const std::vector<Face>& faces, Plainness plain)
     : journal_(journal),
       target_(target),
       plain_(std::move(plain)),
       unknowns_(unknowns_of(journal.mesh(), faces, plain_)),
       influenced_(influences(journal, unknowns_, plain_)) {}
 
-std::vector<Value> Fit::step(const std::vector<double>& damping) const {
+std::vector<Value> Fit::step(const Damping& damping) const {
   const Mesh& mesh = journal_.mesh();
   const Columns columns(unknowns_);
   std::vector<NormalEquations> equations(influenced_.size());
   parallel_for(influenced_.size(), [&](std::size_t i) {
     equations[i] = normal_equations(mesh, influenced_[i], columns, target_);
   });
-  const Eigen::VectorXd solution = solve(equations, by_column(damping, columns));
+  const Eigen::VectorXd solution = solve(equations, by_column(damping.values(), columns));
 
   std::vector<Value> step(unknowns_.size());
   if (!solution.allFinite()) return step;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "fit/target.h"
+#include "fit/damping.h"
 #include "fit/unknowns.h"
+#include "reference/reference.h"
 
 namespace gradmesh {
 
@@ -10,22 +11,22 @@ namespace gradmesh {
 class Fit {
  public:
   /// What is plain stays so.
-  Fit(Journal& journal, const FitTarget& target, const std::vector<Face>& faces,
+  Fit(Journal& journal, const Reference& target, const std::vector<Face>& faces,
       Plainness plain = {});
 
   const std::vector<Unknown>& unknowns() const { return unknowns_; }
   const std::vector<InfluencedFace>& influenced() const { return influenced_; }
 
-  /// Returns by how much to change each unknown of the mesh as it is now. `damping` holds for each
-  /// unknown a number of 0 or more: the larger, the less the unknown changes.
-  std::vector<Value> step(const std::vector<double>& damping) const;
+  /// Returns by how much to change each unknown of the mesh as it is now: the larger its damping,
+  /// the less.
+  std::vector<Value> step(const Damping& damping) const;
   /// Makes a step, as one operation of the journal. Unknowns for which `stays` is true are left
   /// out.
   void apply(const std::vector<Value>& step, const std::vector<bool>& stays);
 
  private:
   Journal& journal_;
-  const FitTarget& target_;
+  const Reference& target_;
   const Plainness plain_;
   const std::vector<Unknown> unknowns_;
   const std::vector<InfluencedFace> influenced_;

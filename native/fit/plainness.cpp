@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "fit/target.h"
+#include "reference/outlines.h"
 #include "form/handles.h"
 #include "form/written_patch.h"
 #include "mesh/dependence.h"

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "methods/edges.h"
+#include "methods/gqe.h"
+#include "methods/handle_drops.h"
+#include "methods/merging.h"
 #include "methods/packing.h"
 #include "methods/patch_set.h"
-#include "methods/plainer.h"
 #include "pricing/parallel_trials.h"
 
 namespace gradmesh {
@@ -19,14 +21,15 @@ namespace {
 /// whole mesh.
 constexpr int steps_for_set = 4, steps_for_one = 5, steps_at_rest = 3;
 
-struct Candidate {
+/// A region that may be merged.
+struct Choice {
   Region region;
   /// Its patches, how many are saved, and by how much the error rises where it alone is merged.
   PackingItem item;
 };
 
-Candidate candidate(const Mesh& mesh, const RegionPrice& r) {
-  Candidate c{r.region, {PatchSet(mesh.face_slots()), r.size() - 1, r.error}};
+Choice choice_of(const Mesh& mesh, const RegionPrice& r) {
+  Choice c{r.region, {PatchSet(mesh.face_slots()), r.size() - 1, r.error}};
   for (const Face patch : r.patches) c.item.patches.add(patch);
   return c;
 }
@@ -48,13 +51,13 @@ Packing greedy_packing(const std::vector<PackingItem>& items, std::size_t face_s
   return chosen;
 }
 
-/// Returns the regions that save the most patches for at most gamma together. `candidates` are in
+/// Returns the regions that save the most patches for at most gamma together. `choices` are in
 /// the order in which a greedy choice takes them.
-std::vector<Region> best_regions(const std::vector<Candidate>& candidates, std::size_t face_slots,
+std::vector<Region> best_regions(const std::vector<Choice>& choices, std::size_t face_slots,
                                  double gamma) {
   constexpr int most_nodes = 200;
   std::vector<PackingItem> items;
-  for (const Candidate& c : candidates) {
+  for (const Choice& c : choices) {
     items.push_back(c.item);
     // Fits can lower the error below what it was, which buys nothing that is not in it already.
     items.back().price = std::max(0.0, c.item.price);
@@ -62,7 +65,7 @@ std::vector<Region> best_regions(const std::vector<Candidate>& candidates, std::
   const Packing start = greedy_packing(items, face_slots, gamma);
   std::vector<Region> regions;
   for (const int i : best_packing(items, gamma, start, most_nodes).items)
-    regions.push_back(candidates[std::size_t(i)].region);
+    regions.push_back(choices[std::size_t(i)].region);
   return regions;
 }
 
@@ -78,30 +81,30 @@ class FittedPrices {
   /// Returns the regions of two patches that cost at most `limit`, the cheapest first. A price is
   /// kept until one of the patches changes; one above the limit at which it was found only until
   /// the limit rises.
-  std::vector<Candidate> up_to(double limit, FitTrial& trial,
-                               const std::function<bool()>& should_stop) {
+  std::vector<Choice> up_to(double limit, FitTrial& trial,
+                            const std::function<bool()>& should_stop) {
     const Mesh& mesh = trial.mesh();
-    std::vector<Candidate> candidates;
+    std::vector<Choice> choices;
     std::vector<std::size_t> unknown;
     for (const Halfedge edge : inner_edges(mesh)) {
       if (!mesh.is_leaf(edge) || !leaf_across(mesh, edge).valid()) continue;
       const Region region = region_of_edge(mesh, edge);
       const std::vector<Face> patches{mesh.face(edge), mesh.face(mesh[edge].twin)};
       const Known* known = still_known(region, patches, limit, trial);
-      if (!known) unknown.push_back(candidates.size());
-      candidates.push_back(candidate(mesh, {region, patches, known ? known->price : 2 * limit}));
+      if (!known) unknown.push_back(choices.size());
+      choices.push_back(choice_of(mesh, {region, patches, known ? known->price : 2 * limit}));
     }
     ParallelTrials<FitTrial>(trial).for_each(
         unknown.size(), [&](std::size_t) { return should_stop(); },
         [&](FitTrial& own, std::size_t i) {
-          Candidate& c = candidates[unknown[i]];
+          Choice& c = choices[unknown[i]];
           c.item.price = own.price(c.region, limit);
         });
     for (const std::size_t i : unknown)
-      known_[candidates[i].region] = {candidates[i].item.price, limit, trial.changes()};
-    std::erase_if(candidates, [&](const Candidate& c) { return c.item.price > limit; });
-    std::ranges::stable_sort(candidates, {}, [](const Candidate& c) { return c.item.price; });
-    return candidates;
+      known_[choices[i].region] = {choices[i].item.price, limit, trial.changes()};
+    std::erase_if(choices, [&](const Choice& c) { return c.item.price > limit; });
+    std::ranges::stable_sort(choices, {}, [](const Choice& c) { return c.item.price; });
+    return choices;
   }
 
   void forget() { known_.clear(); }
@@ -127,14 +130,22 @@ class FittedPrices {
   std::map<Region, Known> known_;
 };
 
+/// How far rounds go.
+struct Goal {
+  /// What is made few.
+  Count count = Count::patches;
+  /// The share of epsilon up to which regions are merged.
+  double share = 1;
+};
+
 /// A mesh that is merged and fitted in rounds.
 class Rounds {
  public:
-  Rounds(MergeTrial& from, const FitContext& context, StopWatch& watch)
-      : context_(context),
+  Rounds(MergeTrial& from, const Problem& problem, Goal goal, StopWatch& watch)
+      : problem_(problem),
+        goal_(goal),
         watch_(watch),
-        epsilon_(context.epsilon),
-        fork_(from.fork_to_fit(context.target, context.count == Count::handles)) {}
+        fork_(from.fork_to_fit(goal.count == Count::handles)) {}
 
   const Mesh& mesh() const { return fork_->mesh; }
   double error() const { return fork_->trial.error(); }
@@ -142,22 +153,23 @@ class Rounds {
   /// Merges and fits regions that cost at most gamma together, the best by Eq. 7 first. Returns
   /// true if that leaves some room below epsilon; otherwise nothing is merged.
   bool begin(const std::vector<RegionPrice>& regions, double gamma) {
-    std::vector<Candidate> candidates;
-    for (const RegionPrice& r : regions) candidates.push_back(candidate(mesh(), r));
-    const double omega = context_.omega, patches = mesh().face_count();
-    std::ranges::stable_sort(candidates, std::greater{}, [&](const Candidate& c) {
+    std::vector<Choice> choices;
+    for (const RegionPrice& r : regions) choices.push_back(choice_of(mesh(), r));
+    const double omega = problem_.options.omega, patches = mesh().face_count();
+    std::ranges::stable_sort(choices, std::greater{}, [&](const Choice& c) {
       return omega * (c.item.saved + 1) / patches - (1 - omega) * c.item.price / gamma;
     });
     // What is left goes to the rounds, which see prices as they are once all is fitted.
     constexpr double share = 0.75;
-    return fork_->trial.try_and_fit(best_regions(candidates, mesh().face_slots(), gamma),
-                                    share * context_.share * epsilon_, steps_for_set);
+    return fork_->trial.try_and_fit(best_regions(choices, mesh().face_slots(), gamma),
+                                    share * goal_.share * problem_.bounds.epsilon, steps_for_set);
   }
 
   void fit(int steps) { fork_->trial.improve(all_faces(mesh()), steps); }
 
-  /// Runs rounds until nothing more helps. Returns the best mesh that keeps to epsilon as written.
-  std::optional<FittedMesh> run() {
+  /// Runs rounds until nothing more helps. Returns the best mesh that keeps to the bounds as
+  /// written.
+  std::optional<Candidate> run() {
     keep();
     for (bool at_rest = false; !should_stop();) {
       if (round()) {
@@ -172,7 +184,7 @@ class Rounds {
       }
       keep();
     }
-    if (context_.count == Count::handles) make_plainer();
+    if (goal_.count == Count::handles) drop_handles();
     return std::move(best_);
   }
 
@@ -184,92 +196,150 @@ class Rounds {
   bool round() {
     ++rounds_;
     FitTrial& trial = fork_->trial;
-    const double limit = context_.share * limit_, room = limit - error();
+    const double limit = goal_.share * limit_, room = limit - error();
     if (room <= 0) return false;
     // Prices are of fits of single patches; together with their neighbours they can do better.
     constexpr double most = 2, too_much = 3, too_little = 0.1, shrink = 0.4;
-    const std::vector<Candidate> candidates =
+    const std::vector<Choice> choices =
         prices_.up_to(most * room, trial, [&] { return should_stop(); });
     std::size_t last_size = 0;
     for (double share = too_much; share > too_little && !should_stop(); share *= shrink) {
-      const auto chosen = best_regions(candidates, mesh().face_slots(), share * room);
+      const auto chosen = best_regions(choices, mesh().face_slots(), share * room);
       if (chosen.empty() || chosen.size() == std::exchange(last_size, chosen.size())) continue;
       if (trial.try_and_fit(chosen, limit, steps_for_set)) return true;
     }
     constexpr std::size_t tried_alone = 3;
-    for (std::size_t i = 0; i < std::min(tried_alone, candidates.size()) && !should_stop(); ++i)
-      if (trial.try_and_fit({candidates[i].region}, limit, steps_for_one)) return true;
+    for (std::size_t i = 0; i < std::min(tried_alone, choices.size()) && !should_stop(); ++i)
+      if (trial.try_and_fit({choices[i].region}, limit, steps_for_one)) return true;
     return false;
   }
 
-  void make_plainer() {
-    const auto keeps = [&](const Mesh& mesh) { return context_.written(mesh).keeps; };
-    Plainer plainer(fork_->trial, *context_.target, keeps, [&] { return should_stop(); });
-    while (plainer.make_step(limit_)) keep();
+  void drop_handles() {
+    const auto keeps = [&](const Mesh& mesh) { return problem_.measure(mesh).keeps; };
+    HandleDrops drops(fork_->trial, keeps, [&] { return should_stop(); });
+    while (drops.drop_some(limit_)) keep();
   }
 
-  /// Remembers the mesh if it keeps to epsilon as it will be written. The error that writing adds
-  /// is kept free below epsilon from now on.
+  /// Remembers the mesh if it keeps to the bounds as it will be written. The error that writing
+  /// adds is kept free below epsilon from now on.
   void keep() {
-    const FitContext::Written written = context_.written(mesh());
-    limit_ = epsilon_ - std::max(0.0, written.error - error());
+    Candidate written = problem_.measure(mesh());
+    limit_ = problem_.bounds.epsilon - std::max(0.0, written.error - error());
     if (!written.keeps) return;
-    best_ = {mesh(), error()};
     patches_ = mesh().face_count();
     error_ = written.error;
+    best_ = std::move(written);
+    best_->error_added_up = error();
   }
 
-  const FitContext& context_;
+  const Problem& problem_;
+  const Goal goal_;
   StopWatch& watch_;
-  const double epsilon_;
-  double limit_ = epsilon_;
+  double limit_ = problem_.bounds.epsilon;
   std::unique_ptr<FitTrial::Fork> fork_;
   FittedPrices prices_;
-  std::optional<FittedMesh> best_;
+  std::optional<Candidate> best_;
   std::size_t rounds_ = 0;
   /// Patches and error of the best mesh so far, for `watch_`.
   int patches_ = fork_->mesh.face_count();
   double error_ = fork_->trial.error();
 };
 
-/// Returns the mesh with the most regions merged, by the sum of their prices, that keeps to epsilon
-/// once fitted.
-std::unique_ptr<Rounds> beyond_epsilon(MergeTrial& start, const std::vector<RegionPrice>& regions,
-                                       const FitContext& context, StopWatch& watch) {
-  constexpr int tries = 4;
-  std::unique_ptr<Rounds> best;
-  double enough = start.epsilon(), too_much = 0;
-  for (int i = 0; i < tries; ++i) {
-    if (watch.should_stop({std::size_t(i), tries, start.mesh().face_count(), start.error()})) break;
-    const double gamma = too_much == 0 ? 2 * enough : std::sqrt(enough * too_much);
-    auto next = std::make_unique<Rounds>(start, context, watch);
-    if (next->begin(regions, gamma)) {
-      enough = gamma;
-      if (!best || next->mesh().face_count() <= best->mesh().face_count()) best = std::move(next);
-    } else {
-      too_much = gamma;
-    }
+/// Merges and fits, from a mesh of which nothing has been merged yet.
+class Best {
+ public:
+  Best(const Problem& problem, StopWatch& watch)
+      : problem_(problem),
+        watch_(watch),
+        merged_(problem.pricing_trial()),
+        start_(merged_->trial.fork()),
+        regions_(price_regions(merged_->trial, problem.prices(), merged_->trial.room(), watch)) {}
+
+  /// Returns the mesh with the fewest patches, and of several the one with the smallest error.
+  Candidate fewest_patches() {
+    MergeTrial& trial = merged_->trial;
+    select_gqe(trial, regions_, {omega(), false}, watch_);
+    std::optional<Candidate> best = fitted(trial, {});
+    if (best && best->mesh.face_count() == problem_.mesh().face_count()) best.reset();
+    Candidate merged = merge_what_fits(problem_, trial, [&](MergeTrial& t, PriceTable& prices) {
+      merge_by_gqe(t, prices, {omega(), false}, watch_);
+    });
+    const int fewest = merged.mesh.face_count();
+    if (best && best->mesh.face_count() > fewest) best = fitted_from(trial, {});
+    if (!best || best->mesh.face_count() > fewest) return merged;
+    const bool as_many = best->mesh.face_count() == fewest;
+    return as_many && merged.error <= best->error ? merged : *std::move(best);
   }
-  return best;
-}
+
+  /// Returns the blocks that leave least to handle: of all the patches that can be merged, or of
+  /// fewer, which leaves more of epsilon for straight sides.
+  Candidate least_effort() {
+    std::optional<Candidate> best;
+    const int before = problem_.measure(problem_.mesh()).counts().handles;
+    for (const double share : {1.0, 0.5}) {
+      const auto merged = start_->trial.fork();
+      merged->trial.lower_epsilon(share * problem_.bounds.epsilon);
+      select_gqe(merged->trial, regions_, {omega(), false}, watch_);
+      std::optional<Candidate> found = fitted(merged->trial, {Count::handles, share});
+      if (!found || found->counts().handles >= before) continue;
+      if (!best || found->effort() < best->effort()) best = std::move(found);
+    }
+    return best ? *std::move(best) : problem_.unchanged();
+  }
+
+ private:
+  double omega() const { return problem_.options.omega; }
+
+  /// Runs rounds from where gqe ends, or from beyond if that leaves no more patches. `merged` is
+  /// the mesh that gqe merged.
+  std::optional<Candidate> fitted(MergeTrial& merged, Goal goal) {
+    const std::unique_ptr<Rounds> rounds = beyond_epsilon(goal);
+    const bool goes_on = rounds && rounds->mesh().face_count() <= merged.mesh().face_count();
+    return goes_on ? rounds->run() : fitted_from(merged, goal);
+  }
+
+  std::optional<Candidate> fitted_from(MergeTrial& merged, Goal goal) {
+    Rounds rounds(merged, problem_, goal, watch_);
+    rounds.fit(steps_for_set);
+    return rounds.run();
+  }
+
+  /// Returns the mesh with the most regions merged, by the sum of their prices, that keeps to
+  /// epsilon once fitted.
+  std::unique_ptr<Rounds> beyond_epsilon(Goal goal) {
+    constexpr int tries = 4;
+    MergeTrial& start = start_->trial;
+    std::unique_ptr<Rounds> best;
+    double enough = start.epsilon(), too_much = 0;
+    for (int i = 0; i < tries; ++i) {
+      if (watch_.should_stop({std::size_t(i), tries, start.mesh().face_count(), start.error()}))
+        break;
+      const double gamma = too_much == 0 ? 2 * enough : std::sqrt(enough * too_much);
+      auto next = std::make_unique<Rounds>(start, problem_, goal, watch_);
+      if (next->begin(regions_, gamma)) {
+        enough = gamma;
+        if (!best || next->mesh().face_count() <= best->mesh().face_count()) best = std::move(next);
+      } else {
+        too_much = gamma;
+      }
+    }
+    return best;
+  }
+
+  const Problem& problem_;
+  StopWatch& watch_;
+  /// The mesh that gqe merges, and the mesh before anything is merged.
+  const std::unique_ptr<MergeTrial::Fork> merged_, start_;
+  const std::vector<RegionPrice> regions_;
+};
 
 }  // namespace
 
-std::optional<FittedMesh> merge_and_fit(MergeTrial& start, MergeTrial& merged,
-                                        const std::vector<RegionPrice>& regions,
-                                        const FitContext& context, StopWatch& watch) {
-  const std::unique_ptr<Rounds> rounds = beyond_epsilon(start, regions, context, watch);
-  const bool goes_on = rounds && rounds->mesh().face_count() <= merged.mesh().face_count();
-  std::optional<FittedMesh> best = goes_on ? rounds->run() : fit(merged, context, watch);
-  if (context.count == Count::handles) return best;
-  if (!best || best->mesh.face_count() == start.mesh().face_count()) return std::nullopt;
-  return best;
-}
-
-std::optional<FittedMesh> fit(MergeTrial& merged, const FitContext& context, StopWatch& watch) {
-  Rounds rounds(merged, context, watch);
-  rounds.fit(steps_for_set);
-  return rounds.run();
+Candidate merge_and_fit(const Problem& problem, StopWatch& watch) {
+  Best best(problem, watch);
+  const bool drops_handles =
+      problem.count == Count::handles && problem.mesh().color_model() == ColorModel::bilinear;
+  return drops_handles ? best.least_effort() : best.fewest_patches();
 }
 
 std::vector<double> fitted_prices(FitTrial& trial, const std::vector<RegionPrice>& regions,

@@ -174,7 +174,7 @@ class Gqe {
   }
 
   void run() {
-    if (trial_.measure().has_local_bound()) leave_out_breakers();
+    if (trial_.measure().local_bound()) leave_out_breakers();
     if (candidates_.empty()) return;
     // The number of patches goes up and down with gamma, which the halvings do not see.
     std::vector<double> gammas;

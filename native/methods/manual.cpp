@@ -17,7 +17,7 @@ void merge_named_edges(MergeTrial& trial, const std::vector<int>& edges) {
     if (obstacle != MergeObstacle::none)
       throw InputError("half-edge {0} cannot be merged: {1}.", number, describe(obstacle));
     if (!trial.try_edge(edge))
-      throw trial.measure().has_local_bound()
+      throw trial.measure().local_bound()
           ? InputError(
                 "merging half-edge {0} makes the error larger than epsilon, or than the bound in "
                 "a small part.",

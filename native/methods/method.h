@@ -1,44 +1,27 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/progress.h"
-#include "pricing/price_table.h"
-#include "trial/merge_trial.h"
+#include "problem/problem.h"
 
 namespace gradmesh {
 
-/// The options of the methods. Method::options names those that a method heeds.
-struct MethodOptions {
-  std::uint64_t seed = 0;
-  /// Weight of a region's size against its error (Eq. 7), 0..1.
-  double omega = 0.75;
-  /// Share of epsilon, 0 or more, above which edges bound the parts (6.2).
-  double kappa = 0.05;
-  /// The edges to merge, in this order, by either of their half-edges.
-  std::vector<int> edges;
-};
-
-/// The input of a method: the method merges in `trial` and may use and add to `prices`, which are
-/// of the mesh as it is now. It ends early if `watch` says so.
-struct MethodRun {
-  MergeTrial& trial;
-  PriceTable& prices;
-  const MethodOptions& options;
-  StopWatch& watch;
-};
-
-/// A way to choose what is merged (paper, section 6).
+/// A way to make a mesh simpler (paper, section 6).
 struct Method {
   /// The name in options and reports, such as "dual-grid".
   std::string name;
   /// The members of MethodOptions that it heeds, by their names.
   std::vector<std::string> options;
-  /// Merges; none if the method makes a plain mesh.
-  std::function<void(const MethodRun&)> run;
+  /// Returns what the method makes of the problem, or Problem::unchanged(). Ends early if the watch
+  /// says so. Throws InputError if something that the problem names cannot be done.
+  std::function<Candidate(const Problem&, StopWatch&)> run;
+  /// Returns why the method cannot work on a mesh; nothing if it can.
+  std::optional<Message> (*why_not)(const Mesh&);
   /// True if the method uses prices of regions or edges, so that there are some to save.
   bool needs_prices = false;
   /// True if a rectangle of patches stays a rectangle: then the method may work on smooth meshes
@@ -46,12 +29,14 @@ struct Method {
   bool keeps_rectangle = false;
   /// True if the caller names the edges to merge; it is an error if one of them cannot be merged.
   bool merges_named_edges = false;
-  /// True if simplify() goes on and fits what was merged (best.h).
-  bool fits = false;
-  /// True if nothing is merged: the points of a rectangle of patches become fewer and its sides
-  /// straight (plain/fewer_handles.h), and it is written as one mesh gradient.
-  bool makes_plain = false;
+  /// What the method makes few where nobody says what.
+  Count count = Count::patches;
+  /// True if the method heeds Bounds::target. Others reach a target by a search over epsilon.
+  bool meets_targets = false;
 };
+
+/// Returns true if the method can work on the mesh.
+inline bool suits(const Method& method, const Mesh& mesh) { return !method.why_not(mesh); }
 
 /// Returns all methods, in the order in which lists show them.
 const std::vector<Method>& all_methods();
@@ -65,10 +50,6 @@ std::vector<std::string> method_names();
 
 /// Returns what a person may ask for: `simplest`, and the names of all methods.
 std::vector<std::string> method_choices();
-
-/// Returns true if the method can simplify the mesh: a smooth mesh only where a rectangle stays
-/// one, and a rectangle only where the mesh is one.
-bool suits(const Method& method, const Mesh& mesh);
 
 /// Returns the names of all methods that heed an option, in their order.
 std::vector<std::string> methods_with(const std::string& option);

@@ -2,12 +2,15 @@
 #include <stdexcept>
 
 #include "mesh/rectangle.h"
+#include "methods/best.h"
 #include "methods/gqe.h"
 #include "methods/grid.h"
 #include "methods/lines.h"
 #include "methods/manual.h"
+#include "methods/merging.h"
 #include "methods/method.h"
 #include "methods/motorcycle.h"
+#include "methods/plain.h"
 #include "methods/random.h"
 
 namespace gradmesh {
@@ -15,46 +18,108 @@ namespace {
 
 /// Tries all edges in an order that follows the seed.
 template <std::vector<Halfedge> order(const Mesh&, std::uint64_t)>
-void in_order(const MethodRun& run) {
-  const auto by_seed = [&](const Mesh& mesh) { return order(mesh, run.options.seed); };
-  try_edges(run.trial, by_seed, run.watch);
+Candidate in_order(const Problem& problem, StopWatch& watch) {
+  const auto by_seed = [&](const Mesh& mesh) { return order(mesh, problem.options.seed); };
+  return merge_what_fits(problem, problem.trial()->trial,
+                         [&](MergeTrial& trial, PriceTable&) { try_edges(trial, by_seed, watch); });
 }
 
-void by_parts(const MethodRun& run) {
-  select_motorcycle(run.trial, run.prices, {run.options.kappa, run.options.seed}, run.watch);
+Candidate by_parts(const Problem& problem, StopWatch& watch) {
+  const MotorcycleOptions options{problem.options.kappa, problem.options.seed};
+  return merge_what_fits(problem, problem.pricing_trial()->trial,
+                         [&](MergeTrial& trial, PriceTable& prices) {
+                           select_motorcycle(trial, prices, options, watch);
+                         });
 }
 
 template <bool look_ahead>
-void by_regions(const MethodRun& run) {
-  merge_by_gqe(run.trial, run.prices, {run.options.omega, look_ahead}, run.watch);
+Candidate by_regions(const Problem& problem, StopWatch& watch) {
+  const GqeOptions options{problem.options.omega, look_ahead};
+  return merge_what_fits(
+      problem, problem.pricing_trial()->trial,
+      [&](MergeTrial& trial, PriceTable& prices) { merge_by_gqe(trial, prices, options, watch); });
 }
 
-void by_lines(const MethodRun& run) { take_out_lines(run.trial, run.watch); }
+Candidate by_lines(const Problem& problem, StopWatch& watch) {
+  return merge_what_fits(problem, problem.trial()->trial,
+                         [&](MergeTrial& trial, PriceTable&) { take_out_lines(trial, watch); },
+                         {.keeps_rectangle = true});
+}
 
-void by_name(const MethodRun& run) { merge_named_edges(run.trial, run.options.edges); }
+Candidate by_name(const Problem& problem, StopWatch&) {
+  return merge_what_fits(
+      problem, problem.trial()->trial,
+      [&](MergeTrial& trial, PriceTable&) { merge_named_edges(trial, problem.options.edges); },
+      {.merges_again = false});
+}
+
+/// The colours of a smooth patch follow those of its neighbours in rows and columns.
+std::optional<Message> needs_own_colors(const Mesh& mesh) {
+  if (!mesh.is_smooth()) return std::nullopt;
+  return Message(
+      "its colours follow those of the neighbours (type=\"bicubic\"), so that only whole lines "
+      "can be taken out, by the method lines.");
+}
+
+std::optional<Message> needs_lines(const Mesh& mesh) {
+  if (find_grid(mesh)) return std::nullopt;
+  return Message(
+      "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
+      "out.");
+}
+
+/// A grid of points and handles has one colour at each point and nothing between.
+std::optional<Message> needs_plain_grid(const Mesh& mesh) {
+  if (mesh.color_model() == ColorModel::bicubic)
+    return Message("its colours are bicubic, which a plain mesh gradient cannot hold.");
+  if (!find_grid(mesh)) return Message("it is not one rectangle of patches without T-junctions.");
+  return std::nullopt;
+}
 
 }  // namespace
 
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> methods = {
-      {.name = "random", .options = {"seed"}, .run = in_order<random_order>},
-      {.name = "grid", .options = {"seed"}, .run = in_order<grid_order>},
-      {.name = "dual-grid", .options = {"seed"}, .run = in_order<dual_grid_order>},
-      {.name = "motorcycle", .options = {"seed", "kappa"}, .run = by_parts, .needs_prices = true},
-      {.name = "gqe", .options = {"omega"}, .run = by_regions<false>, .needs_prices = true},
-      {.name = "gqe1", .options = {"omega"}, .run = by_regions<true>, .needs_prices = true},
-      {.name = best_method,
+      {"random", {"seed"}, in_order<random_order>, needs_own_colors},
+      {"grid", {"seed"}, in_order<grid_order>, needs_own_colors},
+      {"dual-grid", {"seed"}, in_order<dual_grid_order>, needs_own_colors},
+      {.name = "motorcycle",
+       .options = {"seed", "kappa"},
+       .run = by_parts,
+       .why_not = needs_own_colors,
+       .needs_prices = true},
+      {.name = "gqe",
        .options = {"omega"},
        .run = by_regions<false>,
-       .needs_prices = true,
-       .fits = true},
-      {.name = line_method, .options = {}, .run = by_lines, .keeps_rectangle = true},
+       .why_not = needs_own_colors,
+       .needs_prices = true},
+      {.name = "gqe1",
+       .options = {"omega"},
+       .run = by_regions<true>,
+       .why_not = needs_own_colors,
+       .needs_prices = true},
+      {.name = best_method,
+       .options = {"omega"},
+       .run = merge_and_fit,
+       .why_not = needs_own_colors,
+       .needs_prices = true},
+      {.name = line_method,
+       .options = {},
+       .run = by_lines,
+       .why_not = needs_lines,
+       .keeps_rectangle = true},
       {.name = plain_method,
        .options = {},
-       .run = {},
+       .run = make_plain,
+       .why_not = needs_plain_grid,
        .keeps_rectangle = true,
-       .makes_plain = true},
-      {.name = "manual", .options = {"edges"}, .run = by_name, .merges_named_edges = true},
+       .count = Count::handles,
+       .meets_targets = true},
+      {.name = "manual",
+       .options = {"edges"},
+       .run = by_name,
+       .why_not = needs_own_colors,
+       .merges_named_edges = true},
   };
   return methods;
 }
@@ -79,11 +144,6 @@ std::vector<std::string> method_choices() {
   std::vector<std::string> choices = method_names();
   choices.insert(choices.begin(), simplest);
   return choices;
-}
-
-bool suits(const Method& method, const Mesh& mesh) {
-  if (method.makes_plain && mesh.color_model() == ColorModel::bicubic) return false;
-  return method.keeps_rectangle ? find_grid(mesh).has_value() : !mesh.is_smooth();
 }
 
 std::vector<std::string> methods_with(const std::string& option) {

@@ -7,7 +7,7 @@ namespace gradmesh {
 namespace {
 
 /// Returns the same for one side; `farthest` where no outline is near.
-double gap_of(const PlainGrid& grid, Along along, int row, int column, const FitTarget& picture) {
+double gap_of(const PlainGrid& grid, Along along, int row, int column, const Reference& picture) {
   constexpr double farthest = 10, spacing = 3;
   const Affine& to_pixels = picture.frame().to_pixels;
   const Cubic<glm::dvec2> side = grid.side(along, row, column);
@@ -25,7 +25,7 @@ double gap_of(const PlainGrid& grid, Along along, int row, int column, const Fit
 
 }  // namespace
 
-double border_gap(const PlainGrid& grid, const FitTarget& picture) {
+double border_gap(const PlainGrid& grid, const Reference& picture) {
   double gap = 0;
   for (const int row : {0, grid.rows()})
     for (int j = 0; j < grid.columns(); ++j)

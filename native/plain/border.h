@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/target.h"
+#include "reference/reference.h"
 #include "plain/plain_grid.h"
 
 namespace gradmesh {
@@ -9,8 +9,8 @@ namespace gradmesh {
 inline constexpr double seen_gap = 1;
 
 /// Returns how far the border of a grid is from the outlines of the original, in pixels, where it
-/// is not hidden: at most a little more than FitTarget::outline_near looks. An error over all of
+/// is not hidden: at most a little more than Reference::outline_near looks. An error over all of
 /// the picture does not tell such a gap at the edge of an object, which is a few pixels.
-double border_gap(const PlainGrid& grid, const FitTarget& picture);
+double border_gap(const PlainGrid& grid, const Reference& picture);
 
 }  // namespace gradmesh

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "fit/damping.h"
 #include "fit/equations.h"
 #include "raster/folds.h"
 
@@ -23,13 +24,13 @@ std::array<bool, 4> outlines(const PlainGrid& grid, int row, int column) {
 }
 
 double squares_of(const Patch& patch, const std::array<bool, 4>& are_outlines,
-                  const FitTarget& target) {
+                  const Reference& target) {
   return normal_equations(patch, {}, are_outlines, Columns(0), target, by_size).squares;
 }
 
 class GridFit {
  public:
-  GridFit(PlainGrid& grid, const FitTarget& target, const GridPoints& points, bool with_colors)
+  GridFit(PlainGrid& grid, const Reference& target, const GridPoints& points, bool with_colors)
       : grid_(grid),
         target_(target),
         to_mesh_(glm::inverse(target.frame().to_pixels.linear)),
@@ -38,11 +39,13 @@ class GridFit {
   }
 
   double run(int steps) {
-    double damping = first_damping;
+    // One for all unknowns.
+    Damping damping(1);
     Equations now = equations(grid_);
     while (steps-- > 0) {
       const Eigen::VectorXd step =
-          solve(now.parts, Eigen::VectorXd::Constant(unknowns_.columns().count, damping));
+          solve(now.parts,
+                Eigen::VectorXd::Constant(unknowns_.columns().count, damping.values().front()));
       if (!step.allFinite()) break;
       PlainGrid moved = without_new_folds(step);
       Equations then = steps > 0 ? equations(moved) : squares(moved);
@@ -50,17 +53,16 @@ class GridFit {
         const double drop = now.squares - then.squares;
         grid_ = std::move(moved);
         now = std::move(then);
-        damping = std::max(least_damping, damping / fall);
+        damping.lower(0);
         if (drop < little * now.squares) break;
       } else {
-        damping *= rise;
+        damping.raise(0);
       }
     }
     return now.squares;
   }
 
  private:
-  static constexpr double first_damping = 1e-3, least_damping = 1e-4, fall = 4, rise = 20;
   /// A step that lowers the sum by less than this share of it is the last.
   static constexpr double little = 2e-3;
 
@@ -128,7 +130,7 @@ class GridFit {
   }
 
   PlainGrid& grid_;
-  const FitTarget& target_;
+  const Reference& target_;
   const glm::dmat2 to_mesh_;
   const GridUnknowns unknowns_;
   std::vector<InfluencedPatch> patches_;
@@ -136,19 +138,19 @@ class GridFit {
 
 }  // namespace
 
-double patch_squares(const PlainGrid& grid, int row, int column, const FitTarget& target) {
+double patch_squares(const PlainGrid& grid, int row, int column, const Reference& target) {
   return squares_of(PaintedGrid(grid).patch(row, column), outlines(grid, row, column), target);
 }
 
-double fit_grid(PlainGrid& grid, const FitTarget& target, int steps, const GridPoints& points) {
+double fit_grid(PlainGrid& grid, const Reference& target, int steps, const GridPoints& points) {
   return GridFit(grid, target, points, false).run(steps);
 }
 
-double fit_grid(PlainGrid& grid, const FitTarget& target, int steps) {
+double fit_grid(PlainGrid& grid, const Reference& target, int steps) {
   return fit_grid(grid, target, steps, GridPoints::all(grid));
 }
 
-void fit_grid_and_colors(PlainGrid& grid, const FitTarget& target, int steps,
+void fit_grid_and_colors(PlainGrid& grid, const Reference& target, int steps,
                          const GridPoints& points) {
   constexpr double levels = 255, least_change = 1.5;
   PlainGrid free = grid;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/target.h"
+#include "reference/reference.h"
 #include "plain/grid_unknowns.h"
 #include "plain/plain_grid.h"
 
@@ -11,16 +11,16 @@ namespace gradmesh {
 /// Gauss-Newton. Colours stay, straight sides stay straight, and no patch folds that did not fold.
 /// Returns the sum of the squares that is left, each over the area of its sample in pixels, of the
 /// patches that the points change.
-double fit_grid(PlainGrid& grid, const FitTarget& target, int steps, const GridPoints& points);
-double fit_grid(PlainGrid& grid, const FitTarget& target, int steps);
+double fit_grid(PlainGrid& grid, const Reference& target, int steps, const GridPoints& points);
+double fit_grid(PlainGrid& grid, const Reference& target, int steps);
 
 /// Does the same with the colours of those points as well that are opaque. These stay whole levels
 /// of 8 bits, as an SVG document has them. A colour stays as it is where another one would hardly
 /// be better: it is exactly that of the original picture there, and rounding is seen.
-void fit_grid_and_colors(PlainGrid& grid, const FitTarget& target, int steps,
+void fit_grid_and_colors(PlainGrid& grid, const Reference& target, int steps,
                          const GridPoints& points);
 
 /// Returns the same sum for one patch of the grid as it is.
-double patch_squares(const PlainGrid& grid, int row, int column, const FitTarget& target);
+double patch_squares(const PlainGrid& grid, int row, int column, const Reference& target);
 
 }  // namespace gradmesh

@@ -2,7 +2,6 @@
 
 #include "app/devices.h"
 #include "base/utf8_path.h"
-#include "simplify/simplify.h"
 
 namespace gradmesh {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document.h"
+#include "app/runs.h"
 #include "app/edits.h"
 #include "service/call.h"
 

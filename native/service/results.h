@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/document.h"
+#include "app/runs.h"
 #include "app/edits.h"
 #include "app/publish.h"
 #include "service/arguments.h"

@@ -10,9 +10,9 @@ namespace {
 Json simplified(Document& document, const std::vector<std::string>& ids, const RunOptions& options,
                 const Call& call) {
   const AnalysisPaths analyses = analysis_paths(call);
-  if (call.get<bool>("preview")) return reports_json(document.preview(ids, options, analyses));
+  if (call.get<bool>("preview")) return reports_json(preview(document, ids, options, analyses));
   const WriteOptions writing{call.get<bool>("remember_original"), call.get<bool>("keep_original")};
-  return reports_json(document.simplify(ids, options, analyses, writing));
+  return reports_json(simplify(document, ids, options, analyses, writing));
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ Json analyze_document(const Call& call) {
   take_renderer(options, call);
   options.progress = call.progress();
   const MeasuredAgainst measured(document, call);
-  return document.analyze(call.get<std::vector<std::string>>("ids"), options, analysis_paths(call));
+  return analyze(document, call.get<std::vector<std::string>>("ids"), options, analysis_paths(call));
 }
 
 }  // namespace gradmesh

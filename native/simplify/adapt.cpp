@@ -136,41 +136,38 @@ std::vector<Halfedge> curves_of(const Mesh& mesh) {
 
 class Adapter {
  public:
-  Adapter(const Mesh& mesh, const AdaptOptions& options)
-      : options_(options),
-        target_(std::make_shared<const FitTarget>(*options.original, options.frame)),
-        patches_(patches_of(mesh)),
-        splits_(patches_) {
+  explicit Adapter(const Problem& problem)
+      : problem_(problem), patches_(patches_of(problem.mesh())), splits_(patches_) {
     // From here on, faces have the numbers of the patches.
-    start_ = build_mesh(as_bilinear(subdivided(mesh, 1)));
-    let_junctions_follow(mesh);
+    start_ = build_mesh(as_bilinear(subdivided(problem.mesh(), 1)));
+    let_junctions_follow(problem.mesh());
   }
 
   int patches() const { return int(patches_.size()); }
 
   /// Returns the mesh with `count` patches.
-  const AdaptedMesh& with_patches(int count) {
+  const Candidate& with_patches(int count) {
     const auto known = known_.find(count);
     return known != known_.end() ? known->second : known_.emplace(count, made(count)).first->second;
   }
 
   /// Fits twists and tangents to the picture, patch by patch, and then the levels of the corner
   /// colours. Stops once the error no longer decreases.
-  void polish(AdaptedMesh& adapted) const {
+  void polish(Candidate& adapted) const {
     constexpr int rounds = 2, steps = 3;
-    for (int round = 0; round < rounds && adapted.error > options_.epsilon; ++round) {
-      Mesh polished = adapted.mesh;
-      FitTrial fit(polished, error_from(polished), target_);
+    for (int round = 0; round < rounds && !adapted.keeps; ++round) {
+      Mesh mesh = adapted.mesh;
+      FitTrial fit(mesh, EditError(problem_.reference(), mesh));
       for (const Face f : adapted.mesh.faces()) fit.improve({f}, steps);
-      ColorTrial(polished, error_from(polished)).improve();
-      const double error = options_.error_of(polished);
-      if (error >= adapted.error) return;
-      adapted = {std::move(polished), error};
+      ColorTrial(mesh, EditError(problem_.reference(), mesh)).improve();
+      Candidate polished = problem_.measure(std::move(mesh));
+      if (polished.error >= adapted.error) return;
+      adapted = std::move(polished);
     }
   }
 
  private:
-  AdaptedMesh made(int count) {
+  Candidate made(int count) {
     Mesh split_mesh = start_;
     std::vector<Patch> wanted = patches_;
     Journal journal(split_mesh);
@@ -185,15 +182,10 @@ class Adapter {
     }
     // Where both sides of a curve are split at the same place, subdivided() makes an ordinary
     // point, whose colour is free.
-    AdaptedMesh result{build_mesh(subdivided(split_mesh, 1)), 0};
-    take_corner_colors(result.mesh, wanted);
-    fit_corner_colors(result.mesh, wanted);
-    result.error = options_.error_of(result.mesh);
-    return result;
-  }
-
-  EditError error_from(const Mesh& mesh) const {
-    return {*options_.original, mesh, options_.frame, options_.metric};
+    Mesh mesh = build_mesh(subdivided(split_mesh, 1));
+    take_corner_colors(mesh, wanted);
+    fit_corner_colors(mesh, wanted);
+    return problem_.measure(std::move(mesh));
   }
 
   /// Makes the colours of T-junctions follow the parent's curve in the model `bilinear` if they
@@ -242,18 +234,17 @@ class Adapter {
     refresh(journal, curves_of(mesh));
   }
 
-  const AdaptOptions& options_;
-  const std::shared_ptr<const FitTarget> target_;
+  const Problem& problem_;
   const std::vector<Patch> patches_;
   Splits splits_;
   Mesh start_;
   /// The meshes that were made, by their numbers of patches.
-  std::map<int, AdaptedMesh> known_;
+  std::map<int, Candidate> known_;
 };
 
 /// Returns the mesh with the fewest patches whose error is at most `error`. Returns the mesh with
 /// the least error that was found if there is none.
-AdaptedMesh fewest_patches(Adapter& adapter, double error) {
+Candidate fewest_patches(Adapter& adapter, double error) {
   // The search ends when the numbers of patches that are enough and too few have this ratio.
   constexpr double precise = 1.04;
   // More patches do not reduce the error of rounding to 8 bits: the search ends when twice as many
@@ -261,10 +252,10 @@ AdaptedMesh fewest_patches(Adapter& adapter, double error) {
   constexpr double helps = 0.97;
   const int most = std::max(adapter.patches(), int(limits().patches));
   int too_few = adapter.patches();
-  AdaptedMesh best = adapter.with_patches(too_few);
+  Candidate best = adapter.with_patches(too_few);
   while (best.error > error && too_few < most) {
     const int count = std::min(2 * too_few, most);
-    const AdaptedMesh& next = adapter.with_patches(count);
+    const Candidate& next = adapter.with_patches(count);
     if (next.error > error) {
       too_few = count;
       if (next.error > helps * best.error) return best;
@@ -274,7 +265,7 @@ AdaptedMesh fewest_patches(Adapter& adapter, double error) {
   while (best.error <= error && best.mesh.face_count() > precise * too_few) {
     const int between = int(std::sqrt(double(best.mesh.face_count()) * too_few));
     if (between <= too_few) break;
-    const AdaptedMesh& next = adapter.with_patches(between);
+    const Candidate& next = adapter.with_patches(between);
     if (next.error <= error)
       best = next;
     else
@@ -286,7 +277,7 @@ AdaptedMesh fewest_patches(Adapter& adapter, double error) {
 /// Returns true if `mesh` is a better result than `than`. A mesh that keeps to epsilon is better
 /// than a mesh that does not. Of two meshes that keep to epsilon, the one with fewer patches is
 /// better; of two that do not, the one with the smaller error.
-bool is_better(const AdaptedMesh& mesh, const AdaptedMesh& than, double epsilon) {
+bool is_better(const Candidate& mesh, const Candidate& than, double epsilon) {
   const bool keeps = mesh.error <= epsilon;
   if (keeps != (than.error <= epsilon)) return keeps;
   return keeps ? mesh.mesh.face_count() < than.mesh.face_count() : mesh.error < than.error;
@@ -294,22 +285,23 @@ bool is_better(const AdaptedMesh& mesh, const AdaptedMesh& than, double epsilon)
 
 }  // namespace
 
-AdaptedMesh adapted(const Mesh& mesh, const AdaptOptions& options) {
+Candidate adapted(const Problem& problem) {
   // The share of the error that polish() leaves differs from mesh to mesh. A try with a first guess
   // of the share shows the real one.
   constexpr double first_guess = 0.75, near = 0.05;
   constexpr int tries = 3;
-  Adapter adapter(mesh, options);
-  AdaptedMesh best = adapter.with_patches(adapter.patches());
-  if (best.error <= options.epsilon) return best;
+  const double epsilon = problem.bounds.epsilon;
+  Adapter adapter(problem);
+  Candidate best = adapter.with_patches(adapter.patches());
+  if (best.error <= epsilon) return best;
   double left = first_guess;
   for (int i = 0; i < tries; ++i) {
-    AdaptedMesh next = fewest_patches(adapter, options.epsilon / left);
+    Candidate next = fewest_patches(adapter, epsilon / left);
     const double before = next.error;
     adapter.polish(next);
     const double found = next.error / before;
-    if (is_better(next, best, options.epsilon)) best = std::move(next);
-    if (before <= options.epsilon || std::abs(found - left) < near * left) break;
+    if (is_better(next, best, epsilon)) best = std::move(next);
+    if (before <= epsilon || std::abs(found - left) < near * left) break;
     left = found;
   }
   return best;

@@ -29,21 +29,6 @@ void check_resolution(int resolution) {
                                 " pixels.");
 }
 
-Count what_is_counted(const SimplifyOptions& options, Count otherwise) {
-  if (options.handles.has_value() + options.patches.has_value() + options.ratio.has_value() > 1)
-    throw std::invalid_argument(
-        "a target is a number of handles, a number of patches or a ratio, and one of these only.");
-  if (options.handles && options.count == Count::patches)
-    throw std::invalid_argument("a number of handles is no target where patches are counted.");
-  if (options.patches && options.count == Count::handles)
-    throw std::invalid_argument("a number of patches is no target where handles are counted.");
-  if (options.handles) return Count::handles;
-  if (options.patches) return Count::patches;
-  if (options.count) return *options.count;
-  if (options.method == simplest) return otherwise;
-  return method_named(options.method).makes_plain ? Count::handles : Count::patches;
-}
-
 const char* name(ColorModel model) {
   return model == ColorModel::bilinear ? "bilinear" : "bicubic";
 }

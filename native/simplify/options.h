@@ -28,7 +28,8 @@ struct SimplifyOptions : MethodOptions {
   /// small as the method finds.
   std::optional<int> handles, patches;
   std::optional<double> ratio;
-  /// What is made few, and what `ratio` is a share of; nothing for what_is_counted().
+  /// What is made few, and what `ratio` is a share of; nothing for what_is_counted()
+  /// (simplify/target.h).
   std::optional<Count> count;
   /// Pixels along the longer side of the frame, as of check_resolution.
   int resolution = 700;
@@ -51,11 +52,6 @@ void check(const SimplifyOptions& options);
 /// Throws std::invalid_argument if the resolution, in pixels, is below 16 or above the limit on
 /// resolutions (base/limits.h).
 void check_resolution(int resolution);
-
-/// Returns what is made few: what the target is a number of, what `options.count` says, handles for
-/// the method `plain` and patches for any other that is named, and `otherwise` for `simplest`.
-/// Throws std::invalid_argument if the options contradict each other.
-Count what_is_counted(const SimplifyOptions& options, Count otherwise = Count::patches);
 
 /// Return the name in options and reports, such as "bilinear".
 const char* name(ColorModel model);

@@ -15,87 +15,71 @@ constexpr double precision = 1.05;
 /// Tries one epsilon after another and remembers the best mesh.
 class TargetSearch {
  public:
-  TargetSearch(const Mesh& mesh, const RunOptions& options, const Target& target)
-      : mesh_(mesh), options_(options), target_(target), budget_(options.time_budget) {
-    options_.handles.reset();
-    options_.patches.reset();
-    options_.ratio.reset();
-    options_.count = target.what;
-    // Each price is found only once for all values of epsilon.
-    if (!options_.analysis) options_.analysis = &analysis_;
-    // A device that has failed once is not tried again.
-    options_.device_lost = [this, told = options.device_lost](const DeviceError& error) {
-      options_.device = nullptr;
-      if (told) told(error);
-    };
-  }
+  TargetSearch(const Problem& problem, const Method& method, StopWatch& watch)
+      : problem_(problem), method_(method), watch_(watch), target_(problem.bounds.target.value()) {}
 
-  SimplifyResult run(Mesh& mesh) {
+  Candidate run() {
     double enough = first_epsilon;
-    while (!reaches(enough) && enough < 1 && !over_) enough = std::min(1.0, 2 * enough);
+    while (!reaches(enough) && enough < 1 && !is_over()) enough = std::min(1.0, 2 * enough);
     double too_small = enough / 2;
     if (enough == first_epsilon)
-      while (too_small > smallest_epsilon && !over_ && reaches(too_small)) {
+      while (too_small > smallest_epsilon && !is_over() && reaches(too_small)) {
         enough = too_small;
         too_small /= 2;
       }
-    while (enough > precision * too_small && !over_) {
+    while (enough > precision * too_small && !is_over()) {
       const double between = std::sqrt(enough * too_small);
       (reaches(between) ? enough : too_small) = between;
     }
-    mesh = std::move(best_mesh_);
-    best_.seconds.total = watch_.seconds();
-    return best_;
+    return *std::move(best_);
   }
 
  private:
-  /// Simplifies with this epsilon. Returns true if that reaches the target.
+  bool is_over() const { return watch_.reason() != StopWatch::Reason::none; }
+
+  /// Runs the method with this epsilon. Returns true if that reaches the target.
   bool reaches(double epsilon) {
-    options_.epsilon = epsilon;
-    // A run that begins before the watch ends the search may take only the time that is left.
-    if (budget_ > 0) options_.time_budget = std::max(budget_ - watch_.seconds(), 1e-3);
-    Mesh mesh = mesh_;
-    SimplifyResult result = gradmesh::simplify(mesh, options_);
-    const Stopped stopped = result.stopped;
-    over_ = stopped == Stopped::budget || stopped == Stopped::cancelled;
-    const int evaluations = best_.evaluations + result.evaluations;
-    const bool reached = has_reached(result);
-    if (!found_ || is_better(result)) {
-      best_ = std::move(result);
-      best_mesh_ = std::move(mesh);
-      found_ = true;
+    problem_.bounds.epsilon = epsilon;
+    Candidate found = method_.run(problem_, watch_);
+    const int left = found.counts()[target_.what];
+    const bool reached = left <= target_.most;
+    if (!best_ || is_better(found, left)) {
+      best_ = std::move(found);
+      left_ = left;
     }
-    best_.evaluations = evaluations;
-    if (over_) best_.stopped = stopped;
     return reached;
   }
 
-  bool is_better(const SimplifyResult& result) const {
-    const bool reached = has_reached(result);
-    if (reached != has_reached(best_)) return reached;
-    if (reached) return result.error < best_.error;
-    return left(result) < left(best_);
-  }
-  static MeshCounts counts(const SimplifyResult& result) {
-    return {result.handles_after, result.patches_after};
-  }
-  int left(const SimplifyResult& result) const { return counts(result)[target_.what]; }
-  bool has_reached(const SimplifyResult& result) const {
-    return target_.is_reached(counts(result));
+  bool is_better(const Candidate& found, int left) const {
+    const bool reached = left <= target_.most;
+    if (reached != (left_ <= target_.most)) return reached;
+    return reached ? found.error < best_->error : left < left_;
   }
 
-  const Mesh& mesh_;
-  RunOptions options_;
+  Problem problem_;
+  const Method& method_;
+  StopWatch& watch_;
   const Target target_;
-  const double budget_;
-  StopWatch watch_{0, {}};
-  PriceTable analysis_;
-  bool over_ = false, found_ = false;
-  SimplifyResult best_;
-  Mesh best_mesh_;
+  std::optional<Candidate> best_;
+  /// How much of what is counted the best mesh has.
+  int left_ = 0;
 };
 
 }  // namespace
+
+Count what_is_counted(const SimplifyOptions& options, Count otherwise) {
+  if (options.handles.has_value() + options.patches.has_value() + options.ratio.has_value() > 1)
+    throw std::invalid_argument(
+        "a target is a number of handles, a number of patches or a ratio, and one of these only.");
+  if (options.handles && options.count == Count::patches)
+    throw std::invalid_argument("a number of handles is no target where patches are counted.");
+  if (options.patches && options.count == Count::handles)
+    throw std::invalid_argument("a number of patches is no target where handles are counted.");
+  if (options.handles) return Count::handles;
+  if (options.patches) return Count::patches;
+  if (options.count) return *options.count;
+  return options.method == simplest ? otherwise : method_named(options.method).count;
+}
 
 std::optional<Target> target_of(const SimplifyOptions& options, const Mesh& mesh) {
   const Count what = what_is_counted(options);
@@ -113,8 +97,8 @@ std::optional<Target> target_of(const SimplifyOptions& options, const Mesh& mesh
   return Target{what, std::max(1, int(*options.ratio * counts_of(mesh)[what]))};
 }
 
-SimplifyResult simplify_to_target(Mesh& mesh, const RunOptions& options, const Target& target) {
-  return TargetSearch(mesh, options, target).run(mesh);
+Candidate search_for_target(const Problem& problem, const Method& method, StopWatch& watch) {
+  return TargetSearch(problem, method, watch).run();
 }
 
 }  // namespace gradmesh

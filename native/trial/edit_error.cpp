@@ -33,26 +33,38 @@ bool overlaps(const Painting& painting, Window window) {
 
 }  // namespace
 
-EditError::EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
-                     bool masks_opacity, std::optional<double> max_local_error) {
+FrameError whole_frame_error(const Reference& reference, const Mesh& surface, bool masks_opacity,
+                             const LocalBound* bound) {
+  Frame frame = reference.frame();
+  frame.masked_opacity = masks_opacity;
+  const Plane map = reference.metric().map(paint_whole(surface, frame).image);
+  return {mean(map), largest_local_mean(map), !bound || bound->holds(map)};
+}
+
+EditError::EditError(std::shared_ptr<const Reference> reference, const Mesh& start,
+                     bool masks_opacity, std::optional<double> max_local_error, bool is_original) {
   const auto fixed = std::make_shared<Fixed>();
-  fixed->frame = frame;
-  fixed->kind = metric;
-  fixed->metric = make_metric(metric, paint_whole(original, frame).image);
+  fixed->frame = reference->frame();
   fixed->frame.masked_opacity = masks_opacity && !start.is_smooth() &&
                                 start.color_model() == ColorModel::bilinear &&
                                 is_translucent(start);
   const auto state = std::make_shared<State>();
-  state->painting = paint_whole(start, fixed->frame);
-  state->map = fixed->metric->map(state->painting.image);
+  if (is_original && !fixed->frame.masked_opacity) {
+    state->painting = reference->painting();
+    state->map = Plane(fixed->frame.width, fixed->frame.height);
+  } else {
+    state->painting = paint_whole(start, fixed->frame);
+    state->map = reference->metric().map(state->painting.image);
+  }
   state->sum = mean(state->map) * double(state->map.pixels());
   state->bounds.resize(start.face_slots());
   for (const Face f : start.faces())
     state->bounds[f.value] = pixel_bounds(start.patch(f), fixed->frame);
   state->overlaps = overlaps(state->painting, state->painting.window());
-  state_ = state;
   if (max_local_error) fixed->local_bound.emplace(*max_local_error, state->map);
+  fixed->reference = std::move(reference);
   fixed_ = fixed;
+  state_ = state;
 }
 
 EditError EditError::fork() { return {fixed_, state()}; }
@@ -80,7 +92,7 @@ Window EditError::changed_pixels(const Mesh& mesh, const std::vector<Face>& touc
 
 double EditError::after_edits(const Journal& journal, std::size_t depth, double limit) {
   ++fixed_->evaluations;
-  const Metric& metric = *fixed_->metric;
+  const Metric& metric = reference().metric();
   const Window frame = fixed_->frame.window();
   trial_.touched = journal.touched_since(depth);
   trial_.pixels = changed_pixels(journal.mesh(), trial_.touched);
@@ -141,8 +153,8 @@ void EditError::accept(const Journal& journal) {
 }
 
 std::unique_ptr<DeviceErrors> EditError::on_device(std::shared_ptr<Device> device) {
-  auto errors = std::make_unique<DeviceErrors>(std::move(device), fixed_->kind,
-                                               fixed_->metric->reference(), fixed_->frame);
+  auto errors = std::make_unique<DeviceErrors>(std::move(device), reference().metric_kind(),
+                                               reference().painting().image, fixed_->frame);
   errors->start(state_->painting);
   return errors;
 }
@@ -152,14 +164,6 @@ void EditError::describe(const Journal& journal, std::size_t depth, EditTile& ti
   const std::vector<Face> touched = journal.touched_since(depth);
   tiler_.make(journal.mesh(), fixed_->frame, touched, changed_pixels(journal.mesh(), touched),
               state_->overlaps ? &state_->painting : nullptr, tile);
-}
-
-FrameError EditError::whole_frame(const Mesh& mesh, std::optional<bool> masks_opacity) const {
-  Frame frame = fixed_->frame;
-  frame.masked_opacity = masks_opacity.value_or(frame.masked_opacity);
-  const Plane map = fixed_->metric->map(paint_whole(mesh, frame).image);
-  const std::optional<LocalBound>& bound = fixed_->local_bound;
-  return {mean(map), largest_local_mean(map), !bound || bound->holds(map)};
 }
 
 }  // namespace gradmesh

@@ -8,10 +8,10 @@
 
 #include "base/image.h"
 #include "device/device_errors.h"
-#include "metric/metric.h"
 #include "ops/journal.h"
 #include "raster/edit_tile.h"
 #include "raster/painter.h"
+#include "reference/reference.h"
 #include "trial/local_bound.h"
 
 namespace gradmesh {
@@ -27,22 +27,30 @@ struct FrameError {
   bool keeps_to(double epsilon) const { return mean <= epsilon && keeps_local_bound; }
 };
 
+/// Paints a surface as it will be written and measures the whole frame of the reference. Returns a
+/// local error that keeps to `bound`, or to none if that is null.
+FrameError whole_frame_error(const Reference& reference, const Mesh& surface, bool masks_opacity,
+                             const LocalBound* bound);
+
 /// The error of an edited mesh against the mesh as it was at first (paper, section 5): the mean of
 /// the metric's map over the whole frame. An edit is painted and measured only where it changes
 /// what has been accepted so far; the error is that of the whole frame.
 class EditError {
  public:
-  /// Paints `original`, the reference, and `start`, the mesh that will be edited, as it will be
-  /// written. The error may be above 0 before anything is merged: `start` may hold less than the
-  /// original, and a translucent mesh of the model `bilinear` has its opacities in a mask, unless
-  /// `masks_opacity` is false. `max_local_error` bounds the error of small parts (LocalBound).
-  EditError(const Mesh& original, const Mesh& start, const Frame& frame, MetricKind metric,
-            bool masks_opacity = true, std::optional<double> max_local_error = std::nullopt);
+  /// Paints `start`, the mesh that will be edited, as it will be written. The error may be above 0
+  /// before anything is merged: `start` may hold less than the original, and a translucent mesh of
+  /// the model `bilinear` has its opacities in a mask, unless `masks_opacity` is false.
+  /// `max_local_error` bounds the error of small parts (LocalBound). `is_original` is true if the
+  /// reference was painted of `start`, which then need not be painted again.
+  EditError(std::shared_ptr<const Reference> reference, const Mesh& start,
+            bool masks_opacity = true, std::optional<double> max_local_error = std::nullopt,
+            bool is_original = false);
 
   /// Returns an EditError for another thread, with the same reference, that goes on from what this
   /// one has accepted. Neither sees what the other does.
   EditError fork();
 
+  const Reference& reference() const { return *fixed_->reference; }
   /// Returns the number of pixels of the frame.
   std::size_t pixels() const { return state_->map.pixels(); }
   /// Returns the error of the mesh as last accepted.
@@ -57,7 +65,10 @@ class EditError {
   /// changed the sum of the map over the pixels of each face on top, by slots of the faces of the
   /// journal's mesh.
   std::vector<double> change_by_face(std::size_t face_slots) const;
-  bool has_local_bound() const { return fixed_->local_bound.has_value(); }
+  /// Returns the bound of the error of small parts; null if there is none.
+  const LocalBound* local_bound() const {
+    return fixed_->local_bound ? &*fixed_->local_bound : nullptr;
+  }
   /// Returns true if the mesh of the last after_edits, whose error must be at most its limit, keeps
   /// to the local bound.
   bool keeps_local_bound();
@@ -83,9 +94,10 @@ class EditError {
   /// Goes back to an earlier state, after the journal has gone back to it.
   void restore(std::shared_ptr<const State> state);
 
-  /// Paints and measures the whole frame afresh. Opacities are in a mask as for all edits unless
-  /// `masks_opacity` says otherwise.
-  FrameError whole_frame(const Mesh& mesh, std::optional<bool> masks_opacity = std::nullopt) const;
+  /// Paints and measures the whole frame afresh, with opacities in a mask as for all edits.
+  FrameError whole_frame(const Mesh& mesh) const {
+    return whole_frame_error(reference(), mesh, fixed_->frame.masked_opacity, local_bound());
+  }
 
   /// Returns a DeviceErrors that measures many edits at once, starting from what has been accepted
   /// so far. Throws DeviceError.
@@ -101,9 +113,9 @@ class EditError {
  private:
   /// The part that does not change and is shared with the forks.
   struct Fixed {
+    std::shared_ptr<const Reference> reference;
+    /// That of the reference, and whether opacities are in a mask.
     Frame frame;
-    MetricKind kind;
-    std::unique_ptr<Metric> metric;
     std::optional<LocalBound> local_bound;
     mutable std::atomic<int> evaluations = 0;
   };

@@ -11,10 +11,7 @@
 namespace gradmesh {
 namespace {
 
-/// Damping of Levenberg and Marquardt for each unknown: it rises where a step raised the error, and
-/// falls elsewhere.
-constexpr double first_damping = 1e-3, least_damping = 1e-4, most_damping = 1e3;
-constexpr double rise = 20, rise_again = 3, fall = 4;
+constexpr double most_damping = 1e3;
 
 /// Returns the faces and those that share a curve with them, each once.
 std::vector<Face> with_neighbours(const Mesh& mesh, const std::vector<Face>& faces) {
@@ -67,11 +64,11 @@ double FitTrial::price(const Region& region, double limit) {
       journal_.undo_to(depth);
       return price;
     }
-    Fit fit(journal_, *target_, merged, plainness());
-    const std::vector<double> damping(fit.unknowns().size(), first_damping);
+    Fit fit(journal_, reference(), merged, plainness());
+    const Damping damping(fit.unknowns().size());
     constexpr int steps = 2;
     for (int i = 0; i < steps; ++i)
-      fit.apply(fit.step(damping), std::vector<bool>(damping.size(), false));
+      fit.apply(fit.step(damping), std::vector<bool>(fit.unknowns().size(), false));
     const double unfitted = price;
     price = error_.after_edits(journal_, depth, before + limit) - before;
     const bool breaks = price <= limit && !error_.keeps_local_bound();
@@ -87,18 +84,18 @@ bool FitTrial::try_and_fit(const std::vector<Region>& regions, double limit, int
   return !merged.empty() && keep_if_cheap(depth, merged, limit, steps);
 }
 
-double FitTrial::price(const PlainerStep& step) {
+double FitTrial::price(const HandleDrop& drop) {
   const std::size_t depth = journal_.depth();
-  make(step);
+  make(drop);
   const double price = error_.after_edits(journal_, depth) - error();
   journal_.undo_to(depth);
   return price;
 }
 
-bool FitTrial::try_plainer(const std::vector<PlainerStep>& plainer, double limit, int steps,
-                           const std::function<bool(const Mesh&)>& is_kept) {
+bool FitTrial::try_drops(const std::vector<HandleDrop>& drops, double limit, int steps,
+                         const std::function<bool(const Mesh&)>& is_kept) {
   const std::size_t depth = journal_.depth();
-  for (const PlainerStep& step : plainer) make(step);
+  for (const HandleDrop& drop : drops) make(drop);
   return keep_if_cheap(depth, journal_.touched_since(depth), limit, steps, is_kept);
 }
 
@@ -118,12 +115,12 @@ bool FitTrial::keep_if_cheap(std::size_t depth, const std::vector<Face>& changed
   return false;
 }
 
-void FitTrial::make(const PlainerStep& step) {
+void FitTrial::make(const HandleDrop& drop) {
   const Plainness plain(mesh());
   journal_.begin();
-  if (step.face.valid()) return drop_tensor(journal_, step.face);
-  straighten(journal_, step.curve);
-  plain.refresh(journal_, std::array{step.curve});
+  if (drop.face.valid()) return drop_tensor(journal_, drop.face);
+  straighten(journal_, drop.curve);
+  plain.refresh(journal_, std::array{drop.curve});
 }
 
 void FitTrial::improve(const std::vector<Face>& faces, int steps) {
@@ -135,9 +132,9 @@ void FitTrial::improve(const std::vector<Face>& faces, int steps) {
 }
 
 void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
-  Fit fit(journal_, *target_, faces, plainness());
+  Fit fit(journal_, reference(), faces, plainness());
   const std::vector<Face> unfolded = unfolded_faces(mesh(), fit);
-  std::vector<double> damping(fit.unknowns().size(), first_damping);
+  Damping damping(fit.unknowns().size(), most_damping);
   for (int left = steps; left-- > 0;) {
     const double before = error();
     const bool better = try_step(fit, unfolded, damping);
@@ -149,7 +146,7 @@ void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
   }
 }
 
-bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector<double>& damping) {
+bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, Damping& damping) {
   const std::vector<Value> step = fit.step(damping);
   std::vector<bool> stays(fit.unknowns().size(), false);
   // At first all of the step, then without what did harm.
@@ -165,8 +162,8 @@ bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector
       return folded[std::size_t(f.value)] || change[std::size_t(f.value)] > noticeable;
     });
     for (std::size_t u = 0; u < worse.size(); ++u) {
-      if (worse[u]) damping[u] = std::min(most_damping, damping[u] * (again ? rise_again : rise));
-      if (!worse[u] && !again) damping[u] = std::max(least_damping, damping[u] / fall);
+      if (worse[u]) damping.raise(u, again);
+      if (!worse[u] && !again) damping.lower(u);
       stays[u] = stays[u] || worse[u];
     }
     if (better) {
@@ -200,7 +197,7 @@ void FitTrial::go_back(std::size_t depth, std::shared_ptr<const EditError::State
 }
 
 std::unique_ptr<FitTrial::Fork> FitTrial::fork() {
-  return std::make_unique<Fork>(mesh(), error_.fork(), target_, keeps_plain_);
+  return std::make_unique<Fork>(mesh(), error_.fork(), keeps_plain_);
 }
 
 }  // namespace gradmesh

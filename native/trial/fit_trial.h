@@ -11,9 +11,9 @@
 
 namespace gradmesh {
 
-/// A way to make a mesh plainer: a curve, as Mesh::curve names it, becomes straight, or a face a
+/// A way to have fewer handles: a curve, as Mesh::curve names it, becomes straight, or a face a
 /// Coons patch.
-struct PlainerStep {
+struct HandleDrop {
   Halfedge curve{};
   Face face{};
 };
@@ -23,14 +23,10 @@ struct PlainerStep {
 /// the fit does not lower the measured error. No fit folds a patch over itself that did not fold.
 class FitTrial {
  public:
-  /// `error` and `target` are of the same original, and `error` starts from `mesh`. If
-  /// `keeps_plain` is true, fits leave plain what is plain, and move points (Plainness).
-  FitTrial(Mesh& mesh, EditError error, std::shared_ptr<const FitTarget> target,
-           bool keeps_plain = false)
-      : journal_(mesh),
-        error_(std::move(error)),
-        target_(std::move(target)),
-        keeps_plain_(keeps_plain) {}
+  /// `error` starts from `mesh`. If `keeps_plain` is true, fits leave plain what is plain, and move
+  /// points (Plainness).
+  FitTrial(Mesh& mesh, EditError error, bool keeps_plain = false)
+      : journal_(mesh), error_(std::move(error)), keeps_plain_(keeps_plain) {}
 
   /// Returns by how much the error rises if the region alone is merged and its patch fitted; some
   /// number above `limit` if the rise is above `limit`; infinity if the region cannot be merged or
@@ -42,13 +38,13 @@ class FitTrial {
   /// the local bound, the mesh stays so, and true is returned; otherwise the mesh is as before.
   bool try_and_fit(const std::vector<Region>& regions, double limit, int steps);
 
-  /// Returns by how much the error rises if the mesh is made plainer by a step and nothing is
-  /// fitted. Leaves the mesh as it was.
-  double price(const PlainerStep& step);
-  /// Does the same as try_and_fit, with steps that make the mesh plainer, if `is_kept` says of the
-  /// fitted mesh that it may be kept.
-  bool try_plainer(const std::vector<PlainerStep>& plainer, double limit, int steps,
-                   const std::function<bool(const Mesh&)>& is_kept);
+  /// Returns by how much the error rises if handles are dropped and nothing is fitted. Leaves the
+  /// mesh as it was.
+  double price(const HandleDrop& drop);
+  /// Drops handles and fits as try_and_fit does, if `is_kept` says of the fitted mesh that it may
+  /// be kept.
+  bool try_drops(const std::vector<HandleDrop>& drops, double limit, int steps,
+                 const std::function<bool(const Mesh&)>& is_kept);
 
   /// Fits these faces in at most `steps` steps and keeps the steps that lower the error, but none
   /// if together they would break the local bound.
@@ -62,6 +58,7 @@ class FitTrial {
   }
 
   const Mesh& mesh() const { return journal_.mesh(); }
+  const Reference& reference() const { return error_.reference(); }
   double error() const { return error_.error(); }
   int evaluations() const { return error_.evaluations(); }
 
@@ -76,7 +73,7 @@ class FitTrial {
   /// fitted, or takes them back. Returns true if they were kept.
   bool keep_if_cheap(std::size_t depth, const std::vector<Face>& changed, double limit, int steps,
                      const std::function<bool(const Mesh&)>& is_kept = {});
-  void make(const PlainerStep& step);
+  void make(const HandleDrop& drop);
   Plainness plainness() const { return keeps_plain_ ? Plainness(mesh()) : Plainness(); }
   /// Goes back to an earlier depth, and to the error there.
   void go_back(std::size_t depth, std::shared_ptr<const EditError::State> state);
@@ -85,19 +82,18 @@ class FitTrial {
   void fit(const std::vector<Face>& faces, int steps, double limit);
   /// Makes one step, if that lowers the error, and returns true if it does. `unfolded` are the
   /// faces that do not fold, and must not. Adapts the damping.
-  bool try_step(Fit& fit, const std::vector<Face>& unfolded, std::vector<double>& damping);
+  bool try_step(Fit& fit, const std::vector<Face>& unfolded, Damping& damping);
 
   Journal journal_;
   EditError error_;
-  std::shared_ptr<const FitTarget> target_;
   bool keeps_plain_;
   int changes_ = 0;
   std::vector<int> last_change_;
 };
 
 struct FitTrial::Fork {
-  Fork(Mesh from, EditError error, std::shared_ptr<const FitTarget> target, bool keeps_plain)
-      : mesh(std::move(from)), trial(mesh, std::move(error), std::move(target), keeps_plain) {}
+  Fork(Mesh from, EditError error, bool keeps_plain)
+      : mesh(std::move(from)), trial(mesh, std::move(error), keeps_plain) {}
 
   Mesh mesh;
   FitTrial trial;

@@ -85,9 +85,8 @@ std::unique_ptr<MergeTrial::Fork> MergeTrial::fork() {
   return std::make_unique<Fork>(mesh(), error_.fork(), epsilon_);
 }
 
-std::unique_ptr<FitTrial::Fork> MergeTrial::fork_to_fit(std::shared_ptr<const FitTarget> target,
-                                                        bool keeps_plain) {
-  return std::make_unique<FitTrial::Fork>(mesh(), error_.fork(), std::move(target), keeps_plain);
+std::unique_ptr<FitTrial::Fork> MergeTrial::fork_to_fit(bool keeps_plain) {
+  return std::make_unique<FitTrial::Fork>(mesh(), error_.fork(), keeps_plain);
 }
 
 }  // namespace gradmesh

@@ -91,8 +91,7 @@ class MergeTrial {
   struct Fork;
   std::unique_ptr<Fork> fork();
   /// Returns such a copy as a trial that goes on with fits (FitTrial).
-  std::unique_ptr<FitTrial::Fork> fork_to_fit(std::shared_ptr<const FitTarget> target,
-                                              bool keeps_plain = false);
+  std::unique_ptr<FitTrial::Fork> fork_to_fit(bool keeps_plain = false);
 
  private:
   friend class RegionTrial;

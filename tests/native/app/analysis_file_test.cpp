@@ -14,6 +14,7 @@
 #include "base/hash.h"
 #include "files/atomic_file.h"
 #include "meshes.h"
+#include "problems.h"
 #include "random_meshes.h"
 #include "simplify/simplify.h"
 
@@ -50,7 +51,7 @@ Mesh mixed_mesh() {
 PriceTable analysis_of(const Mesh& mesh, RunOptions options) {
   PriceTable analysis;
   options.analysis = &analysis;
-  analyze_regions(mesh, options);
+  test::analyze_regions(mesh, options);
   return analysis;
 }
 
@@ -101,7 +102,7 @@ TEST(AnalysisFile, what_was_loaded_is_saved_with_what_was_added) {
   write(path, {a, {b.key, {*b.prices.begin()}}});
   AnalysisFiles files({path, more});
   options.analysis = &files.start(b.key, second);
-  analyze_regions(second, options);
+  test::analyze_regions(second, options);
   files.save();
   EXPECT_EQ(loaded(more, a.key, first), a.prices);
   EXPECT_EQ(loaded(more, b.key, second), b.prices);
@@ -123,7 +124,7 @@ TEST(AnalysisFile, loaded_prices_serve_every_epsilon_below_and_every_omega_and_k
         options.analysis = &priced;
         const SimplifyResult without = simplify(fresh, options);
         AnalysisFiles files({path, {}});
-        PriceTable& analysis = files.start(analysis_key(mesh, options), mesh);
+        PriceTable& analysis = files.start(test::problem(mesh, options).price_key(), mesh);
         const std::size_t prices = analysis.prices.size();
         options.analysis = &analysis;
         const SimplifyResult with = simplify(known, options);
@@ -145,7 +146,7 @@ TEST(AnalysisFile, says_what_differs) {
   write(path, {analysis_of(mesh, options)});
   const std::string start = path.string() + ": this analysis ";
   const auto refused = [&](const Mesh& wanted, const RunOptions& with) {
-    return refusal([&] { loaded(path, analysis_key(wanted, with), wanted); });
+    return refusal([&] { loaded(path, test::problem(wanted, with).price_key(), wanted); });
   };
 
   EXPECT_EQ(refused(grid_mesh({.rows = 4}), options),
@@ -174,7 +175,7 @@ TEST(AnalysisFile, of_several_the_closest_is_told_about) {
   RunOptions coarse = small_options();
   coarse.resolution = 40;
   write(path, {analysis_of(grid_mesh({.rows = 4}), small_options()), analysis_of(mesh, coarse)});
-  EXPECT_EQ(refusal([&] { loaded(path, analysis_key(mesh, small_options()), mesh); }),
+  EXPECT_EQ(refusal([&] { loaded(path, test::problem(mesh, small_options()).price_key(), mesh); }),
             path.string() + ": this analysis was made at 40 x 40 pixels, not 80 x 80 pixels.");
 }
 
@@ -197,7 +198,7 @@ TEST(AnalysisFile, refuses_other_and_empty_files) {
   write(path, {});
   const Mesh mesh = grid_mesh();
   EXPECT_EQ(refusal([&] {
-              AnalysisFiles({path, {}}).start(analysis_key(mesh, small_options()), mesh);
+              AnalysisFiles({path, {}}).start(test::problem(mesh, small_options()).price_key(), mesh);
             }),
             path.string() + ": this analysis holds no mesh.");
 }
@@ -263,7 +264,7 @@ TEST(AnalysisFile, refuses_brackets_without_end) {
 TEST(AnalysisFile, refuses_regions_that_are_not_in_the_mesh) {
   const Mesh mesh = grid_mesh();
   const RunOptions options = small_options();
-  const PriceTableKey key = analysis_key(mesh, options);
+  const PriceTableKey key = test::problem(mesh, options).price_key();
   const auto path = scratch("prices.json");
   for (const Region& region :
        {Region{Face{-1}, 0, 1, 2}, Region{Face{9}, 0, 1, 2}, Region{Face{0}, 4, 1, 2},

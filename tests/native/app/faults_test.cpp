@@ -9,7 +9,7 @@
 #include <new>
 #include <random>
 
-#include "app/document.h"
+#include "app/runs.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "mesh/validate.h"
@@ -82,7 +82,7 @@ std::string read_simplify_write(const std::string& bytes) {
   options.resolution = 32;
   options.epsilon = 0.02;
   const auto document = Document::parse(bytes, "drawing.svg");
-  document->simplify({}, options);
+  simplify(*document, {}, options);
   return document->bytes();
 }
 
@@ -136,10 +136,10 @@ TEST_F(Faults, a_document_whose_run_failed_is_as_it_was) {
     const auto document = Document::parse(bytes_, "drawing.svg");
     and_all_after = true;
     left = n;
-    EXPECT_THROW(document->simplify({}, options), std::bad_alloc);
+    EXPECT_THROW(simplify(*document, {}, options), std::bad_alloc);
     left = -1;
     EXPECT_EQ(document->bytes(), bytes_);
-    document->simplify({}, options);  // and can still be simplified
+    simplify(*document, {}, options);  // and can still be simplified
     EXPECT_NE(document->bytes(), bytes_);
   }
 }

@@ -4,13 +4,14 @@
 #include <map>
 
 #include "app/devices.h"
-#include "app/document.h"
+#include "app/runs.h"
 #include "branch_meshes.h"
 #include "device/device_errors.h"
 #include "device/egl_rasterizer.h"
 #include "mesh/rectangle.h"
 #include "meshes.h"
 #include "ops/merge/merge.h"
+#include "problems.h"
 #include "random_meshes.h"
 #include "raster/hidden.h"
 #include "same_mesh.h"
@@ -124,7 +125,7 @@ TEST_F(OnDevice, measures_edits) {
       Mesh mesh = test::grid_mesh(
           {.rows = 5, .columns = 4, .position_noise = seed < 3 ? 0.1 : 0.5, .color_noise = 0.3},
           seed);
-      EditError error(mesh, mesh, fit_frame(mesh, {}, 120), metric);
+      EditError error = test::edit_error(mesh, mesh, fit_frame(mesh, {}, 120), metric);
       Journal journal(mesh);
       for (int step = 0; step < 6; ++step) {
         const auto on_device = error.on_device(device_);
@@ -159,20 +160,22 @@ TEST_P(SampleOnDevice, is_merged_the_same) {
       options.device_lost = [](const DeviceError& fault) { ADD_FAILURE() << fault.what(); };
       const auto document = Document::read_file(file);
       for (const MeshEntry& entry : document->meshes()) {
-        Document::Start expected = document->start(entry, options, none);
-        Document::Start found = document->start(entry, options, none);
-        expected.options.analysis = &prices[entry.index];
-        found.options.analysis = &prices_on_device[entry.index];
+        const Problem expected = problem_of(*document, entry, options, none);
+        const Problem found = problem_of(*document, entry, options, none);
+        expected.price_with({&prices[entry.index]});
+        found.price_with(
+            {&prices_on_device[entry.index], [&] { return device_; }, options.device_lost});
         // Smooth meshes are merged by lines whatever is asked for.
-        if (!suits(method_named(method), expected.mesh)) continue;
-        found.options.device = device_;
-        const SimplifyResult here = simplify(expected.mesh, expected.options);
-        const SimplifyResult there = simplify(found.mesh, found.options);
+        const Method& used = method_named(method);
+        if (!suits(used, expected.mesh())) continue;
+        StopWatch watch(0, {});
+        const SimplifyResult here = simplify(expected, used, watch);
+        const SimplifyResult there = simplify(found, used, watch);
         EXPECT_EQ(here.renderer, "software");
-        EXPECT_EQ(there.renderer, device_->info().name);
+        EXPECT_EQ(there.renderer, used.needs_prices ? device_->info().name : "software");
         EXPECT_EQ(here.patches_after, there.patches_after);
         EXPECT_EQ(here.error, there.error);
-        EXPECT_TRUE(test::same(expected.mesh, found.mesh));
+        EXPECT_TRUE(test::same(here.mesh, there.mesh));
       }
     }
   }

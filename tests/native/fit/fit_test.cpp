@@ -5,6 +5,7 @@
 #include "mesh/dependence.h"
 #include "ops/refresh.h"
 #include "ops/straighten.h"
+#include "problems.h"
 #include "random_meshes.h"
 #include "raster/folds.h"
 #include "raster/hidden.h"
@@ -159,7 +160,6 @@ TEST(Fit, finds_back_what_was_moved) {
                                   seed);
       const Mesh original = mesh;
       const Frame frame = fit_frame(original, {}, 200);
-      const auto target = std::make_shared<const FitTarget>(original, frame);
       std::mt19937 random(seed);
       {
         Journal journal(mesh);
@@ -169,12 +169,12 @@ TEST(Fit, finds_back_what_was_moved) {
         for (const Unknown& unknown : unknowns) by.push_back(random_value(unknown, random));
         change(journal, unknowns, by);
       }
-      FitTrial trial(mesh, EditError(original, mesh, frame, MetricKind::flip), target);
+      FitTrial trial(mesh, test::edit_error(original, mesh, frame, MetricKind::flip));
       const double before = trial.error();
       trial.improve({Face{4}}, 8);
       EXPECT_LT(trial.error(), 0.5 * before) << "seed " << seed;
       EXPECT_NEAR(trial.error(),
-                  EditError(original, original, frame, MetricKind::flip).whole_frame(mesh).mean,
+                  test::edit_error(original, original, frame, MetricKind::flip).whole_frame(mesh).mean,
                   1e-9);
     }
 }
@@ -196,7 +196,7 @@ TEST(Fit, is_not_held_by_what_is_hidden) {
   pixels.to_pixels = {};
   frame.hidden = std::make_shared<HiddenPixels>(seen, pixels);
 
-  const auto target = std::make_shared<const FitTarget>(original, frame);
+  const auto target = test::reference(original, frame);
   const glm::dvec2 hidden(border.x0 + rim / 2, (top + bottom) / 2);
   EXPECT_FALSE(target->color_at(hidden));
   EXPECT_TRUE(target->is_hidden(hidden));
@@ -210,7 +210,7 @@ TEST(Fit, is_not_held_by_what_is_hidden) {
   by.position = {-8, 0};
   change(journal, unknowns, std::vector(unknowns.size(), by));
   const Mesh moved = mesh;
-  FitTrial trial(mesh, EditError(original, mesh, frame, MetricKind::flip), target);
+  FitTrial trial(mesh, EditError(target, mesh));
   const double before = trial.error();
   trial.improve({Face{3}}, 8);
   EXPECT_LT(trial.error(), 0.25 * before);
@@ -222,8 +222,7 @@ TEST(FitTrial, prices_and_refused_merges_leave_everything_as_it_was) {
       Mesh mesh = junction_mesh(model, seed);
       const Mesh before = mesh;
       const Frame frame = fit_frame(mesh, {}, 150);
-      FitTrial trial(mesh, EditError(before, mesh, frame, MetricKind::ssim),
-                     std::make_shared<const FitTarget>(before, frame));
+      FitTrial trial(mesh, test::edit_error(before, mesh, frame, MetricKind::ssim));
       int priced = 0;
       for (const Halfedge h : before.halfedges()) {
         if (!before.is_leaf(h) || !leaf_across(before, h).valid()) continue;
@@ -250,8 +249,7 @@ TEST(FitTrial, no_patch_folds_that_did_not) {
     std::vector<Face> before;
     for (const Face f : faces_of(mesh))
       if (!may_fold(mesh.patch(f))) before.push_back(f);
-    FitTrial trial(mesh, EditError(other, mesh, frame, MetricKind::ssim),
-                   std::make_shared<const FitTarget>(other, frame));
+    FitTrial trial(mesh, test::edit_error(other, mesh, frame, MetricKind::ssim));
     const double error = trial.error();
     trial.improve(faces_of(mesh), 8);
     EXPECT_LT(trial.error(), error);
@@ -267,12 +265,11 @@ TEST(FitTrial, fitted_merges_cost_less) {
     Mesh mesh = junction_mesh(ColorModel::bicubic, seed);
     const Mesh original = mesh;
     const Frame frame = fit_frame(mesh, {}, 150);
-    const EditError error(original, mesh, frame, MetricKind::flip);
+    const EditError error = test::edit_error(original, mesh, frame, MetricKind::flip);
     for (const Halfedge h : original.halfedges()) {
       if (!original.is_leaf(h) || !leaf_across(original, h).valid()) continue;
       Mesh copy = original;
-      FitTrial trial(copy, EditError(original, copy, frame, MetricKind::flip),
-                     std::make_shared<const FitTarget>(original, frame));
+      FitTrial trial(copy, test::edit_error(original, copy, frame, MetricKind::flip));
       const Region region = region_of_edge(original, h);
       const double price = trial.price(region, 1);
       if (!trial.try_and_fit({region}, 1, 0)) continue;

@@ -10,6 +10,7 @@
 #include "form/blocks.h"
 #include "form/written_patch.h"
 #include "mesh/build.h"
+#include "problems.h"
 #include "random_meshes.h"
 #include "raster/overlaps.h"
 #include "trial/edit_error.h"
@@ -73,8 +74,8 @@ TEST(BlockForm, paints_what_lies_over_itself_as_before) {
 void expect_free(const Mesh& mesh, const Frame& frame) {
   const BlockForm form = block_form(mesh, coons_tolerance(frame), find_overlaps(mesh, frame));
   const FrameError error =
-      EditError(mesh, mesh, frame, MetricKind::flip)
-          .whole_frame(build_mesh(block_parts(mesh, form)), form.masks_opacity);
+      whole_frame_error(*test::reference(mesh, frame), build_mesh(block_parts(mesh, form)),
+                        form.masks_opacity, nullptr);
   EXPECT_LT(error.mean, form.masks_opacity ? 0.012 : 0.0005);
   EXPECT_LT(error.local, form.masks_opacity ? 0.05 : 0.02);
 }

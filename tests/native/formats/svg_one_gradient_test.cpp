@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/document.h"
+#include "app/runs.h"
 #include "base/error.h"
 #include "form/written_patch.h"
 #include "formats/svg/read/read_group.h"
@@ -259,7 +259,7 @@ TEST(OneGradient, and_blocks_that_no_reader_would_take_are_not_written) {
     options.epsilon = 1;
     options.resolution = 50;
     try {
-      document->simplify({}, options);
+      simplify(*document, {}, options);
       ADD_FAILURE() << method;
     } catch (const InputError& error) {
       EXPECT_STREQ(error.what(),

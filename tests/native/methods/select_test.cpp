@@ -15,6 +15,7 @@
 #include "methods/regions.h"
 #include "ops/merge/merge_region.h"
 #include "ops/split/split.h"
+#include "problems.h"
 #include "random_meshes.h"
 
 namespace gradmesh {
@@ -32,7 +33,7 @@ MeshParts parts(int rows, int columns, unsigned seed, double noise = 0.03) {
 struct Bench {
   explicit Bench(const Mesh& original, double epsilon = 0.01, MetricKind metric = MetricKind::flip)
       : mesh(original),
-        trial(mesh, EditError(original, mesh, fit_frame(mesh, {}, 120), metric), epsilon) {}
+        trial(mesh, test::edit_error(original, mesh, fit_frame(mesh, {}, 120), metric), epsilon) {}
 
   Mesh mesh;
   MergeTrial trial;

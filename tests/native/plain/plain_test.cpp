@@ -7,8 +7,8 @@
 #include "mesh/rectangle.h"
 #include "meshes.h"
 #include "plain/border.h"
-#include "plain/fewer_handles.h"
 #include "plain/grid_fit.h"
+#include "problems.h"
 #include "raster/folds.h"
 #include "simplify/simplify.h"
 #include "trial/edit_error.h"
@@ -81,7 +81,7 @@ TEST(Handles, of_a_patch_that_is_no_Coons_patch_are_four_more) {
 
 TEST(GridFit, brings_points_back_that_were_moved) {
   const Mesh mesh = noisy_grid(4, 4, 3);
-  const FitTarget target(mesh, fit_frame(mesh, {}, 200));
+  const Reference target(mesh, fit_frame(mesh, {}, 200), MetricKind::flip);
   const PlainGrid original(mesh);
   PlainGrid moved = original;
   moved.knot(2, 2).position += glm::dvec2(9, -7);
@@ -97,7 +97,7 @@ TEST(GridFit, brings_points_back_that_were_moved) {
 TEST(GridFit, leaves_straight_sides_straight_and_colours_alone_and_folds_nothing) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Mesh mesh = noisy_grid(4, 5, seed);
-    const FitTarget target(mesh, fit_frame(mesh, {}, 150));
+    const Reference target(mesh, fit_frame(mesh, {}, 150), MetricKind::flip);
     PlainGrid grid(mesh);
     for (int j = 0; j < 5; ++j) grid.bend(Along::rows, 2, j).reset();
     const PlainGrid before = grid;
@@ -113,7 +113,7 @@ TEST(GridFit, leaves_straight_sides_straight_and_colours_alone_and_folds_nothing
 
 TEST(GridFit, moves_only_the_points_it_is_given) {
   const Mesh mesh = noisy_grid(6, 6, 4);
-  const FitTarget target(mesh, fit_frame(mesh, {}, 200));
+  const Reference target(mesh, fit_frame(mesh, {}, 200), MetricKind::flip);
   PlainGrid grid(mesh);
   for (int i = 1; i < 6; ++i)
     for (int j = 1; j < 6; ++j) grid.knot(i, j).position += glm::dvec2(3, -2);
@@ -137,7 +137,7 @@ TEST(GridFit, brings_colours_back_in_whole_levels_and_leaves_the_others) {
   for (int i = 0; i <= 4; ++i)
     for (int j = 0; j <= 4; ++j) original.knot(i, j).color = whole(original.knot(i, j).color);
   const Mesh mesh = build_mesh(original.parts());
-  const FitTarget target(mesh, fit_frame(mesh, {}, 300));
+  const Reference target(mesh, fit_frame(mesh, {}, 300), MetricKind::flip);
   PlainGrid grid = original;
   glm::dvec4& changed = grid.knot(2, 1).color;
   for (int k = 0; k < 3; ++k) changed[k] += (changed[k] > 0.5 ? -30 : 30) / 255.0;
@@ -152,7 +152,7 @@ TEST(GridFit, brings_colours_back_in_whole_levels_and_leaves_the_others) {
 
 TEST(GridFit, leaves_the_colours_of_translucent_points_alone) {
   const Mesh mesh = noisy_grid(4, 4, 7);
-  const FitTarget target(mesh, fit_frame(mesh, {}, 200));
+  const Reference target(mesh, fit_frame(mesh, {}, 200), MetricKind::flip);
   for (const double alpha : {1.0, 0.5}) {
     PlainGrid grid(mesh);
     grid.knot(2, 2).color = {0.1, 0.9, 0.3, alpha};
@@ -164,7 +164,7 @@ TEST(GridFit, leaves_the_colours_of_translucent_points_alone) {
 
 TEST(BorderGap, is_how_far_the_border_is_from_where_it_was) {
   const Mesh mesh = noisy_grid(4, 4, 2);
-  const FitTarget picture(mesh, fit_frame(mesh, {}, 200));
+  const Reference picture(mesh, fit_frame(mesh, {}, 200), MetricKind::flip);
   PlainGrid grid(mesh);
   EXPECT_LT(border_gap(grid, picture), 0.6);
   const glm::dvec2 in = grid.knot(1, 2).position - grid.knot(0, 2).position;
@@ -188,7 +188,7 @@ PlainGrid waved_grid() {
 TEST(GridFit, keeps_a_line_smooth_where_it_was_and_one_side_is_a_curve) {
   const PlainGrid original = waved_grid();
   const Mesh mesh = build_mesh(original.parts());
-  const FitTarget target(mesh, fit_frame(mesh, {}, 200));
+  const Reference target(mesh, fit_frame(mesh, {}, 200), MetricKind::flip);
   for (int j = 1; j < 4; ++j) ASSERT_TRUE(original.is_smooth(Along::rows, 2, j));
   EXPECT_FALSE(original.is_smooth(Along::columns, 2, 2)) << "a straight line was no curve";
   for (const bool has_straight_side : {false, true}) {
@@ -242,7 +242,8 @@ TEST(Plain, leaves_fewer_handles_and_keeps_to_epsilon_and_the_local_bound) {
       }
       EXPECT_LT(result.handles_after, result.handles_before);
       EXPECT_LE(result.error, epsilon);
-      const EditError error(original, original, result.frame, options.metric, false, 0.08);
+      const EditError error =
+          test::edit_error(original, original, result.frame, options.metric, false, 0.08);
       const FrameError found = error.whole_frame(mesh);
       EXPECT_NEAR(found.mean, result.error, 1e-12);
       EXPECT_TRUE(found.keeps_to(epsilon));

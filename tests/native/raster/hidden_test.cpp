@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "metric/metric.h"
+#include "problems.h"
 #include "random_meshes.h"
 #include "raster/hidden.h"
 #include "trial/edit_error.h"
@@ -82,7 +83,7 @@ TEST(HiddenPixels, windows_still_add_up_to_the_whole_frame) {
     Frame frame = fit_frame(mesh, {}, 180);
     frame.hidden = std::make_shared<HiddenPixels>(
         inside({{{30, 40}, {350, 90}, {300, 480}, {120, 330}}}), frame);
-    EditError error(mesh, mesh, frame, metric);
+    EditError error = test::edit_error(mesh, mesh, frame, metric);
     const Mesh original = mesh;
     Journal journal(mesh);
     for (int step = 0; step < 25; ++step) {
@@ -93,7 +94,7 @@ TEST(HiddenPixels, windows_still_add_up_to_the_whole_frame) {
     }
     EXPECT_GT(error.error(), 0);
     frame.hidden = nullptr;
-    EXPECT_GT(EditError(original, original, frame, metric).whole_frame(mesh).mean, error.error());
+    EXPECT_GT(test::edit_error(original, original, frame, metric).whole_frame(mesh).mean, error.error());
   }
 }
 
@@ -103,7 +104,7 @@ TEST(HiddenPixels, what_is_hidden_costs_nothing) {
   // The left half.
   frame.hidden =
       std::make_shared<HiddenPixels>(inside({{{0, 0}, {200, 0}, {200, 200}, {0, 200}}}), frame);
-  EditError error(mesh, mesh, frame, MetricKind::flip);
+  EditError error = test::edit_error(mesh, mesh, frame, MetricKind::flip);
   Journal journal(mesh);
   merge(journal, test::between(mesh, Face{3}, Face{7}));
   EXPECT_EQ(error.after_edits(journal, 0), 0);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "app/document.h"
+#include "app/runs.h"
 #include "app/info.h"
 #include "base/error.h"
 #include "raster/rasterizer.h"
@@ -201,7 +201,7 @@ Direct direct(const std::string& bytes, const Options& options) {
   options.set(run, writing);
   const auto document = Document::parse(bytes, "drawing.svg");
   Direct result;
-  result.reports = document->simplify({}, run, {}, writing);
+  result.reports = simplify(*document, {}, run, {}, writing);
   result.bytes = document->bytes();
   return result;
 }
@@ -260,7 +260,7 @@ TEST(Service, previews_as_the_core_does) {
   RunOptions run;
   run.resolution = 32;
   run.method = "best";
-  const auto expected = Document::parse(bytes, "drawing.svg")->preview({}, run);
+  const auto expected = preview(*Document::parse(bytes, "drawing.svg"), {}, run);
   Service service;
   const Json document = parsed(service, bytes);
   const Json result = result_of(service, simplify_request(document, {{"preview", true}}));
@@ -282,7 +282,7 @@ TEST(Service, refuses_what_the_core_refuses) {
   };
   const auto refusal = [&](const RunOptions& options) -> std::string {
     try {
-      Document::parse(bytes, "drawing.svg")->simplify({}, options);
+      simplify(*Document::parse(bytes, "drawing.svg"), {}, options);
     } catch (const std::invalid_argument& error) {
       return error.what();
     }
@@ -330,7 +330,7 @@ TEST(Service, measures_against_another_document) {
   const auto expected = [&](const Document* against) {
     const auto direct_document = Document::parse(simpler, "drawing.svg");
     direct_document->measure_against(against);
-    return direct_document->preview({}, run)[0].result.error;
+    return preview(*direct_document, {}, run)[0].result.error;
   };
   const auto direct_original = Document::parse(bytes, "drawing.svg");
   EXPECT_EQ(error(original), expected(direct_original.get()));

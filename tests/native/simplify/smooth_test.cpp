@@ -8,6 +8,7 @@
 #include "mesh/rectangle.h"
 #include "mesh/validate.h"
 #include "meshes.h"
+#include "problems.h"
 #include "raster/rasterizer.h"
 #include "simplify/simplify.h"
 
@@ -220,8 +221,8 @@ TEST(SmoothMesh, is_refused_by_what_does_not_take_whole_lines) {
   Mesh mesh = smooth_grid(2, 2, 1);
   RunOptions options;
   options.resolution = 50;
-  EXPECT_THROW(analyze_edges(mesh, options), InputError);
-  EXPECT_THROW(analyze_regions(mesh, options), InputError);
+  EXPECT_THROW(test::analyze_edges(mesh, options), InputError);
+  EXPECT_THROW(test::analyze_regions(mesh, options), InputError);
   for (const std::string& method : method_names()) {
     if (suits(method_named(method), mesh)) continue;
     options.method = method;

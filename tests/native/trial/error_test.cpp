@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "problems.h"
 #include "random_meshes.h"
 #include "trial/edit_error.h"
 
@@ -15,7 +16,7 @@ TEST(EditError, windows_add_up_to_the_whole_frame) {
       Mesh mesh = test::grid_mesh(
           {.rows = 5, .columns = 4, .position_noise = 0.1, .color_noise = 0.3}, seed);
       const Frame frame = fit_frame(mesh, {}, 180);
-      EditError error(mesh, mesh, frame, metric);
+      EditError error = test::edit_error(mesh, mesh, frame, metric);
       EXPECT_EQ(error.error(), 0);
       Journal journal(mesh);
       for (int step = 0; step < 25; ++step) {
@@ -39,7 +40,7 @@ TEST(EditError, windows_add_up_to_the_whole_frame) {
 
 TEST(EditError, an_exact_split_costs_nothing_visible) {
   Mesh mesh = test::grid_mesh({.position_noise = 0.1, .color_noise = 0.3}, 2);
-  EditError error(mesh, mesh, fit_frame(mesh, {}, 300), MetricKind::flip);
+  EditError error = test::edit_error(mesh, mesh, fit_frame(mesh, {}, 300), MetricKind::flip);
   Journal journal(mesh);
   split(journal, mesh.sides(Face{4})[1], 0.5);
   // The colour at the new points is rounded to 8 bits, as it will be written.

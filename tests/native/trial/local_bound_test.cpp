@@ -4,11 +4,12 @@
 #include <filesystem>
 #include <ostream>
 
-#include "app/document.h"
+#include "app/runs.h"
 #include "base/error.h"
 #include "mesh/color_model.h"
 #include "mesh/rectangle.h"
 #include "metric/local_mean.h"
+#include "problems.h"
 #include "random_meshes.h"
 #include "raster/painting.h"
 #include "trial/edit_error.h"
@@ -74,7 +75,7 @@ void check_edits(const Mesh& original, const Mesh& start, unsigned seed, double 
                  int& broken) {
   std::mt19937 random(seed);
   Mesh mesh = start;
-  EditError error(original, start, fit_frame(original, {}, 180), MetricKind::flip, true, bound);
+  EditError error = test::edit_error(original, start, fit_frame(original, {}, 180), MetricKind::flip, true, bound);
   Journal journal(mesh);
   for (int step = 0; step < 20; ++step) {
     test::change_at_random(journal, random);
@@ -111,11 +112,11 @@ TEST(LocalBound, a_window_above_it_from_the_start_may_stay_and_not_get_worse) {
   Journal journal(start);
   for (int i = 0; i < 8; ++i) test::change_at_random(journal, random);
   const Frame frame = fit_frame(original, {}, 180);
-  const double there = EditError(original, start, frame, MetricKind::flip).whole_frame(start).local;
+  const double there = test::edit_error(original, start, frame, MetricKind::flip).whole_frame(start).local;
   ASSERT_GT(there, 0.05);
-  const EditError error(original, start, frame, MetricKind::flip, true, 0.01);
+  const EditError error = test::edit_error(original, start, frame, MetricKind::flip, true, 0.01);
   EXPECT_TRUE(error.whole_frame(start).keeps_local_bound);
-  EXPECT_FALSE(EditError(original, original, frame, MetricKind::flip, true, 0.01)
+  EXPECT_FALSE(test::edit_error(original, original, frame, MetricKind::flip, true, 0.01)
                    .whole_frame(start)
                    .keeps_local_bound);
   int held = 0, broken = 0;
@@ -162,11 +163,11 @@ TEST_P(Results, keep_to_the_bound_as_written) {
     if (!mesh.is_smooth() && !suits(method_named(method), mesh)) continue;
     const auto free = Document::read_file(file), bound = Document::read_file(file);
     options.max_local_error.reset();
-    const auto without = free->simplify({entry.id}, options, {}, {}).front();
+    const auto without = simplify(*free, {entry.id}, options, {}, {}).front();
     const Plane map = written_map(*before, *free, without, options.metric);
     EXPECT_NEAR(without.result.local_error, naive_largest(map), 1e-12);
     options.max_local_error = 0.6 * without.result.local_error;
-    const auto with = bound->simplify({entry.id}, options, {}, {}).front();
+    const auto with = simplify(*bound, {entry.id}, options, {}, {}).front();
     EXPECT_LE(with.result.error, options.epsilon);
     EXPECT_LE(with.result.local_error, *options.max_local_error);
     EXPECT_NEAR(with.result.local_error,
@@ -216,7 +217,7 @@ TEST(LocalBound, prices_know_nothing_of_it) {
   options.resolution = 150;
   PriceTable free, bound;
   options.analysis = &free;
-  analyze_regions(mesh, options);
+  test::analyze_regions(mesh, options);
   options.max_local_error = 0.01;
   options.analysis = &bound;
   Mesh merged = mesh;
@@ -232,19 +233,19 @@ TEST(LocalBound, refuses_a_manual_merge_that_breaks_it_but_tells_the_error) {
   options.method = "manual";
   options.edges = {5, 60};
   options.epsilon = 1;
-  const double there = document->preview({}, options, {}).front().result.local_error;
+  const double there = preview(*document, {}, options, {}).front().result.local_error;
   ASSERT_GT(there, 0);
   options.max_local_error = there / 2;
-  EXPECT_EQ(document->preview({}, options, {}).front().result.local_error, there);
+  EXPECT_EQ(preview(*document, {}, options, {}).front().result.local_error, there);
   try {
-    document->simplify({}, options, {}, {});
+    simplify(*document, {}, options, {}, {});
     FAIL() << "the bound is broken";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("or than the bound in a small part."),
               std::string::npos);
   }
   options.max_local_error = there;
-  EXPECT_EQ(document->simplify({}, options, {}, {}).front().result.local_error, there);
+  EXPECT_EQ(simplify(*document, {}, options, {}, {}).front().result.local_error, there);
 }
 
 TEST(LocalBound, refuses_what_makes_no_sense) {

@@ -8,28 +8,27 @@
 
 namespace gradmesh {
 
-/// Makes a mesh plainer step by step: curves become straight, and patches Coons patches. What costs
-/// least for each handle comes first, many steps at once while they are cheap, and what lies near
+/// Drops handles of a mesh step by step: curves become straight, and patches Coons patches. What
+/// costs least for each handle comes first, many at once while they are cheap, and what lies near
 /// is fitted after each.
-class Plainer {
+class HandleDrops {
  public:
   /// `keeps` says whether a mesh keeps to the bounds as it will be written. `trial` must keep plain
   /// what is plain.
-  Plainer(FitTrial& trial, const FitTarget& target, std::function<bool(const Mesh&)> keeps,
-          std::function<bool()> should_stop)
+  HandleDrops(FitTrial& trial, std::function<bool(const Mesh&)> keeps,
+              std::function<bool()> should_stop)
       : trial_(trial),
-        target_(target),
         keeps_(std::move(keeps)),
         should_stop_(std::move(should_stop)),
         at_first_(trial.mesh()) {}
 
-  /// Makes steps whose error, once fitted, is at most `limit`. Returns false if there are none
-  /// left.
-  bool make_step(double limit);
+  /// Drops handles so that the error, once fitted, is at most `limit`. Returns false if there are
+  /// none left that can be dropped.
+  bool drop_some(double limit);
 
  private:
   struct Way {
-    PlainerStep step;
+    HandleDrop step;
     /// How many handles it saves.
     int saves;
   };
@@ -39,16 +38,12 @@ class Plainer {
   /// smooth get a corner that is seen.
   bool may_be_straight(Halfedge curve, const Plainness& now) const;
   bool makes_corner(Halfedge curve, int end, const Plainness& now) const;
-  std::vector<PlainerStep> cheapest_first() const;
+  std::vector<HandleDrop> cheapest_first() const;
 
-  /// Of the steps that are possible, one in so many is made at once, and where these are too many,
-  /// one in so many of them.
-  static constexpr std::size_t share_at_once = 4;
   /// After so many single steps that were too much, one after the other, no more are tried.
   static constexpr int most_in_a_row = 12;
 
   FitTrial& trial_;
-  const FitTarget& target_;
   const std::function<bool(const Mesh&)> keeps_;
   const std::function<bool()> should_stop_;
   const Plainness at_first_;

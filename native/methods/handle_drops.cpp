@@ -1,10 +1,11 @@
-#include "methods/plainer.h"
+#include "methods/handle_drops.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "methods/portions.h"
 #include "plain/border.h"
 #include "plain/corners.h"
 #include "pricing/parallel_trials.h"
@@ -32,22 +33,21 @@ double largest(const glm::dvec4& v) { return std::max({v.r, v.g, v.b, v.a}); }
 
 }  // namespace
 
-bool Plainer::make_step(double limit) {
+bool HandleDrops::drop_some(double limit) {
   constexpr int fit_steps = 2;
-  const std::vector<PlainerStep> steps = cheapest_first();
-  std::size_t count = std::min(most_, (steps.size() + share_at_once - 1) / share_at_once);
+  const std::vector<HandleDrop> steps = cheapest_first();
+  std::size_t count = std::min(most_, first_portion(steps.size()));
   int too_much = 0;
   for (std::size_t first = 0; first < steps.size() && !should_stop_();) {
     const auto begin = steps.begin() + std::ptrdiff_t(first);
-    const std::vector<PlainerStep> some(
+    const std::vector<HandleDrop> some(
         begin, begin + std::ptrdiff_t(std::min(count, steps.size() - first)));
-    if (trial_.try_plainer(some, limit, fit_steps, keeps_)) {
+    if (trial_.try_drops(some, limit, fit_steps, keeps_)) {
       most_ = 2 * some.size();
       return true;
     }
     if (count > 1) {
-      count /= share_at_once;
-      count = std::max<std::size_t>(1, count);
+      count = smaller_portion(count);
     } else if (++first; ++too_much >= most_in_a_row) {
       break;
     }
@@ -55,7 +55,7 @@ bool Plainer::make_step(double limit) {
   return false;
 }
 
-std::vector<PlainerStep> Plainer::cheapest_first() const {
+std::vector<HandleDrop> HandleDrops::cheapest_first() const {
   const std::vector<Way> all = ways();
   std::vector<std::pair<double, std::size_t>> order(all.size());
   ParallelTrials<FitTrial>(trial_).for_each(
@@ -64,12 +64,12 @@ std::vector<PlainerStep> Plainer::cheapest_first() const {
         order[i] = {own.price(all[i].step) / all[i].saves, i};
       });
   std::ranges::sort(order);
-  std::vector<PlainerStep> steps;
+  std::vector<HandleDrop> steps;
   for (const auto& [price, i] : order) steps.push_back(all[i].step);
   return steps;
 }
 
-std::vector<Plainer::Way> Plainer::ways() const {
+std::vector<HandleDrops::Way> HandleDrops::ways() const {
   const Mesh& mesh = trial_.mesh();
   const Plainness now(mesh);
   std::vector<Way> ways;
@@ -82,14 +82,15 @@ std::vector<Plainer::Way> Plainer::ways() const {
   return ways;
 }
 
-bool Plainer::may_be_straight(Halfedge curve, const Plainness& now) const {
+bool HandleDrops::may_be_straight(Halfedge curve, const Plainness& now) const {
   const Mesh& mesh = trial_.mesh();
   if (now.is_straight(curve) || makes_corner(curve, 0, now) || makes_corner(curve, 1, now))
     return false;
-  return !is_outline(mesh, curve) || bulge(mesh.curve_of(curve), target_.frame()) <= seen_gap;
+  return !is_outline(mesh, curve) ||
+         bulge(mesh.curve_of(curve), trial_.reference().frame()) <= seen_gap;
 }
 
-bool Plainer::makes_corner(Halfedge curve, int end, const Plainness& now) const {
+bool HandleDrops::makes_corner(Halfedge curve, int end, const Plainness& now) const {
   const Mesh& mesh = trial_.mesh();
   const auto opposite = at_first_.opposite(mesh[curve].handles[std::size_t(end)]);
   if (!opposite || !now.is_straight(opposite->curve)) return false;

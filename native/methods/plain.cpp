@@ -1,4 +1,4 @@
-#include "plain/fewer_handles.h"
+#include "methods/plain.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "mesh/build.h"
+#include "methods/portions.h"
 #include "plain/border.h"
 #include "plain/corners.h"
 #include "plain/grid_fit.h"
@@ -33,7 +35,7 @@ std::vector<PatchPlace> patches_beside(const PlainGrid& grid, const Side& side) 
 /// Returns for each side by how much the sum of squares rises if that side alone becomes straight
 /// and nothing is fitted.
 std::vector<double> rises_if_straight(const PlainGrid& grid, const std::vector<Side>& sides,
-                                      const FitTarget& target) {
+                                      const Reference& target) {
   std::vector<PatchPlace> patches;
   for (const Side& side : sides)
     for (const PatchPlace& place : patches_beside(grid, side)) patches.push_back(place);
@@ -64,14 +66,23 @@ std::vector<double> rises_if_straight(const PlainGrid& grid, const std::vector<S
   return rises;
 }
 
+/// A grid, and what is found of it as it will be written.
+struct Outcome {
+  PlainGrid grid;
+  Candidate written;
+
+  Outcome(PlainGrid made, const Problem& problem)
+      : grid(std::move(made)), written(problem.measure(build_derived_mesh(grid.parts()))) {}
+};
+
 class Selection {
  public:
-  Selection(PlainGrid start, double error, const GridTask& task, StopWatch& watch)
-      : grid_(std::move(start)),
-        error_(error),
-        task_(task),
+  /// `start` keeps to the bounds.
+  Selection(Outcome start, const Problem& problem, StopWatch& watch)
+      : now_(std::move(start)),
+        problem_(problem),
         watch_(watch),
-        first_handles_(grid_.handles()) {}
+        first_handles_(grid().handles()) {}
 
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
   /// to epsilon now that the points have been fitted anew. A target that cannot be reached without
@@ -80,26 +91,20 @@ class Selection {
     list_lines();
     for (const bool may_be_seen : {false, true}) {
       may_be_seen_ = may_be_seen;
-      for (Candidate& c : candidates_) c.priced_at = -1;
+      for (Proposal& c : proposals_) c.priced_at = -1;
       do pass();
       while (made_ > made_when_too_much_ && !is_over_);
-      if (!task_.target || is_over_) break;
+      if (!problem_.bounds.target || is_over_) break;
     }
     if (has_reached_target()) polish();
   }
 
-  const PlainGrid& grid() const { return grid_; }
-  double error() const { return error_; }
+  const Outcome& now() const { return now_; }
   int evaluations() const { return evaluations_; }
 
  private:
-  struct Outcome {
-    PlainGrid grid;
-    GridTask::Measured measured;
-  };
-
   /// A step, and what it led to from the grid of when `made_` was `priced_at`.
-  struct Candidate {
+  struct Proposal {
     Step step;
     /// By how much the error rises for each handle saved, with a share for the largest error of a
     /// small part, and by how much the error rises in all.
@@ -113,9 +118,6 @@ class Selection {
   /// Lines that are priced at the same time: fixed, so that the result does not depend on the
   /// number of threads.
   static constexpr std::size_t at_once = 2;
-  /// Of the sides that may become straight, one in so many does in one step; and where these are
-  /// too many, one in so many of them.
-  static constexpr std::size_t share_at_once = 4;
   /// After so many single sides that were too much, one after the other, no more are tried in a
   /// pass: those that are left change the picture more.
   static constexpr int most_in_a_row = 40;
@@ -129,9 +131,19 @@ class Selection {
   /// below this share.
   static constexpr double least_share_of_rise = 0.5;
 
+  const PlainGrid& grid() const { return now_.grid; }
+  const Reference& picture() const { return *problem_.reference(); }
+  double epsilon() const { return problem_.bounds.epsilon; }
+
+  /// Returns the largest error of a small part as a share of its bound; 0 if there is none.
+  double local_share(const Outcome& outcome) const {
+    const double bound = problem_.bounds.local.value_or(0);
+    return bound > 0 ? outcome.written.local_error / bound : 0;
+  }
+
   void pass() {
     // What was too much for this very grid still is.
-    for (Candidate& c : candidates_) c.is_too_much = c.is_too_much && c.priced_at == made_;
+    for (Proposal& c : proposals_) c.is_too_much = c.is_too_much && c.priced_at == made_;
     too_much_.clear();
     too_much_in_a_row_ = 0;
     sides_proposed_at_ = -1;
@@ -139,16 +151,16 @@ class Selection {
     most_sides_ = std::numeric_limits<std::size_t>::max();
     while (!should_stop()) {
       propose_sides();
-      std::ranges::stable_sort(candidates_, [](const Candidate& a, const Candidate& b) {
+      std::ranges::stable_sort(proposals_, [](const Proposal& a, const Proposal& b) {
         return std::pair(a.is_too_much, a.price) < std::pair(b.is_too_much, b.price);
       });
-      if (candidates_.empty() || candidates_.front().is_too_much) break;
-      Candidate& best = candidates_.front();
+      if (proposals_.empty() || proposals_.front().is_too_much) break;
+      Proposal& best = proposals_.front();
       if (best.priced_at != made_ && is_hopeless(best))
         give_up_first();
       else if (best.priced_at != made_)
         price_first();
-      else if (best.outcome->measured.keeps)
+      else if (best.outcome->written.keeps)
         accept_first();
       else if (!polish())
         give_up_first();
@@ -157,87 +169,87 @@ class Selection {
 
   void list_lines() {
     const double price = first_line_price * usual_epsilon() / first_handles_;
-    for (int i = 1; i < grid_.rows(); ++i) candidates_.push_back({{{}, Along::rows, i}, price});
-    for (int j = 1; j < grid_.columns(); ++j)
-      candidates_.push_back({{{}, Along::columns, j}, price});
+    for (int i = 1; i < grid().rows(); ++i) proposals_.push_back({{{}, Along::rows, i}, price});
+    for (int j = 1; j < grid().columns(); ++j)
+      proposals_.push_back({{{}, Along::columns, j}, price});
   }
 
-  /// Sees to it that one candidate makes sides straight: of all that may still become so, the
+  /// Sees to it that one proposal makes sides straight: of all that may still become so, the
   /// cheapest by the sums of squares before anything is fitted, and of these a part at a time.
   void propose_sides() {
     if (sides_proposed_at_ == made_) return;
     sides_proposed_at_ = made_;
-    std::erase_if(candidates_, [](const Candidate& c) { return !c.step.takes_line(); });
+    std::erase_if(proposals_, [](const Proposal& c) { return !c.step.takes_line(); });
     if (too_much_in_a_row_ >= most_in_a_row) return;
-    std::vector<Side> sides = curved_sides(grid_);
+    std::vector<Side> sides = curved_sides(grid());
     std::erase_if(sides, [&](const Side& side) {
       return std::ranges::find(too_much_, side) != too_much_.end() ||
-             (!may_be_seen_ && makes_corner(grid_, side));
+             (!may_be_seen_ && makes_corner(grid(), side));
     });
     if (sides.empty()) return;
-    const std::vector<double> rises = rises_if_straight(grid_, sides, task_.coarse_picture);
+    const std::vector<double> rises = rises_if_straight(grid(), sides, problem_.coarse_reference());
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t n = 0; n < sides.size(); ++n) order.emplace_back(rises[n], n);
     std::ranges::sort(order);
-    const std::size_t count = std::min(
-        {most_sides_, (sides.size() + share_at_once - 1) / share_at_once, sides_to_target()});
+    const std::size_t count =
+        std::min({most_sides_, first_portion(sides.size()), sides_to_target()});
     Step step;
     for (std::size_t n = 0; n < count; ++n) step.sides.push_back(sides[order[n].second]);
-    candidates_.push_back({std::move(step), -std::numeric_limits<double>::infinity()});
+    proposals_.push_back({std::move(step), -std::numeric_limits<double>::infinity()});
   }
 
   Outcome measured(PlainGrid grid) const {
-    GridTask::Measured measured = task_.measure(grid);
-    if (!may_be_seen_ &&
-        (largest_corner(grid) > most_corner_ || border_gap(grid, task_.picture) > most_gap_))
-      measured.keeps = false;
-    return {std::move(grid), measured};
+    Outcome outcome(std::move(grid), problem_);
+    if (!may_be_seen_ && (largest_corner(outcome.grid) > most_corner_ ||
+                          border_gap(outcome.grid, picture()) > most_gap_))
+      outcome.written.keeps = false;
+    return outcome;
   }
 
   /// Returns what a step leads to, with the points near it fitted anew. Where a line is gone the
   /// colours beside it have more to show. A grid that breaks the local bound alone is fitted once
   /// more, which lowers the peaks.
   Outcome after(const Step& step) const {
-    PlainGrid grid = grid_;
+    PlainGrid grid = now_.grid;
     make(step, grid);
     const GridPoints points = points_near(step, grid);
     if (step.takes_line())
-      fit_grid_and_colors(grid, task_.picture, fit_steps, points);
+      fit_grid_and_colors(grid, picture(), fit_steps, points);
     else
-      fit_grid(grid, task_.picture, fit_steps, points);
+      fit_grid(grid, picture(), fit_steps, points);
     Outcome first = measured(grid);
-    if (first.measured.keeps || first.measured.error > task_.epsilon) return first;
-    fit_grid_and_colors(grid, task_.picture, fit_steps, points);
+    if (first.written.keeps || first.written.error > epsilon()) return first;
+    fit_grid_and_colors(grid, picture(), fit_steps, points);
     Outcome second = measured(std::move(grid));
-    return second.measured.keeps ? second : first;
+    return second.written.keeps ? second : first;
   }
 
-  /// Prices the first candidate, and with a line the next one that has no price of this grid.
+  /// Prices the first proposal, and with a line the next one that has no price of this grid.
   void price_first() {
-    std::vector<Candidate*> stale;
-    for (Candidate& c : candidates_)
+    std::vector<Proposal*> stale;
+    for (Proposal& c : proposals_)
       if (stale.size() < at_once && c.priced_at != made_ && !c.is_too_much && !is_hopeless(c) &&
-          c.step.takes_line() == candidates_.front().step.takes_line())
+          c.step.takes_line() == proposals_.front().step.takes_line())
         stale.push_back(&c);
     evaluations_ += int(stale.size());
     parallel_for(stale.size(), [&](std::size_t n) {
-      Candidate& c = *stale[n];
+      Proposal& c = *stale[n];
       c.outcome = after(c.step);
-      c.rise = c.outcome->measured.error - error_;
-      const double local_rise = std::max(0.0, c.outcome->measured.local - local_);
+      c.rise = c.outcome->written.error - now_.written.error;
+      const double local_rise = std::max(0.0, local_share(*c.outcome) - local_);
       c.price = (c.rise + local_weight * usual_epsilon() * local_rise) /
-                (grid_.handles() - c.outcome->grid.handles());
+                (grid().handles() - c.outcome->grid.handles());
       c.priced_at = made_;
     });
   }
 
-  bool is_hopeless(const Candidate& candidate) const {
-    return error_ + least_share_of_rise * candidate.rise > task_.epsilon;
+  bool is_hopeless(const Proposal& proposal) const {
+    return now_.written.error + least_share_of_rise * proposal.rise > epsilon();
   }
 
   void accept_first() {
-    Candidate first = std::move(candidates_.front());
-    candidates_.erase(candidates_.begin());
+    Proposal first = std::move(proposals_.front());
+    proposals_.erase(proposals_.begin());
     take(*first.outcome);
     too_much_in_a_row_ = 0;
     if (first.step.takes_line())
@@ -247,14 +259,13 @@ class Selection {
   }
 
   void take(Outcome& outcome) {
-    grid_ = std::move(outcome.grid);
-    error_ = outcome.measured.error;
-    local_ = outcome.measured.local;
+    now_ = std::move(outcome);
+    local_ = local_share(now_);
     ++made_;
   }
 
   void renumber_without(const Step& gone) {
-    for (Candidate& c : candidates_)
+    for (Proposal& c : proposals_)
       if (c.step.along == gone.along && c.step.line > gone.line) --c.step.line;
     std::erase_if(too_much_, [&](Side& side) {
       int& at = gone.along == Along::rows ? side.row : side.column;
@@ -268,27 +279,28 @@ class Selection {
   /// Returns true if that lowers the error, so that the step may fit.
   bool polish() {
     if (polished_at_ == made_) return false;
-    PlainGrid grid = grid_;
-    fit_grid_and_colors(grid, task_.picture, polish_steps, GridPoints::all(grid));
+    PlainGrid grid = now_.grid;
+    fit_grid_and_colors(grid, picture(), polish_steps, GridPoints::all(grid));
     Outcome outcome = measured(std::move(grid));
     ++evaluations_;
     constexpr double worth_it = 0.99;
-    const bool helps = outcome.measured.keeps && outcome.measured.error < worth_it * error_;
+    const bool helps =
+        outcome.written.keeps && outcome.written.error < worth_it * now_.written.error;
     if (helps) take(outcome);
     polished_at_ = made_;
     return helps;
   }
 
-  /// Gives up the first candidate in this pass; of several sides fewer are tried.
+  /// Gives up the first proposal in this pass; of several sides fewer are tried.
   void give_up_first() {
     made_when_too_much_ = std::min(made_when_too_much_, made_);
-    Candidate& first = candidates_.front();
+    Proposal& first = proposals_.front();
     first.is_too_much = true;
     first.outcome.reset();
     if (first.step.takes_line()) return;
     sides_proposed_at_ = -1;
     if (first.step.sides.size() > 1) {
-      most_sides_ = std::max<std::size_t>(1, first.step.sides.size() / share_at_once);
+      most_sides_ = smaller_portion(first.step.sides.size());
     } else {
       too_much_.push_back(first.step.sides.front());
       ++too_much_in_a_row_;
@@ -296,41 +308,40 @@ class Selection {
   }
 
   /// Returns the error that is about as large as the result's.
-  double usual_epsilon() const { return task_.target ? 0.01 : task_.epsilon; }
+  double usual_epsilon() const { return problem_.bounds.target ? 0.01 : epsilon(); }
 
   bool has_reached_target() const {
-    return task_.target && task_.target->is_reached(grid_.counts());
+    return problem_.bounds.target && problem_.bounds.target->is_reached(grid().counts());
   }
 
   /// Returns how many sides must become straight to reach a number of handles.
   std::size_t sides_to_target() const {
-    if (!task_.target || task_.target->what != Count::handles)
+    if (!problem_.bounds.target || problem_.bounds.target->what != Count::handles)
       return std::numeric_limits<std::size_t>::max();
-    const int too_many = grid_.handles() - task_.target->most;
+    const int too_many = grid().handles() - problem_.bounds.target->most;
     return std::size_t(std::max(1, (too_many + 1) / 2));
   }
 
   bool should_stop() {
-    const int handles = grid_.handles();
+    const int handles = grid().handles();
     is_over_ =
         has_reached_target() ||
         watch_.should_stop({std::size_t(first_handles_ - handles), std::size_t(first_handles_),
-                            grid_.rows() * grid_.columns(), error_, handles});
+                            grid().rows() * grid().columns(), now_.written.error, handles});
     return is_over_;
   }
 
-  PlainGrid grid_;
-  double error_;
-  /// As of GridTask::Measured.
+  Outcome now_;
+  /// As of local_share().
   double local_ = 0;
   /// Fits after a step may turn corners a little further.
-  const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid_));
+  const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid()));
   bool may_be_seen_ = false;
-  const GridTask& task_;
-  const double most_gap_ = std::max(seen_gap, border_gap(grid_, task_.picture));
+  const Problem& problem_;
+  const double most_gap_ = std::max(seen_gap, border_gap(grid(), picture()));
   StopWatch& watch_;
   const int first_handles_;
-  std::vector<Candidate> candidates_;
+  std::vector<Proposal> proposals_;
   /// Sides that cost too much to be straight, in this pass.
   std::vector<Side> too_much_;
   /// The most sides that are made straight at once, in this pass.
@@ -347,21 +358,26 @@ class Selection {
 
 }  // namespace
 
-std::optional<SimplerGrid> with_fewer_handles(const PlainGrid& grid, const GridTask& task,
-                                              StopWatch& watch) {
-  PlainGrid start = grid;
-  GridTask::Measured measured = task.measure(start);
-  if (!measured.keeps) {
+Candidate make_plain(const Problem& problem, StopWatch& watch) {
+  // Paints what is shared before several threads measure.
+  Candidate unchanged = problem.unchanged();
+  const PlainGrid grid(problem.mesh());
+  Outcome start(grid, problem);
+  if (!start.written.keeps) {
     // The twists that are lost.
     constexpr int steps = 8;
-    fit_grid(start, task.picture, steps);
-    measured = task.measure(start);
-    if (!measured.keeps) return std::nullopt;
+    PlainGrid fitted = grid;
+    fit_grid(fitted, *problem.reference(), steps);
+    start = Outcome(std::move(fitted), problem);
+    if (!start.written.keeps) return unchanged;
   }
-  Selection selection(std::move(start), measured.error, task, watch);
+  Selection selection(std::move(start), problem, watch);
   selection.run();
-  if (selection.grid().handles() >= grid.handles()) return std::nullopt;
-  return SimplerGrid{selection.grid(), selection.error(), selection.evaluations()};
+  if (selection.now().grid.handles() >= grid.handles()) return unchanged;
+  problem.count_evaluations(selection.evaluations());
+  Candidate simpler = selection.now().written;
+  simpler.error_added_up = simpler.error;
+  return simpler;
 }
 
 }  // namespace gradmesh

@@ -1,0 +1,169 @@
+#include "app/runs.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "app/devices.h"
+#include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/subdivide.h"
+#include "simplify/target.h"
+#include "simplify/tries.h"
+
+namespace gradmesh {
+namespace {
+
+void check_edges(const SimplifyOptions& options) {
+  const bool are_named = method_named(options.method).merges_named_edges;
+  if (are_named && options.edges.empty())
+    throw std::invalid_argument("the method manual needs the edges to merge.");
+  if (!are_named && !options.edges.empty())
+    throw std::invalid_argument("edges can be named for the method manual only.");
+}
+
+void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) {
+  if (!analyses.save.empty() && !method_named(options.method).needs_prices)
+    throw std::invalid_argument("the method " + options.method +
+                                " needs no analysis, so there is none to save.");
+}
+
+/// Returns the mesh in the colour model that is asked for.
+std::shared_ptr<const Mesh> in_color_model(const Mesh& mesh, ColorModel model) {
+  if (model == mesh.color_model()) return std::make_shared<const Mesh>(mesh);
+  MeshParts parts = subdivided(mesh, 1);
+  return std::make_shared<const Mesh>(build_mesh(model == ColorModel::bilinear
+                                                     ? as_bilinear(std::move(parts))
+                                                     : as_bicubic(std::move(parts))));
+}
+
+/// Returns the device on which a run prices merges of the mesh; null for the cores alone.
+std::shared_ptr<Device> device_for(const Mesh& mesh, const RunOptions& options) {
+  if (options.device || !options.device_if_faster) return options.device;
+  const Frame frame = fit_frame(mesh, options.view, options.resolution, options.padding);
+  return automatic_device(mesh, frame, options.metric, options.threads);
+}
+
+/// Throws InputError if the error of a mesh was above epsilon before anything was merged, because
+/// of another colour model or another document.
+void check_start(const Document& document, const MeshEntry& entry, const SimplifyResult& result,
+                 const RunOptions& options) {
+  if (options.has_target() || result.changed || result.error <= options.epsilon) return;
+  // Earlier runs with a larger epsilon may have moved the mesh away from the original.
+  if (document.may_differ(entry) && !options.original) return;
+  char error[32];
+  std::snprintf(error, sizeof error, "%.5f", result.error);
+  throw InputError(
+      "{0}: before anything is merged, its error in the color model {1} is {2}, above epsilon.",
+      document.describe(entry), name(result.mesh.color_model()), error);
+}
+
+/// What became of the selected meshes, and what of that is to be written.
+struct Simplified {
+  std::vector<MeshReport> reports;
+  std::vector<ChangedMesh> changed;
+};
+
+Simplified simplified(const Document& document, const std::vector<std::string>& ids,
+                      const RunOptions& options, const AnalysisPaths& analyses) {
+  check_edges(options);
+  check_saved(options, analyses);
+  const std::vector<MeshEntry> entries = document.selected(ids);
+  if (method_named(options.method).merges_named_edges && entries.size() > 1)
+    throw InputError("{0}: there are {1} meshes, and edges can be named of one only.",
+                     document.name(), entries.size());
+
+  // All meshes are read before the first run, as a run may take long.
+  AnalysisFiles files(analyses);
+  std::vector<Problem> problems;
+  for (const MeshEntry& entry : entries)
+    problems.push_back(problem_of(document, entry, options, files));
+  Simplified all;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const MeshEntry& entry = entries[i];
+    // Its picture is needed no longer than the run.
+    const Problem problem = std::move(problems[i]);
+    StopWatch watch = watch_of(options);
+    SimplifyResult result =
+        document.naming(entry, [&] { return simplify_as_asked(problem, options.method, watch); });
+    check_start(document, entry, result, options);
+    if (result.changed)
+      all.changed.push_back({entry,
+                             result,
+                             {result.handles_before, result.patches_before},
+                             problem.frame(),
+                             problem.original()});
+    all.reports.push_back({entry.id, std::move(result)});
+  }
+  for (const MeshEntry& entry : document.refused(ids)) {
+    MeshReport& report = all.reports.emplace_back();
+    report.id = entry.id;
+    report.refused = entry.refused;
+  }
+  files.save();
+  return all;
+}
+
+}  // namespace
+
+Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& asked,
+                   AnalysisFiles& files) {
+  RunOptions options = asked;
+  const Mesh& read = document.mesh(entry);
+  const ColorModel model = asked.color_model.value_or(read.color_model());
+  if (asked.color_model) document.check_color_model(model);
+  if (!options.original) options.original = document.original(entry);
+  const std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
+  if (!options.original && model != read.color_model())
+    options.original = std::make_shared<const Mesh>(read);
+  static_cast<Layout&>(options) = document.layout(entry, asked.visible_only);
+  options.count = what_is_counted(asked, document.format().count);
+  options.rules = document.rules(entry, false);
+  if (document.is_one_gradient(entry)) options.gradient_rules = document.rules(entry, true);
+  options.analysis = nullptr;
+  const Problem problem = document.naming(entry, [&] { return problem_of(mesh, options); });
+  problem.price_with({&files.start(problem.price_key(), *mesh),
+                      [=] { return device_for(*mesh, options); }, asked.device_lost});
+  return problem;
+}
+
+Problem priced_problem_of(const Document& document, const MeshEntry& entry,
+                          const RunOptions& options, AnalysisFiles& files) {
+  const Problem problem = problem_of(document, entry, options, files);
+  const Method& method =
+      method_for(options.method, problem.mesh(), problem.count, problem.gradient_rules != nullptr);
+  return method.keeps_rectangle ? problem.as_gradient() : problem;
+}
+
+std::vector<MeshReport> simplify(Document& document, const std::vector<std::string>& ids,
+                                 const RunOptions& options, const AnalysisPaths& analyses,
+                                 const WriteOptions& writing) {
+  document.check_writing(writing);
+  const Simplified all = simplified(document, ids, options, analyses);
+  if (!all.changed.empty()) document.write(all.changed, options.metric, writing);
+  return all.reports;
+}
+
+std::vector<MeshReport> preview(const Document& document, const std::vector<std::string>& ids,
+                                RunOptions options, const AnalysisPaths& analyses) {
+  if (method_named(options.method).merges_named_edges) {
+    options.epsilon = 1;
+    options.max_local_error.reset();
+  }
+  return simplified(document, ids, options, analyses).reports;
+}
+
+std::size_t analyze(const Document& document, const std::vector<std::string>& ids,
+                    const RunOptions& options, const AnalysisPaths& analyses) {
+  AnalysisFiles files(analyses);
+  std::size_t prices = 0;
+  for (const MeshEntry& entry : document.selected(ids)) {
+    const Problem problem = priced_problem_of(document, entry, options, files);
+    StopWatch watch = watch_of(options);
+    document.naming(entry, [&] { analyze_regions(problem, watch); });
+    prices += problem.prices().prices.size();
+  }
+  files.save();
+  return prices;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "base/affine.h"
+#include "geom/outline.h"
+#include "mesh/mesh.h"
+#include "raster/frame.h"
+
+namespace gradmesh {
+
+/// How a mesh is laid out on a picture.
+struct Layout {
+  /// The map from mesh units to what the person sees, up to scale.
+  Affine view = {};
+  FramePadding padding = {};
+  /// The visible area of the mesh; nothing if all is visible. The rest does not count, as if it
+  /// were not painted.
+  std::optional<VisibleArea> visible = std::nullopt;
+};
+
+/// Returns the frame of `resolution` pixels along the longer side in which the mesh lies as
+/// `layout` says. Throws InputError as fit_frame does.
+Frame laid_out(const Mesh& mesh, const Layout& layout, int resolution);
+
+}  // namespace gradmesh

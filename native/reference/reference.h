@@ -1,0 +1,50 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "mesh/mesh.h"
+#include "metric/metric.h"
+#include "raster/frame.h"
+#include "raster/painting.h"
+#include "reference/outlines.h"
+
+namespace gradmesh {
+
+/// The picture that meshes are measured against and fitted to, with what the metric needs of the
+/// picture alone and with the outlines in it. Places are in pixels of the frame. All members may be
+/// called concurrently.
+class Reference {
+ public:
+  /// Paints `original`, without a mask of opacities.
+  Reference(const Mesh& original, const Frame& frame, MetricKind metric);
+
+  const Frame& frame() const { return frame_; }
+  const Painting& painting() const { return painting_; }
+  MetricKind metric_kind() const { return metric_kind_; }
+  /// Returns the metric that measures against the picture, which is made at the first call.
+  const Metric& metric() const;
+
+  /// Returns the picture's colour, 0..1, interpolated between the centres of pixels; nothing where
+  /// the original does not cover the nearest of them.
+  std::optional<glm::dvec3> color_at(glm::dvec2 place) const;
+  /// Returns the closest point of an outline; nothing where there is none within a few pixels.
+  std::optional<OutlinePoint> outline_near(glm::dvec2 place) const {
+    return outlines_.closest(place);
+  }
+  /// Returns true if the pixel of this place is hidden.
+  bool is_hidden(glm::dvec2 place) const;
+
+ private:
+  const Frame frame_;
+  const Painting painting_;
+  const MetricKind metric_kind_;
+  const OutlinePoints outlines_;
+  mutable std::once_flag metric_is_made_;
+  mutable std::unique_ptr<Metric> metric_;
+};
+
+}  // namespace gradmesh

@@ -1,0 +1,100 @@
+#include "simplify/tries.h"
+
+#include <span>
+
+#include "mesh/rectangle.h"
+
+namespace gradmesh {
+namespace {
+
+/// A method that is tried after others.
+struct Try {
+  const char* method;
+  /// Returns true if the best result so far leaves something to be wished.
+  bool (*is_wanted)(const SimplifyResult& best);
+  /// Returns true if what this method has found is better.
+  bool (*is_better)(const SimplifyResult& found, const SimplifyResult& best, Count count);
+};
+
+bool leaves_much(const SimplifyResult& best) {
+  return !best.changed || 2 * best.handles_after > best.handles_before;
+}
+
+bool leaves_less(const SimplifyResult& found, const SimplifyResult& best, Count) {
+  return found.effort() < best.effort();
+}
+
+/// A group in the place of an object has to be worth it.
+bool leaves_much_less(const SimplifyResult& found, const SimplifyResult& best, Count) {
+  return 3 * found.effort() < 2 * best.effort();
+}
+
+bool is_nothing_or_masked(const SimplifyResult& best) {
+  return !best.changed || best.form.masks_opacity();
+}
+
+bool leaves_no_more(const SimplifyResult& found, const SimplifyResult& best, Count count) {
+  return count == Count::handles ? found.effort() <= best.effort()
+                                 : found.patches_after <= best.patches_after;
+}
+
+/// What is tried after `plain` where whatever is simplest is asked for.
+constexpr Try after_plain[] = {{line_method, leaves_much, leaves_less},
+                               {best_method, leaves_much, leaves_much_less}};
+/// What is tried of one mesh gradient after a method that makes a group of blocks of it.
+constexpr Try after_merging[] = {{line_method, is_nothing_or_masked, leaves_no_more}};
+
+std::span<const Try> tries_after(const Method& method, const std::string& asked,
+                                 const Problem& problem) {
+  if (problem.bounds.target || !problem.gradient_rules) return {};
+  if (method.name == plain_method && asked == simplest) return after_plain;
+  const bool is_grid = find_grid(problem.mesh()).has_value();
+  if (method.keeps_rectangle || method.merges_named_edges || !is_grid) return {};
+  return after_merging;
+}
+
+bool is_over(Stopped stopped) {
+  return stopped == Stopped::budget || stopped == Stopped::cancelled;
+}
+
+}  // namespace
+
+const Method& method_for(const std::string& asked, const Mesh& mesh, Count count,
+                         bool is_one_gradient) {
+  const Method& plain = method_named(plain_method);
+  const bool can_be_plain = is_one_gradient && count == Count::handles && suits(plain, mesh);
+  if (asked == simplest && can_be_plain) return plain;
+  const Method& wanted = method_named(asked);
+  const bool is_meant = asked == plain_method || wanted.merges_named_edges;
+  return mesh.is_smooth() && !is_meant ? method_named(line_method) : wanted;
+}
+
+SimplifyResult simplify_as_asked(const Problem& problem, const std::string& asked,
+                                 StopWatch& watch) {
+  const Method& first =
+      method_for(asked, problem.mesh(), problem.count, problem.gradient_rules != nullptr);
+  SimplifyResult best = simplify(problem, first, watch);
+  if (is_over(best.stopped)) return best;
+  for (const Try& next : tries_after(first, asked, problem)) {
+    const Method& method = method_named(next.method);
+    if (!next.is_wanted(best) || !suits(method, problem.mesh())) continue;
+    if (watch.is_over()) {
+      if (!best.changed) best.stopped = Stopped::budget;
+      break;
+    }
+    SimplifyResult found = simplify(problem, method, watch);
+    // What is left untried might have been simpler.
+    const Stopped stopped = found.stopped;
+    if (is_over(stopped) && !best.changed) best.stopped = stopped;
+    if (found.changed && next.is_better(found, best, problem.count)) {
+      best = std::move(found);
+    } else {
+      best.evaluations = found.evaluations;
+      best.seconds = found.seconds;
+    }
+    if (is_over(stopped)) break;
+  }
+  return best;
+}
+
+}  // namespace gradmesh
