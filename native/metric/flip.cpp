@@ -81,7 +81,7 @@ struct Scratch {
 
 }  // namespace
 
-Flip::Flip(Image image) : LocalMetric(std::move(image), appearance_reach) {
+Flip::Flip(Image image) : Metric(std::move(image), appearance_reach) {
   appearance_.reset(reference().window());
   for_each_strip(reference().window(), [&](Window strip) {
     AppearanceFilter& filter = per_thread<Scratch>().filter;

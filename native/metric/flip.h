@@ -1,13 +1,13 @@
 #pragma once
 
 #include "metric/appearance.h"
-#include "metric/local_metric.h"
+#include "metric/metric.h"
 
 namespace gradmesh {
 
 /// FLIP for low dynamic range images (Andersson et al. 2020), with its default of 67.02 pixels
 /// per degree. Symmetric in its two images.
-class Flip final : public LocalMetric {
+class Flip final : public Metric {
  public:
   explicit Flip(Image reference);
 
