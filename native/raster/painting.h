@@ -46,6 +46,11 @@ struct Painting {
   explicit Painting(Window window) : image(window), top(window) {}
 
   Window window() const { return image.window(); }
+  /// Takes away what is painted in `to_clear`, which lies inside the painting's window.
+  void clear(Window to_clear) {
+    fill(image, to_clear, std::uint8_t(255));
+    fill(top, to_clear, TopFace().sample());
+  }
 };
 
 /// Calls `f(run, top)` for the pixels of a window, row by row, in runs with the same TopFace; runs
