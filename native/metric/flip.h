@@ -14,7 +14,7 @@ class Flip final : public Metric {
  private:
   void score(const Image& test, Window tile, Plane& map) const override;
 
-  AppearanceRows appearance_;  ///< The reference's appearance.
+  PaddedRows<float> appearance_;  ///< The reference's (appearance_row).
 };
 
 }  // namespace gradmesh
