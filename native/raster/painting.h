@@ -53,6 +53,12 @@ struct Painting {
   }
 };
 
+/// Copies the pixels of a window that lies in both paintings.
+inline void copy(const Painting& from, Window window, Painting& to) {
+  copy(from.image, window, to.image);
+  copy(from.top, window, to.top);
+}
+
 /// Calls `f(run, top)` for the pixels of a window, row by row, in runs with the same TopFace; runs
 /// without a face are left out.
 template <class F>

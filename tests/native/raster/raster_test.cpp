@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "form/written_patch.h"
+#include "mesh/boundary.h"
 #include "random_meshes.h"
 #include "raster/fill.h"
 #include "raster/painter.h"
@@ -21,9 +22,8 @@ using test::grid_mesh;
 using test::grid_parts;
 
 Mesh random_mesh(unsigned seed, double noise, int steps = 25) {
-  std::mt19937 random(seed);
   const MeshParts parts =
-      grid_parts({.rows = 4, .columns = 4, .position_noise = noise, .color_noise = 0.3}, random);
+      grid_parts({.rows = 4, .columns = 4, .position_noise = noise, .color_noise = 0.3}, seed);
   return test::changed_mesh(parts, seed, steps, 3);
 }
 
@@ -38,27 +38,17 @@ std::vector<FaceShape> shapes_of(const Mesh& mesh, const Frame& frame) {
   return shapes;
 }
 
-/// The boundary of a mesh as it is cut into straight pieces, in grid units.
+/// The boundary, one loop, of a mesh as it is cut into straight pieces, in grid units.
 std::vector<glm::dvec2> boundary_of(const Mesh& mesh, const Frame& frame) {
   std::vector<glm::dvec2> boundary;
   Outlines outlines;
   outlines.start(mesh, frame);
-  Halfedge start;
-  for (const Face f : mesh.faces())
-    for (const Halfedge h : mesh.sides(f))
-      if (!mesh.other_side(h).valid()) start = h;
-  Halfedge h = start;
-  do {
-    const std::vector<Outlines::Cut>& cuts = outlines.along(h);
+  const std::vector<std::vector<Halfedge>> loops = boundary_loops(mesh);
+  for (const Halfedge leaf : loops.front()) {
+    const std::vector<Outlines::Cut>& cuts = outlines.along(leaf);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
       boundary.emplace_back(cuts[i].point.x, cuts[i].point.y);
-    // The next boundary side round the same point.
-    h = mesh.next(h);
-    while (mesh.other_side(h).valid()) {
-      const Halfedge side = mesh.other_side(h);
-      h = mesh.next(mesh.last_leaf(side));
-    }
-  } while (h != start);
+  }
   return boundary;
 }
 
@@ -276,11 +266,7 @@ TEST(CairoLike, patches_leave_no_holes) {
 
 Painting part_of(const Painting& whole, Window window) {
   Painting part(window);
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x) {
-      part.image.set_pixel(x, y, whole.image.pixel(x, y));
-      part.top.set_pixel(x, y, whole.top.pixel(x, y));
-    }
+  copy(whole, window, part);
   return part;
 }
 
@@ -464,8 +450,7 @@ TEST(Frame, refuses_meshes_that_no_numbers_hold) {
 }
 
 TEST(Written, colors_are_rounded_and_near_coons_is_coons) {
-  std::mt19937 random(5);
-  const Patch patch = grid_parts({.position_noise = 0.2, .color_noise = 0.2}, random).patches[4];
+  const Patch patch = grid_parts({.position_noise = 0.2, .color_noise = 0.2}, 5).patches[4];
   const Patch exact = as_written(patch, 0);
   EXPECT_TRUE(needs_tensor(patch, 0.01));
   for (int i = 0; i < 4; ++i)
