@@ -95,8 +95,7 @@ inline MeshParts dumbbell() {
 
 /// Two grids of 2 x 2 patches that do not touch.
 inline MeshParts two_components() {
-  std::mt19937 random(1);
-  MeshParts parts = grid_parts({.rows = 2, .columns = 2}, random);
+  MeshParts parts = grid_parts({.rows = 2, .columns = 2});
   MeshParts more = parts;
   for (Patch& patch : more.patches) transform(patch, Affine::translation({300, 0}));
   append(parts, more);
