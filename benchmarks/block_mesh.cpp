@@ -42,7 +42,8 @@ Patch block(int i, int j) {
       {twist, -twist, twist, -twist});
 }
 
-void add_block(const Patch& whole, std::vector<Patch>& patches) {
+MeshParts block_parts(const Patch& whole) {
+  MeshParts parts{{}, grid_curves(block_side, block_side)};
   const auto at = [](int k) { return double(k) / block_side; };
   for (int i = 0; i < block_side; ++i) {
     const Patch row = whole.part_u(at(i), at(i + 1));
@@ -51,9 +52,10 @@ void add_block(const Patch& whole, std::vector<Patch>& patches) {
       for (Value* v : {&patch.c[0][0], &patch.c[0][3], &patch.c[3][0], &patch.c[3][3]})
         v->color = color_at(v->position);
       make_color_bilinear(patch);
-      patches.push_back(patch);
+      parts.patches.push_back(patch);
     }
   }
+  return parts;
 }
 
 /// The half-edges along a side of a block, clockwise.
@@ -69,15 +71,6 @@ CurveSide block_side_of(int block, int side) {
   return result;
 }
 
-void add_inner_curves(int block, std::vector<CurveParts>& curves) {
-  const int first = 4 * block * block_side * block_side;
-  for (CurveParts curve : grid_curves(block_side, block_side)) {
-    for (CurveSide* side : {&curve.a, &curve.b})
-      for (int& halfedge : side->halfedges) halfedge += first;
-    curves.push_back(std::move(curve));
-  }
-}
-
 }  // namespace
 
 Mesh block_mesh(int blocks) {
@@ -85,8 +78,7 @@ Mesh block_mesh(int blocks) {
   for (int i = 0; i < blocks; ++i)
     for (int j = 0; j < blocks; ++j) {
       const int number = i * blocks + j;
-      add_block(block(i, j), parts.patches);
-      add_inner_curves(number, parts.curves);
+      append(parts, block_parts(block(i, j)));
       if (j + 1 < blocks)
         parts.curves.push_back({block_side_of(number, 1), block_side_of(number + 1, 3)});
       if (i + 1 < blocks)

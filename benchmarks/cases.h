@@ -40,6 +40,13 @@ inline void add_parallel(const std::string& name, const Run& run) {
       ->Unit(benchmark::kMillisecond);
 }
 
+/// Adds what became of a mesh to a line of results.
+inline void count(benchmark::State& state, const SimplifyResult& result) {
+  state.counters["patches"] = result.patches_before;
+  state.counters["left"] = result.patches_after;
+  state.counters["evaluations"] = result.evaluations;
+}
+
 /// A run on a mesh; where the file is absent the result says so.
 inline Run on(const MeshFile& file, const RunOnMesh& run) {
   return [=](benchmark::State& state) {

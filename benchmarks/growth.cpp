@@ -10,12 +10,6 @@ constexpr int pixels_per_patch = 25;
 constexpr int block_counts[] = {1, 2, 3, 4, 6, 8};
 constexpr int resolutions[] = {350, 500, 700, 1000, 1400};
 
-void count(benchmark::State& state, const SimplifyResult& result) {
-  state.counters["patches"] = result.patches_before;
-  state.counters["left"] = result.patches_after;
-  state.counters["evaluations"] = result.evaluations;
-}
-
 /// gqe on all cores.
 void patches(benchmark::State& state, int blocks) {
   const Mesh start = block_mesh(blocks);

@@ -25,14 +25,10 @@ NOT_QUICK = re.compile(
     r"^method/(?!.*/(pear|silk)/)|/patches/(400|900|1600)$|/resolution/1[04]00$|^cli/(duck|1520)|^pricing/"
 )
 
+#: The paper's meshes, as lines name them, and the files in ../shared/meshes.
 PAPER_MESHES = {
-    "raindrop": "teardrop",
-    "perfect6": "global-refinement",
-    "perturbed6": "modifiedgr",
-    "apple": "apple",
-    "banana": "banana",
-    "tulips": "global-tulips",
-    "duck": "global_duck",
+    mesh.lower(): file
+    for mesh, file in json.loads((ROOT / "scripts" / "paper_numbers.json").read_text())["files"].items()
 }
 
 

@@ -8,10 +8,6 @@
 namespace gradmesh::bench {
 namespace {
 
-void undo_to(Journal& journal, std::size_t depth) {
-  while (journal.depth() > depth) journal.undo();
-}
-
 /// All regions of that many patches that can be merged, each once.
 std::vector<Region> candidates(Mesh& mesh, int rows, int columns) {
   std::set<Region> names;
@@ -25,7 +21,7 @@ std::vector<Region> candidates(Mesh& mesh, int rows, int columns) {
   std::vector<Region> result;
   for (const Region& region : names) {
     if (merge_region(journal, region).valid()) result.push_back(region);
-    undo_to(journal, 0);
+    journal.undo_to(0);
   }
   return result;
 }
@@ -38,7 +34,7 @@ void merge_and_undo(benchmark::State& state, const MeshFile& file, int rows, int
   for (auto _ : state)
     for (const Region& region : regions) {
       merge_region(journal, region);
-      undo_to(journal, 0);
+      journal.undo_to(0);
     }
   state.SetItemsProcessed(state.iterations() * int(regions.size()));
 }

@@ -10,9 +10,7 @@ void run(benchmark::State& state, const MeshFile& file, const RunOptions& option
   SimplifyResult result;
   for (auto _ : state) result = preview(*document, {file.id}, options).front().result;
   state.SetLabel(result.renderer);
-  state.counters["patches"] = result.patches_before;
-  state.counters["left"] = result.patches_after;
-  state.counters["evaluations"] = result.evaluations;
+  count(state, result);
   state.counters["error"] = result.error;
 }
 

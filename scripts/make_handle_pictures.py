@@ -23,8 +23,8 @@ from make_readme_pictures import (
     SAMPLES,
     Inkscape,
     below_each_other,
-    gradmesh,
     side_by_side,
+    simplified,
 )
 from PIL import Image
 
@@ -149,9 +149,7 @@ def shown(svg, mesh_id, count, frame, folder):
 
 def mesh_tool(sample, mesh_id, folder):
     before, after = SAMPLES / f"{sample}.svg", folder / "after.svg"
-    document = gradmesh.load(before)
-    (result,) = gradmesh.simplify(document, mesh_id, max_local_error=0.1)
-    gradmesh.save(document, after)
+    (result,) = simplified(before, after, mesh_id, max_local_error=0.1)
     frame = frame_of(net_of(Document(before), mesh_id))
     return side_by_side(
         [
@@ -203,14 +201,11 @@ def edited(folder):
     panels = []
     for method in (None, "simplest", "best"):
         svg, handles = SAMPLES / "fruit.svg", "the sample"
-        document = gradmesh.load(svg)
         if method:
-            (result,) = gradmesh.simplify(
-                document, "pear", method=method, count="handles", max_local_error=0.1
-            )
-            svg, handles = folder / f"{method}.svg", f"{result.handles_after} handles"
-            gradmesh.save(document, svg)
-            handles += ", blocks" if result.objects > 1 else ""
+            bounds = {"count": "handles", "max_local_error": 0.1}
+            before, svg = svg, folder / f"{method}.svg"
+            (result,) = simplified(before, svg, "pear", method=method, **bounds)
+            handles = f"{result.handles_after} handles" + (", blocks" if result.objects > 1 else "")
         panels.append((handles, dragged(svg, folder, folder / "edited.svg")))
     return side_by_side(panels)
 
@@ -222,10 +217,8 @@ def amounts(folder):
         for sample, area in AMOUNTS:
             svg = SAMPLES / f"{sample}.svg"
             if epsilon:
-                document = gradmesh.load(svg)
-                gradmesh.simplify(document, epsilon=epsilon, max_local_error=0.1)
-                svg = folder / f"{sample}.svg"
-                gradmesh.save(document, svg)
+                before, svg = svg, folder / f"{sample}.svg"
+                simplified(before, svg, epsilon=epsilon, max_local_error=0.1)
             with Inkscape() as inkscape:
                 png = inkscape.export_png(svg, folder / "picture.png", dpi=192)
             with Image.open(png) as picture:

@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 import matplotlib
-from make_readme_pictures import below_each_other, painted, side_by_side, with_patches
+from make_readme_pictures import below_each_other, painted, side_by_side, simplified, with_patches
 from runs import METHODS, PAPER, ROOT, Bench, gradmesh
 
 matplotlib.use("Agg")
@@ -95,9 +95,7 @@ def before_after(file, mesh_id, folder):
     patches = []
     for method in ("gqe", "best"):
         after = folder / f"{method}.svg"
-        document = gradmesh.load(before)
-        (result,) = gradmesh.simplify(document, mesh_id, method=method)
-        gradmesh.save(document, after)
+        (result,) = simplified(before, after, mesh_id, method=method)
         caption = f"{method}: {result.patches_after}, FLIP {result.error:.4f}"
         patches.append((caption, with_patches(after, folder / f"{method}-patches.svg")))
     original = with_patches(before, folder / "before-patches.svg", mesh_id)

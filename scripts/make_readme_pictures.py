@@ -47,12 +47,18 @@ def with_patches(svg, out, mesh_id=MESH_ID):
     return out
 
 
+def simplified(svg, out, ids=(), **options):
+    """Writes the document with these meshes simplified, by default all; returns what became of each."""
+    document = gradmesh.load(svg)
+    results = gradmesh.simplify(document, ids, **options)
+    gradmesh.save(document, out)
+    return results
+
+
 def panels(folder):
     """(caption, SVG file) from left to right."""
     before, after = SAMPLES / f"{SAMPLE}.svg", folder / "after.svg"
-    document = gradmesh.load(before)
-    (result,) = gradmesh.simplify(document, MESH_ID, max_local_error=0.1)
-    gradmesh.save(document, after)
+    (result,) = simplified(before, after, MESH_ID, max_local_error=0.1)
     return [
         ("before", before),
         (f"{result.handles_before} handles", with_patches(before, folder / "before-patches.svg")),
@@ -127,15 +133,10 @@ def dialog(folder, out):
 
 def nodes(folder, out):
     """The handles of the mesh, before and after."""
-    after = folder / "after.svg"
-    document = gradmesh.load(SAMPLES / f"{SAMPLE}.svg")
-    (result,) = gradmesh.simplify(document, MESH_ID, max_local_error=0.1)
-    gradmesh.save(document, after)
+    before, after = SAMPLES / f"{SAMPLE}.svg", folder / "after.svg"
+    (result,) = simplified(before, after, MESH_ID, max_local_error=0.1)
     pictures = []
-    for handles, svg in (
-        (result.handles_before, SAMPLES / f"{SAMPLE}.svg"),
-        (result.handles_after, after),
-    ):
+    for handles, svg in ((result.handles_before, before), (result.handles_after, after)):
         with Inkscape() as inkscape, inkscape.window(svg) as window:
             window.key("5")
             window.double_click(*PEAR)

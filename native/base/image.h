@@ -82,6 +82,14 @@ void fill(Raster<Sample, Channels>& raster, Window window, Sample value) {
       std::fill_n(raster.at(window.x0, y, c), window.width(), value);
 }
 
+/// Copies the samples of a window that lies in both rasters.
+template <class Sample, int Channels>
+void copy(const Raster<Sample, Channels>& from, Window window, Raster<Sample, Channels>& to) {
+  for (int c = 0; c < Channels; ++c)
+    for (int y = window.y0; y < window.y1; ++y)
+      std::copy_n(from.at(window.x0, y, c), window.width(), to.at(window.x0, y, c));
+}
+
 /// An opaque image in 8-bit sRGB.
 using Image = Raster<std::uint8_t, 3>;
 /// An image in 8-bit sRGB with opacities, by which the colours are not multiplied.

@@ -22,13 +22,15 @@ class EglRasterizer final : public Rasterizer {
   }
   ~EglRasterizer() override { release_on(*device_, painter_); }
 
-  void paint(const Mesh& mesh, const Frame& frame, Window window, Image& image) const override {
-    if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, window, image);
-    window = window.clipped(frame.window());
-    if (window.empty()) return;
-    const int rows = std::max(1, most_pixels / window.width());
-    for (int y = window.y0; y < window.y1; y += rows)
-      paint_band(mesh, frame, {window.x0, y, window.x1, std::min(y + rows, window.y1)}, image);
+  Image paint(const Mesh& mesh, const Frame& frame) const override {
+    if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame);
+    Painting painting(frame.window());
+    const int rows = std::max(1, most_pixels / frame.width);
+    for (int y = 0; y < frame.height; y += rows)
+      paint_band(mesh, frame, {0, y, frame.width, std::min(y + rows, frame.height)},
+                 painting.image);
+    if (frame.hidden) frame.hidden->hide(frame.window(), painting);
+    return std::move(painting.image);
   }
 
  private:
@@ -45,14 +47,9 @@ class EglRasterizer final : public Rasterizer {
       painter_->colors().read(std::span(colors));
       use.check();
     }
-    Painting painting(band);
     for (int c = 0; c < 3; ++c)
-      std::ranges::transform(colors, painting.image.at(band.x0, band.y0, c),
+      std::ranges::transform(colors, image.at(0, band.y0, c),
                              [&](std::uint32_t color) { return std::uint8_t(color >> (8 * c)); });
-    if (frame.hidden) frame.hidden->hide(band, painting);
-    for (int c = 0; c < 3; ++c)
-      for (int y = band.y0; y < band.y1; ++y)
-        std::copy_n(painting.image.at(band.x0, y, c), band.width(), image.at(band.x0, y, c));
   }
 
   std::shared_ptr<Device> device_;

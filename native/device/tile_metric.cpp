@@ -6,7 +6,7 @@
 #include "metric/appearance.h"
 #include "metric/appearance_taps.h"
 #include "metric/colour_matrices.h"
-#include "metric/ssim_taps.h"
+#include "metric/ssim.h"
 
 namespace gradmesh {
 namespace {

@@ -16,11 +16,11 @@ std::array<std::vector<Halfedge>, 4> outer_sides(const Mesh& mesh, const Rectang
   std::array<std::vector<Halfedge>, 4> sides;
   for (int j = 0; j < block.columns; ++j) {
     sides[0].push_back(block.top(0, j));
-    sides[2].push_back(side_from(mesh, block.top(block.rows - 1, block.columns - 1 - j), 2));
+    sides[2].push_back(mesh.sides(block.top(block.rows - 1, block.columns - 1 - j))[2]);
   }
   for (int i = 0; i < block.rows; ++i) {
-    sides[1].push_back(side_from(mesh, block.top(i, block.columns - 1), 1));
-    sides[3].push_back(side_from(mesh, block.top(block.rows - 1 - i, 0), 3));
+    sides[1].push_back(mesh.sides(block.top(i, block.columns - 1))[1]);
+    sides[3].push_back(mesh.sides(block.top(block.rows - 1 - i, 0))[3]);
   }
   return sides;
 }

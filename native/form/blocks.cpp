@@ -216,7 +216,7 @@ class BlockFinder {
   /// Returns the top of the patch across side `side` of the patch with this top, if the surface
   /// goes on there without a T-junction or a step in colour and no block has taken that patch.
   std::optional<Halfedge> across(Halfedge top, int side) const {
-    const Halfedge h = side_from(mesh_, top, side);
+    const Halfedge h = mesh_.sides(top)[side];
     if (mesh_.is_bar(h)) return std::nullopt;
     const Halfedge twin = mesh_[h].twin;
     if (!twin.valid() || mesh_.is_parent(twin)) return std::nullopt;
@@ -225,7 +225,7 @@ class BlockFinder {
         !same_as_written(mesh_[twin].color, mesh_[mesh_.next(h)].color))
       return std::nullopt;
     // In the block the twin is the side opposite to `side`.
-    return side_from(mesh_, twin, (6 - side) % 4);
+    return mesh_.sides(twin)[(6 - side) % 4];
   }
 
   /// Returns the largest rectangle whose first patch has this top.
@@ -335,7 +335,7 @@ BlockForm block_form(const Mesh& mesh, double coons_tolerance,
 }
 
 Patch written_patch(const Mesh& mesh, Halfedge top, const BlockForm& form) {
-  const Patch patch = as_written(patch_from(mesh, top), form.coons_tolerance, form.masks_opacity);
+  const Patch patch = as_written(mesh.patch(top), form.coons_tolerance, form.masks_opacity);
   return form.step > 0 ? rounded(patch, form.coons_tolerance, form.step) : patch;
 }
 
@@ -346,7 +346,7 @@ MeshParts block_parts(const Mesh& mesh, const BlockForm& form) {
   for (const Rectangle& block : form.blocks)
     for (const Halfedge top : block.tops) {
       for (int side = 0; side < 4; ++side)
-        numbers[side_from(mesh, top, side)] = 4 * int(parts.patches.size()) + side;
+        numbers[mesh.sides(top)[side]] = 4 * int(parts.patches.size()) + side;
       parts.patches.push_back(written_patch(mesh, top, form));
     }
   const auto side_parts = [&](Halfedge side) {

@@ -35,8 +35,7 @@ struct Across {
 /// Returns the patch of a grid as seen with the direction `along` from left to right.
 Across patch_along(const Mesh& mesh, const Rectangle& grid, Along along, int line, int place) {
   const bool rows = along == Along::rows;
-  BezierNet net =
-      bezier_net(patch_from(mesh, rows ? grid.top(line, place) : grid.top(place, line)));
+  BezierNet net = bezier_net(mesh.patch(rows ? grid.top(line, place) : grid.top(place, line)));
   if (!rows)
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j) std::swap(net[i][j], net[j][i]);

@@ -96,7 +96,7 @@ class SmoothGrid {
   int columns() const { return grid_.columns; }
 
   Patch patch(int row, int column) const {
-    Patch patch = patch_from(mesh_, grid_.top(row, column));
+    Patch patch = mesh_.patch(grid_.top(row, column));
     colors_.apply(patch, row, column);
     return patch;
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "geom/hermite.h"
+
 namespace gradmesh {
 
 /// Cubic curve in Hermite form over [0, 1]: end values and end derivatives. `V` is a vector
@@ -11,9 +13,8 @@ struct Cubic {
   bool operator==(const Cubic&) const = default;
 
   V at(double t) const {
-    const double t2 = t * t, t3 = t2 * t;
-    return p0 * (1 - 3 * t2 + 2 * t3) + m0 * (t - 2 * t2 + t3) + m1 * (t3 - t2) +
-           p1 * (3 * t2 - 2 * t3);
+    const auto [of_p0, of_m0, of_m1, of_p1] = hermite_basis(t);
+    return p0 * of_p0 + m0 * of_m0 + m1 * of_m1 + p1 * of_p1;
   }
 
   V derivative(double t) const {

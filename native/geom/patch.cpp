@@ -15,6 +15,17 @@ constexpr int twist_index(int end) { return end == 0 ? 1 : 2; }
 
 using Basis = std::array<double, 4>;
 
+/// Applies `convert`, which gives a cubic's coefficients in another form, along v and then along u.
+template <class Convert>
+BezierNet converted(BezierNet net, const Convert& convert) {
+  for (std::array<Value, 4>& row : net) row = convert(row);
+  for (int j = 0; j < 4; ++j) {
+    const std::array<Value, 4> column = convert({net[0][j], net[1][j], net[2][j], net[3][j]});
+    for (int i = 0; i < 4; ++i) net[i][j] = column[i];
+  }
+  return net;
+}
+
 Value blend(const Patch& patch, const Basis& bu, const Basis& bv) {
   Value sum;
   for (int i = 0; i < 4; ++i)
@@ -34,10 +45,6 @@ Value Patch::derivative_u(double u, double v) const {
 
 Value Patch::derivative_v(double u, double v) const {
   return blend(*this, hermite_basis(u), hermite_derivative(v));
-}
-
-Value Patch::derivative_uv(double u, double v) const {
-  return blend(*this, hermite_derivative(u), hermite_derivative(v));
 }
 
 Value Patch::corner(int k) const { return c[corner_row[k]][corner_column[k]]; }
@@ -101,18 +108,11 @@ Patch patch_from_sides(const std::array<Cubic<Value>, 4>& sides,
 }
 
 BezierNet bezier_net(const Patch& patch) {
-  // The conversion of a Hermite row (p0, m0, m1, p1) to Bezier, along v and then along u.
   const auto convert = [](const std::array<Value, 4>& h) -> std::array<Value, 4> {
     const Cubic<Value> curve{h[0], h[1], h[2], h[3]};
     return {curve.p0, curve.bezier1(), curve.bezier2(), curve.p1};
   };
-  BezierNet net;
-  for (int i = 0; i < 4; ++i) net[i] = convert(patch.c[i]);
-  for (int j = 0; j < 4; ++j) {
-    const std::array<Value, 4> column = convert({net[0][j], net[1][j], net[2][j], net[3][j]});
-    for (int i = 0; i < 4; ++i) net[i][j] = column[i];
-  }
-  return net;
+  return converted(patch.c, convert);
 }
 
 Patch patch_from_bezier(const BezierNet& net) {
@@ -120,14 +120,7 @@ Patch patch_from_bezier(const BezierNet& net) {
     const Cubic<Value> curve = Cubic<Value>::from_bezier(b[0], b[1], b[2], b[3]);
     return {curve.p0, curve.m0, curve.m1, curve.p1};
   };
-  Patch patch;
-  for (int i = 0; i < 4; ++i) patch.c[i] = convert(net[i]);
-  for (int j = 0; j < 4; ++j) {
-    const std::array<Value, 4> column =
-        convert({patch.c[0][j], patch.c[1][j], patch.c[2][j], patch.c[3][j]});
-    for (int i = 0; i < 4; ++i) patch.c[i][j] = column[i];
-  }
-  return patch;
+  return {converted(net, convert)};
 }
 
 std::array<std::array<glm::dvec2, 2>, 2> coons_interior(const BezierNet& net) {

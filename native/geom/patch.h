@@ -26,8 +26,6 @@ struct Patch {
   Value at(double u, double v) const;
   Value derivative_u(double u, double v) const;
   Value derivative_v(double u, double v) const;
-  /// Returns the mixed second derivative H_uv.
-  Value derivative_uv(double u, double v) const;
 
   Value corner(int k) const;
   /// Returns the curve of side k in the side's own direction.

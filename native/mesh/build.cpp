@@ -190,11 +190,8 @@ class MeshBuilder {
 
   /// Puts the T-junctions of each curve on it once the curve's ends are placed.
   void place_junctions() {
-    std::vector<Halfedge> curves;
-    for (const Halfedge h : mesh_.halfedges())
-      if (!mesh_.is_bar(h) && mesh_.curve(h) == h) curves.push_back(h);
     if (has_cycle(mesh_)) inconsistent(Message("a curve hangs on itself"));
-    for (const Halfedge curve : in_order_of_dependence(mesh_, curves))
+    for (const Halfedge curve : in_order_of_dependence(mesh_, mesh_.curves()))
       for (const Halfedge side : {curve, at(curve).twin})
         if (side.valid())
           for (const Halfedge stem : mesh_.stems(side)) place_junction(stem);

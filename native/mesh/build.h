@@ -15,8 +15,8 @@ namespace gradmesh {
 /// where there are more patches than the limit (base/limits.h).
 Mesh build_mesh(const MeshParts& parts);
 
-/// Does the same for parts that were made of a mesh which keeps to the limit, and does not limit
-/// their number.
+/// Makes the mesh as build_mesh() does, of parts that come from a mesh which keeps to the limit:
+/// their number is not limited.
 Mesh build_derived_mesh(const MeshParts& parts);
 
 }  // namespace gradmesh

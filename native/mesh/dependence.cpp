@@ -50,9 +50,7 @@ std::vector<Halfedge> in_order_of_dependence(const Mesh& mesh, std::span<const H
 }
 
 bool has_cycle(const Mesh& mesh) {
-  std::vector<Halfedge> curves;
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh.curve(h) == h) curves.push_back(h);
+  const std::vector<Halfedge> curves = mesh.curves();
   std::vector<int> place(mesh.halfedge_slots());
   const std::vector<Halfedge> order = in_order_of_dependence(mesh, curves);
   for (std::size_t i = 0; i < order.size(); ++i) place[order[i].value] = int(i);

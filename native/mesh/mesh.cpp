@@ -11,10 +11,22 @@ Halfedge Mesh::last_leaf(Halfedge side) const {
   return last;
 }
 
-std::array<Halfedge, 4> Mesh::sides(Face f) const {
-  const Halfedge top = (*this)[f].halfedge;
-  const Halfedge right = next(top), bottom = next(right);
-  return {top, right, bottom, next(bottom)};
+std::vector<Halfedge> Mesh::curves() const {
+  std::vector<Halfedge> list;
+  for (const Halfedge h : halfedges())
+    if (curve(h) == h) list.push_back(h);
+  return list;
+}
+
+std::array<Halfedge, 4> Mesh::sides(Halfedge leaf) const {
+  const Halfedge second = next(leaf), third = next(second);
+  return {leaf, second, third, next(third)};
+}
+
+int Mesh::side_number(Halfedge leaf) const {
+  int number = 0;
+  for (Halfedge h = (*this)[face(leaf)].halfedge; h != leaf; h = next(h)) ++number;
+  return number;
 }
 
 Point Mesh::end(Halfedge h) const {
@@ -45,8 +57,8 @@ Cubic<Value> Mesh::side_of(Halfedge leaf) const {
   return curve;
 }
 
-Patch Mesh::patch(Face f) const {
-  const std::array<Halfedge, 4> around = sides(f);
+Patch Mesh::patch(Halfedge top) const {
+  const std::array<Halfedge, 4> around = sides(top);
   std::array<Cubic<Value>, 4> curves;
   std::array<Value, 4> twists;
   for (int k = 0; k < 4; ++k) {

@@ -3,10 +3,9 @@
 #include <vector>
 
 #include "geom/patch.h"
-#include "mesh/alive_range.h"
 #include "mesh/elements.h"
 #include "mesh/parts.h"
-#include "mesh/sibling_range.h"
+#include "mesh/ranges.h"
 
 namespace gradmesh {
 
@@ -28,10 +27,10 @@ class Mesh {
   const HalfedgeRecord& operator[](Halfedge h) const { return halfedges_[h.value]; }
 
   /// Return the elements that are alive, in the order of their indices.
-  auto points() const { return AliveRange<Point, PointRecord>(points_); }
-  auto handles() const { return AliveRange<Handle, HandleRecord>(handles_); }
-  auto faces() const { return AliveRange<Face, FaceRecord>(faces_); }
-  auto halfedges() const { return AliveRange<Halfedge, HalfedgeRecord>(halfedges_); }
+  auto points() const { return AliveRange(points_); }
+  auto handles() const { return AliveRange(handles_); }
+  auto faces() const { return AliveRange(faces_); }
+  auto halfedges() const { return AliveRange(halfedges_); }
 
   /// Return the sizes of the arrays, counting elements that are not alive: bounds for arrays beside
   /// the mesh.
@@ -64,6 +63,8 @@ class Mesh {
     const Halfedge side = curve_side(h), twin = (*this)[side].twin;
     return twin.valid() && twin < side ? twin : side;
   }
+  /// Returns all curves, as curve() names them, in the order of their indices.
+  std::vector<Halfedge> curves() const;
 
   /// Returns the bars and stems in turn, in the parent's direction.
   SiblingRange children(Halfedge parent) const { return range(parent, SiblingRange::children); }
@@ -83,7 +84,11 @@ class Mesh {
   Halfedge prev(Halfedge leaf) const { return (*this)[leaf].prev; }
   Face face(Halfedge leaf) const { return (*this)[leaf].face; }
   /// Returns the four sides of a face, clockwise from its top.
-  std::array<Halfedge, 4> sides(Face f) const;
+  std::array<Halfedge, 4> sides(Face f) const { return sides((*this)[f].halfedge); }
+  /// Returns the four sides of a leaf's face, clockwise from the leaf.
+  std::array<Halfedge, 4> sides(Halfedge leaf) const;
+  /// Returns which of sides(face(leaf)) the leaf is.
+  int side_number(Halfedge leaf) const;
 
   // --- geometry ---
   Point origin(Halfedge h) const { return (*this)[h].origin; }
@@ -96,7 +101,9 @@ class Mesh {
   /// Returns the curve of a leaf, which is a part of its curve side. The ends are exactly the
   /// positions of the leaf's points.
   Cubic<Value> side_of(Halfedge leaf) const;
-  Patch patch(Face f) const;
+  Patch patch(Face f) const { return patch((*this)[f].halfedge); }
+  /// Returns the patch as seen with this side as its top, wherever its face begins.
+  Patch patch(Halfedge top) const;
 
  private:
   friend class Journal;

@@ -11,6 +11,17 @@ void transform(MeshParts& parts, const Affine& affine) {
       for (Value& tangent : *curve.tangents) tangent.position = affine.vector(tangent.position);
 }
 
+void append(MeshParts& parts, const MeshParts& more) {
+  const int first = 4 * int(parts.patches.size());
+  parts.patches.insert(parts.patches.end(), more.patches.begin(), more.patches.end());
+  for (CurveParts curve : more.curves) {
+    for (CurveSide* side : {&curve.a, &curve.b})
+      for (int& h : side->halfedges) h += first;
+    parts.curves.push_back(std::move(curve));
+  }
+  for (const int h : more.own_colors) parts.own_colors.push_back(h + first);
+}
+
 std::vector<CurveParts> grid_curves(int rows, int columns) {
   const auto halfedge = [&](int row, int column, int side) {
     return 4 * (row * columns + column) + side;
@@ -28,15 +39,8 @@ std::vector<CurveParts> grid_curves(int rows, int columns) {
 
 MeshParts parts_of(const std::vector<PatchGrid>& grids, const std::vector<CurveParts>& between) {
   MeshParts parts;
-  for (const PatchGrid& grid : grids) {
-    const int first = 4 * int(parts.patches.size());
-    parts.patches.insert(parts.patches.end(), grid.patches.begin(), grid.patches.end());
-    for (CurveParts& curve : grid_curves(grid.rows, grid.columns)) {
-      for (CurveSide* side : {&curve.a, &curve.b})
-        for (int& h : side->halfedges) h += first;
-      parts.curves.push_back(std::move(curve));
-    }
-  }
+  for (const PatchGrid& grid : grids)
+    append(parts, {grid.patches, grid_curves(grid.rows, grid.columns)});
   parts.curves.insert(parts.curves.end(), between.begin(), between.end());
   return parts;
 }

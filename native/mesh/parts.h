@@ -54,6 +54,9 @@ struct PatchGrid {
 /// Applies an affine map to the positions of the parts.
 void transform(MeshParts& parts, const Affine& affine);
 
+/// Adds the patches, curves and colours of `more` behind those of `parts`.
+void append(MeshParts& parts, const MeshParts& more);
+
 /// Returns the curves of a plain grid of `rows` x `columns` patches stored row by row.
 std::vector<CurveParts> grid_curves(int rows, int columns);
 

@@ -1,7 +1,5 @@
 #include "mesh/rectangle.h"
 
-#include <algorithm>
-
 #include "mesh/region.h"
 
 namespace gradmesh {
@@ -21,26 +19,6 @@ int count_across(const Mesh& mesh, Halfedge side) {
 }
 
 }  // namespace
-
-Halfedge side_from(const Mesh& mesh, Halfedge top, int side) {
-  for (; side > 0; --side) top = mesh.next(top);
-  return top;
-}
-
-Patch patch_from(const Mesh& mesh, Halfedge top) {
-  const Face face = mesh.face(top);
-  const Patch patch = mesh.patch(face);
-  const std::array<Halfedge, 4> own = mesh.sides(face);
-  const int first = int(std::ranges::find(own, top) - own.begin());
-  if (first == 0) return patch;
-  std::array<Cubic<Value>, 4> sides;
-  std::array<Value, 4> twists;
-  for (int k = 0; k < 4; ++k) {
-    sides[k] = patch.side((first + k) % 4);
-    twists[k] = patch.twist((first + k) % 4);
-  }
-  return patch_from_sides(sides, twists);
-}
 
 std::optional<Rectangle> grid_from(const Mesh& mesh, Face face, int top) {
   const Halfedge first = mesh.sides(face)[top];

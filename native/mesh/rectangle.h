@@ -20,12 +20,6 @@ struct Rectangle {
   Halfedge top(int row, int column) const { return tops[row * columns + column]; }
 };
 
-/// Returns side `side` (0 top, 1 right, 2 bottom, 3 left) of the patch with this top.
-Halfedge side_from(const Mesh& mesh, Halfedge top, int side);
-
-/// Returns the patch as seen with this side as its top, wherever its face begins.
-Patch patch_from(const Mesh& mesh, Halfedge top);
-
 /// Returns the whole mesh as a grid: nothing but whole edges and regular points inside, and all
 /// around it the boundary. Returns nothing for meshes with T-junctions, holes, branches or several
 /// parts, and for rings. Rows and columns are counted as the patches themselves have them, if they

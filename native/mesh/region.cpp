@@ -25,9 +25,7 @@ Halfedge below(const Mesh& mesh, Halfedge top) {
 
 /// Returns the region that starts at the patch of `top`.
 Region region_at(const Mesh& mesh, Halfedge top, int rows, int columns) {
-  const Face face = mesh.face(top);
-  const std::array<Halfedge, 4> sides = mesh.sides(face);
-  return {face, int(std::ranges::find(sides, top) - sides.begin()), rows, columns};
+  return {mesh.face(top), mesh.side_number(top), rows, columns};
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ class Subdivider {
 
   MeshParts run() {
     for (const Face f : mesh_.faces()) add_face(f);
-    for (const Halfedge h : mesh_.halfedges())
-      if (!mesh_.is_bar(h) && mesh_.curve(h) == h && mesh_[h].twin.valid()) add_curve(h);
+    for (const Halfedge curve : mesh_.curves())
+      if (mesh_[curve].twin.valid()) add_curve(curve);
     return std::move(parts_);
   }
 
@@ -39,16 +39,13 @@ class Subdivider {
     const std::array<Halfedge, 4> sides = mesh_.sides(f);
     for (int k = 0; k < 4; ++k) number_[std::size_t(sides[k].value)] = 4 * first + k;
     const Patch patch = mesh_.patch(f);
+    MeshParts parts{{}, grid_curves(n_, n_)};
     for (int i = 0; i < n_; ++i) {
       const Patch row = patch.part_u(double(i) / n_, double(i + 1) / n_);
       for (int j = 0; j < n_; ++j)
-        parts_.patches.push_back(row.part_v(double(j) / n_, double(j + 1) / n_));
+        parts.patches.push_back(row.part_v(double(j) / n_, double(j + 1) / n_));
     }
-    for (CurveParts curve : grid_curves(n_, n_)) {
-      curve.a.halfedges[0] += 4 * first;
-      curve.b.halfedges[0] += 4 * first;
-      parts_.curves.push_back(curve);
-    }
+    append(parts_, parts);
   }
 
   /// Returns the side of the m-th new patch along a leaf, as 4 * patch + side.

@@ -178,7 +178,7 @@ void feature_row(const Rows& columns, int count, float* edge, float* point) {
   }
 }
 
-void appearance_row(const Rows& opponent, int y, Rows& columns, const AppearanceRow<float>& out) {
+void find_row(const Rows& opponent, int y, Rows& columns, const AppearanceRow<float>& out) {
   const int width = opponent.window().width(), count = width - 2 * appearance_reach;
   filter_luminance_down(opponent.row(luminance, y), opponent.stride(), width, columns);
   filter_red_green_down(opponent.row(red_green, y), opponent.stride(), width, columns);
@@ -196,7 +196,7 @@ namespace gradmesh {
 namespace {
 
 HWY_EXPORT(read_row);
-HWY_EXPORT(appearance_row);
+HWY_EXPORT(find_row);
 
 }  // namespace
 
@@ -225,7 +225,7 @@ void AppearanceFilter::read(const Image& image, Window frame, Window box) {
 }
 
 void AppearanceFilter::row(int y, const AppearanceRow<float>& out) {
-  HWY_DYNAMIC_DISPATCH(appearance_row)(opponent_, y, columns_, out);
+  HWY_DYNAMIC_DISPATCH(find_row)(opponent_, y, columns_, out);
 }
 
 }  // namespace gradmesh

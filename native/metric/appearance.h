@@ -16,26 +16,14 @@ struct AppearanceRow {
   Sample *lightness, *a, *b, *edge, *point;
 };
 
-/// The appearance of the pixels of a window.
-class AppearanceRows {
- public:
-  void reset(Window window) { planes_.reset(window, 5); }
+inline constexpr int appearance_planes = 5;
 
-  /// Returns the number of samples from one row to the next.
-  std::ptrdiff_t stride() const { return planes_.stride(); }
-  /// Returns row y from column x on.
-  AppearanceRow<float> row(int x, int y) { return row_of<float>(planes_, x, y); }
-  AppearanceRow<const float> row(int x, int y) const { return row_of<const float>(planes_, x, y); }
-
- private:
-  template <class Sample, class Planes>
-  static AppearanceRow<Sample> row_of(Planes& planes, int x, int y) {
-    return {planes.at(0, x, y), planes.at(1, x, y), planes.at(2, x, y), planes.at(3, x, y),
-            planes.at(4, x, y)};
-  }
-
-  PaddedRows<float> planes_;
-};
+/// Returns row y, from column x on, of planes that hold the appearance of the pixels of a window.
+template <class Planes>
+auto appearance_row(Planes& planes, int x, int y) {
+  return AppearanceRow{planes.at(0, x, y), planes.at(1, x, y), planes.at(2, x, y),
+                       planes.at(3, x, y), planes.at(4, x, y)};
+}
 
 /// Returns the linear light of the 256 values of an sRGB sample (IEC 61966-2-1).
 const std::array<float, 256>& linear_light();

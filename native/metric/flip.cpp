@@ -75,33 +75,33 @@ HWY_EXPORT(compare);
 /// Buffers for one tile. Each thread keeps its own, as there may be hundreds of thousands of tiles.
 struct Scratch {
   AppearanceFilter filter;
-  AppearanceRows row;
-  PaddedRows<float> distance;
+  PaddedRows<float> row, distance;
 };
 
 }  // namespace
 
-Flip::Flip(Image image) : LocalMetric(std::move(image), appearance_reach) {
-  appearance_.reset(reference().window());
+Flip::Flip(Image image) : Metric(std::move(image), appearance_reach) {
+  appearance_.reset(reference().window(), appearance_planes);
   for_each_strip(reference().window(), [&](Window strip) {
     AppearanceFilter& filter = per_thread<Scratch>().filter;
     filter.read(reference(), reference().window(), strip);
-    for (int y = strip.y0; y < strip.y1; ++y) filter.row(y, appearance_.row(0, y));
+    for (int y = strip.y0; y < strip.y1; ++y) filter.row(y, appearance_row(appearance_, 0, y));
   });
 }
 
 void Flip::score(const Image& test, Window tile, Plane& map) const {
   Scratch& scratch = per_thread<Scratch>();
   const Window one_row = {tile.x0, 0, tile.x1, 1};
-  scratch.row.reset(one_row);
+  scratch.row.reset(one_row, appearance_planes);
   scratch.distance.reset(one_row, 1);
-  const AppearanceRow<float> seen = scratch.row.row(tile.x0, 0);
+  const AppearanceRow<float> seen = appearance_row(scratch.row, tile.x0, 0);
   float* distance = scratch.distance.row(0, 0);
   const auto compare_row = HWY_DYNAMIC_DISPATCH(compare);
   scratch.filter.read(test, reference().window(), tile);
   for (int y = tile.y0; y < tile.y1; ++y) {
     scratch.filter.row(y, seen);
-    compare_row(appearance_.row(tile.x0, y), appearance_.stride(), seen, tile.width(), distance);
+    compare_row(appearance_row(appearance_, tile.x0, y), appearance_.stride(), seen, tile.width(),
+                distance);
     std::copy_n(distance, tile.width(), map.at(tile.x0, y));
   }
 }

@@ -1,20 +1,20 @@
 #pragma once
 
 #include "metric/appearance.h"
-#include "metric/local_metric.h"
+#include "metric/metric.h"
 
 namespace gradmesh {
 
 /// FLIP for low dynamic range images (Andersson et al. 2020), with its default of 67.02 pixels
 /// per degree. Symmetric in its two images.
-class Flip final : public LocalMetric {
+class Flip final : public Metric {
  public:
   explicit Flip(Image reference);
 
  private:
   void score(const Image& test, Window tile, Plane& map) const override;
 
-  AppearanceRows appearance_;  ///< The reference's appearance.
+  PaddedRows<float> appearance_;  ///< The reference's (appearance_row).
 };
 
 }  // namespace gradmesh

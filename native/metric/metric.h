@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/image.h"
@@ -11,8 +13,9 @@ namespace gradmesh {
 
 enum class MetricKind { flip, ssim };
 
-/// Measures the distance of test images to one fixed reference image, per pixel; 0 where they are
-/// equal.
+/// Measures the distance of test images to one fixed reference image, per pixel. The distance of a
+/// pixel depends only on the pixels within `reach` of it, and is 0 where none of these differs from
+/// the reference: only pixels near a difference are scored, in tiles.
 ///
 /// SSIM is Wang et al. 2004 as `1 - SSIM` (mean of the three channels), up to 2 where the images
 /// are anti-correlated; FLIP is the LDR metric of Andersson et al. 2020, up to 1. Both treat a
@@ -25,7 +28,7 @@ class Metric {
   /// Writes the distance of every pixel in `window` into `map`, which has the size of the
   /// frame; other pixels of `map` stay as they are. The values are the same for every window
   /// that holds the pixel. Throws std::invalid_argument where the sizes differ.
-  virtual void fill_map(const Image& test, Window window, Plane& map) const = 0;
+  void fill_map(const Image& test, Window window, Plane& map) const;
 
   /// Brings `map`, the distances of `before`, up to date for `test`, which differs from `before` at
   /// most inside `changed`. Returns the change of the map's sum, added in double and in an order
@@ -36,19 +39,39 @@ class Metric {
   /// the pixels of `changed`, `map` those within the reach of `changed`, and `test` those within
   /// twice the reach. Throws std::invalid_argument where they do not. Runs on one thread and takes
   /// no memory once it has been called on windows as large.
-  virtual double update_map(const Image& before, const Image& test, Window changed, Plane& map,
-                            double limit = std::numeric_limits<double>::infinity()) const = 0;
+  double update_map(const Image& before, const Image& test, Window changed, Plane& map,
+                    double limit = std::numeric_limits<double>::infinity()) const;
 
-  virtual const Image& reference() const = 0;
+  const Image& reference() const { return reference_; }
 
   /// Returns how many pixels away, along each axis, a changed pixel still changes the map.
-  virtual int reach() const = 0;
+  int reach() const { return reach_; }
 
   Plane map(const Image& test) const {
     Plane result(test.width, test.height);
     fill_map(test, test.window(), result);
     return result;
   }
+
+ protected:
+  Metric(Image reference, int reach) : reference_(std::move(reference)), reach_(reach) {}
+
+  /// Calls `body(strip)` in parallel for windows that share the rows of `window` between them, few
+  /// enough in each for the filtered rows to stay in the cache.
+  static void for_each_strip(Window window, const std::function<void(Window)>& body);
+
+ private:
+  /// Writes the distances of the pixels of `tile`, which is not empty and lies inside the frame.
+  /// `test` covers all pixels of the frame within the reach of the tile.
+  virtual void score(const Image& test, Window tile, Plane& map) const = 0;
+
+  Window around(Window window, int by) const {
+    return window.grown(by).clipped(reference_.window());
+  }
+  void score_near_differences(const Image& test, Window window, Plane& map) const;
+
+  Image reference_;
+  int reach_;
 };
 
 /// A metric as the rest of the program knows it.

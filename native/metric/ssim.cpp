@@ -6,7 +6,6 @@
 
 #include "base/per_thread.h"
 #include "metric/padded_rows.h"
-#include "metric/ssim_taps.h"
 
 // What every target shares, read once.
 #ifndef GRADMESH_METRIC_SSIM_SHARED
@@ -272,7 +271,7 @@ HWY_EXPORT(add_channels);
 
 }  // namespace
 
-Ssim::Ssim(Image image) : LocalMetric(std::move(image), radius) {
+Ssim::Ssim(Image image) : Metric(std::move(image), radius) {
   moments_.reset(reference().window(), 2 * channels);
   for_each_strip(reference().window(), [&](Window strip) {
     HWY_DYNAMIC_DISPATCH(find_moments)(reference(), strip, per_thread<Scratch>(), moments_);

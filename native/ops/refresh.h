@@ -11,7 +11,7 @@ namespace gradmesh {
 /// given as Mesh::curve names them.
 void refresh(Journal& journal, std::span<const Halfedge> changed_curves);
 
-/// Does the same for one curve, without those that depend on it.
+/// Puts the T-junctions of one curve back on it, without those of the curves that depend on it.
 void refresh_curve(Journal& journal, Halfedge curve);
 
 }  // namespace gradmesh

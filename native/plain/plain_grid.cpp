@@ -54,7 +54,7 @@ PlainGrid::PlainGrid(const Mesh& mesh) : has_smooth_colors_(mesh.is_smooth()) {
     for (int j = columns_; j-- > 0;) {
       const Halfedge top = grid.top(i, j);
       std::array<Cubic<Value>, 4> sides;
-      for (int k = 0; k < 4; ++k) sides[k] = mesh.side_of(side_from(mesh, top, k));
+      for (int k = 0; k < 4; ++k) sides[k] = mesh.side_of(mesh.sides(top)[k]);
       const int row[] = {i, i, i + 1, i + 1}, column[] = {j, j + 1, j + 1, j};
       for (int k = 0; k < 4; ++k)
         knot(row[k], column[k]) = {sides[k].p0.position, sides[k].p0.color};

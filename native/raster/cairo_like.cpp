@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "form/smooth_colors.h"
-#include "form/written_patch.h"
+#include "raster/painter.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {
@@ -120,9 +120,8 @@ std::array<std::uint8_t, 3> over_white(const Color16& color) {
 
 class ForwardPainter {
  public:
-  /// Paints the part of `strip`, the rectangle that cairo paints at a time, that lies in `window`.
-  ForwardPainter(Window strip, Window window, Image& image)
-      : strip_(strip), window_(window.clipped(strip)), image_(image) {}
+  /// Paints in `strip`, the rectangle that cairo paints at a time.
+  ForwardPainter(Window strip, Image& image) : strip_(strip), image_(image) {}
 
   /// Part of a patch, between two v: curves along v through its control points, and the colours
   /// at u = 0 and u = 1 at either v.
@@ -219,11 +218,11 @@ class ForwardPainter {
   }
 
   void draw(int x, int y, const Color16& color) {
-    if (x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1)
+    if (x >= strip_.x0 && x < strip_.x1 && y >= strip_.y0 && y < strip_.y1)
       image_.set_pixel(x, y, over_white(color));
   }
 
-  Window strip_, window_;
+  Window strip_;
   Image& image_;
 };
 
@@ -248,24 +247,19 @@ void paint_forward(const Patch& patch, const Affine& to_pixels, ForwardPainter& 
 
 class CairoLikeRasterizer final : public Rasterizer {
  public:
-  void paint(const Mesh& mesh, const Frame& frame, Window window, Image& image) const override {
-    if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, window, image);
-    const bool as_stops = mesh.color_model() == ColorModel::bilinear;
+  Image paint(const Mesh& mesh, const Frame& frame) const override {
+    if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame);
+    Image image(frame.width, frame.height, 255);
     const int strips = (frame.height + strip_height - 1) / strip_height;
     parallel_for(std::size_t(strips), [&](std::size_t i) {
       Window strip = frame.window();
       strip.y0 = int(i) * strip_height;
       strip.y1 = std::min(frame.height, strip.y0 + strip_height);
-      const Window seen = window.clipped(strip);
-      if (seen.empty()) return;
-      fill(image, seen, std::uint8_t(255));
-      ForwardPainter painter(strip, window, image);
-      for (const Face f : mesh.faces()) {
-        Patch patch = mesh.patch(f);
-        if (as_stops) patch = as_written(patch, coons_tolerance(frame));
-        paint_forward(patch, frame.to_pixels, painter);
-      }
+      ForwardPainter painter(strip, image);
+      for (const Face f : mesh.faces())
+        paint_forward(painted_patch(mesh, frame, f), frame.to_pixels, painter);
     });
+    return image;
   }
 };
 

@@ -1,7 +1,7 @@
-#include "raster/cover.h"
-
 #include <algorithm>
 #include <cstdint>
+
+#include "raster/parameters.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/cover.cpp"

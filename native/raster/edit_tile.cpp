@@ -18,9 +18,6 @@ TilePatch tile_patch(Face face, const Refinement& refinement, const PatchColor& 
   copy(refinement.most, patch.most);
   std::ranges::copy(refinement.start_u, patch.start_u);
   std::ranges::copy(refinement.start_v, patch.start_v);
-  patch.uu = refinement.uu;
-  patch.uv = refinement.uv;
-  patch.vv = refinement.vv;
   patch.x = refinement.x;
   patch.y = refinement.y;
   patch.number = std::uint32_t(face.value) + 1;

@@ -18,7 +18,6 @@ struct TilePatch {
   /// Refinement::most, [a][b] at 4 a + b.
   float most[16];
   float start_u[3], start_v[3];
-  float uu, uv, vv;
   /// The pixel from which `position` counts.
   std::int32_t x, y;
   /// The patch's number in a picture of the faces on top: its face's index + 1.

@@ -4,9 +4,6 @@
 
 #include <hwy/cache_control.h>
 
-#include "raster/cover.h"
-#include "raster/invert.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/fill.cpp"
 #include <hwy/foreach_target.h>

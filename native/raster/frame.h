@@ -15,7 +15,7 @@ class HiddenPixels;
 struct Frame {
   int width = 0, height = 0;
   /// The map from mesh units to pixels.
-  Affine to_pixels;
+  Affine to_pixels = {};
   /// True if opacities are painted as the writer holds them, in a mask of 8 bits a pixel. The
   /// original is painted without a mask.
   bool masked_opacity = false;

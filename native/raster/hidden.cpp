@@ -8,7 +8,6 @@ namespace gradmesh {
 namespace {
 
 constexpr int lines_a_row = 4;
-constexpr std::uint8_t white = 255;
 
 /// Where a line of constant y enters or leaves polygons.
 struct Crossing {
@@ -97,10 +96,7 @@ void HiddenPixels::hide(Window window, Painting& painting) const {
   for (int y = window.y0; y < window.y1; ++y)
     for (const Run& run : row(y)) {
       const Window hidden = Window{run.begin, y, run.end, y + 1}.clipped(window);
-      if (hidden.empty()) continue;
-      for (int c = 0; c < 3; ++c)
-        std::fill_n(painting.image.at(hidden.x0, y, c), hidden.width(), white);
-      std::fill_n(painting.top.at(hidden.x0, y), hidden.width(), TopFace().sample());
+      if (!hidden.empty()) painting.clear(hidden);
     }
 }
 

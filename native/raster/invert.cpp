@@ -1,8 +1,6 @@
-#include "raster/invert.h"
-
 #include <algorithm>
 
-#include "raster/cover.h"
+#include "raster/parameters.h"
 #include "raster/segments.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -104,8 +104,9 @@ HWY_INLINE Step<V> approach(D d, const Position<V>& at, V x, V y, M active, V& u
 /// suffices.
 template <class D, class V, class M>
 HWY_INLINE void polish(D d, const Refinement& refinement, V x, V y, M active, V& u, V& v) {
-  const V uu = hn::Set(d, refinement.uu), uv = hn::Set(d, 2 * refinement.uv),
-          vv = hn::Set(d, refinement.vv), enough = hn::Set(d, float(2 * flatness));
+  const auto& most = refinement.most;
+  const V uu = hn::Set(d, most[2][0]), uv = hn::Set(d, 2 * most[1][1]), vv = hn::Set(d, most[0][2]),
+          enough = hn::Set(d, float(2 * flatness));
   for (int n = 0; n < most_polish_steps; ++n) {
     const Step<V> step = approach(d, position(d, refinement, u, v), x, y, active, u, v);
     const V left =

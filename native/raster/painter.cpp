@@ -11,17 +11,9 @@
 namespace gradmesh {
 namespace {
 
-constexpr std::uint8_t white = 255;
-
 /// Rows that one thread paints at a time, and faces that one thread cuts into triangles at a time.
 constexpr int band_height = 64;
 constexpr std::size_t share_of_faces = 32;
-
-void clear_all(Painting& painting) {
-  painting.top.reset(painting.window());
-  std::ranges::fill(painting.image.samples, white);
-  std::ranges::fill(painting.top.samples, TopFace().sample());
-}
 
 void hide(const Frame& frame, Window window, Painting& painting) {
   if (frame.hidden) frame.hidden->hide(window, painting);
@@ -44,7 +36,7 @@ Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
 
 void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
   if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, painting);
-  clear_all(painting);
+  painting.clear(painting.window());
   tessellator_.start(mesh, frame);
   for (const Face f : mesh.faces()) paint_face(mesh, frame, f, painting.window(), painting);
   hide(frame, painting.window(), painting);
@@ -52,8 +44,7 @@ void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
 
 void Painter::paint_alone(const Mesh& mesh, const Frame& frame, Face face, Window within,
                           Painting& painting) {
-  fill(painting.top, within, TopFace().sample());
-  fill(painting.image, within, white);
+  painting.clear(within);
   tessellator_.start(mesh, frame);
   paint_face(mesh, frame, face, within, painting);
   hide(frame, within, painting);
@@ -83,8 +74,7 @@ Window Painter::clear(const std::vector<Face>& touched, Window within, Painting&
   for_each_run(painting.top, within, [&](Window run, TopFace top) {
     if (!is_touched(top.face())) return;
     if (top.covers_others()) uncovered = uncovered.united(run);
-    fill(painting.top, run, TopFace().sample());
-    fill(painting.image, run, white);
+    painting.clear(run);
   });
   return uncovered;
 }
@@ -108,7 +98,7 @@ void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
   if (mesh.is_smooth()) return paint_whole(painted_mesh(mesh), frame, painting);
   if (thread_count() == 1) return Painter().paint(mesh, frame, painting);
   const Window window = painting.window();
-  clear_all(painting);
+  painting.clear(window);
   std::vector<ReadyFace> faces;
   for (const Face f : mesh.faces()) faces.push_back({f, {}, {}});
   const std::size_t shares = (faces.size() + share_of_faces - 1) / share_of_faces;

@@ -46,7 +46,18 @@ struct Painting {
   explicit Painting(Window window) : image(window), top(window) {}
 
   Window window() const { return image.window(); }
+  /// Takes away what is painted in `to_clear`, which lies inside the painting's window.
+  void clear(Window to_clear) {
+    fill(image, to_clear, std::uint8_t(255));
+    fill(top, to_clear, TopFace().sample());
+  }
 };
+
+/// Copies the pixels of a window that lies in both paintings.
+inline void copy(const Painting& from, Window window, Painting& to) {
+  copy(from.image, window, to.image);
+  copy(from.top, window, to.top);
+}
 
 /// Calls `f(run, top)` for the pixels of a window, row by row, in runs with the same TopFace; runs
 /// without a face are left out.

@@ -15,15 +15,8 @@ class Rasterizer {
  public:
   virtual ~Rasterizer() = default;
 
-  /// Paints the pixels of `window`, white where the mesh is not; `image` has the frame's size. The
-  /// value of a pixel does not depend on the window. Thread-safe.
-  virtual void paint(const Mesh& mesh, const Frame& frame, Window window, Image& image) const = 0;
-
-  Image paint(const Mesh& mesh, const Frame& frame) const {
-    Image image(frame.width, frame.height);
-    paint(mesh, frame, frame.window(), image);
-    return image;
-  }
+  /// Returns an image of the frame's size, white where the mesh is not. Thread-safe.
+  virtual Image paint(const Mesh& mesh, const Frame& frame) const = 0;
 };
 
 /// Returns the reference rasterizer, which samples at the centres of pixels as the paper does:

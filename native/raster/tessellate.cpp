@@ -81,16 +81,16 @@ void set_refinement(const Points& powers, const Bends& bends, const Folds& folds
     for (int j = 0; j < 4; ++j)
       for (int k = 0; k < 2; ++k)
         refinement.position[k][i][j] = float(powers[i][j][k] - (i + j == 0 ? corner[k] : 0));
-  refinement.uu = float(bends.uu);
-  refinement.uv = float(bends.uv);
-  refinement.vv = float(bends.vv);
+  refinement.most[2][0] = float(bends.uu);
+  refinement.most[1][1] = float(bends.uv);
+  refinement.most[0][2] = float(bends.vv);
 }
 
 /// Sets what interpolation along rows needs to know.
 void set_sizes(const Points& bezier, Refinement& refinement) {
   const glm::dvec2 p00 = bezier[0][0], p03 = bezier[0][3], p30 = bezier[3][0], p33 = bezier[3][3];
   for (int a = 0; a <= 3; ++a)
-    for (int b = std::max(0, 2 - a); b <= std::min(3, 4 - a); ++b)
+    for (int b = std::max(0, 3 - a); b <= std::min(3, 4 - a); ++b)
       refinement.most[a][b] = float(most_derivative(bezier, a, b));
   // As if it were a parallelogram.
   const glm::dvec2 along_u = 0.5 * ((p30 - p00) + (p33 - p03));

@@ -36,10 +36,8 @@ struct Refinement {
   int x = 0, y = 0;
   /// Coefficients of u^i v^j of the position in pixels; first x, then y.
   std::array<Bicubic<float>, 2> position;
-  /// Bounds of the second derivatives H_uu, H_uv, H_vv, in pixels.
-  float uu = 0, uv = 0, vv = 0;
   /// most[a][b] is a bound of the derivative of order a along u and b along v, in pixels, where a +
-  /// b is from 2 to 4.
+  /// b is from 2 to 4; of shapes that are not traced only where a + b is 2.
   std::array<std::array<float, 4>, 4> most = {};
   /// Coefficients a, b, c with which a + b x + c y is about u (or v) of a pixel.
   std::array<float, 3> start_u, start_v;

@@ -8,19 +8,6 @@
 namespace gradmesh {
 namespace {
 
-/// Copies the samples of a window that lies in both rasters.
-template <class Sample, int Channels>
-void copy(const Raster<Sample, Channels>& from, Window window, Raster<Sample, Channels>& to) {
-  for (int c = 0; c < Channels; ++c)
-    for (int y = window.y0; y < window.y1; ++y)
-      std::copy_n(from.at(window.x0, y, c), window.width(), to.at(window.x0, y, c));
-}
-
-void copy(const Painting& from, Window window, Painting& to) {
-  copy(from.image, window, to.image);
-  copy(from.top, window, to.top);
-}
-
 bool overlaps(const Painting& painting, Window window) {
   for (int y = window.y0; y < window.y1; ++y) {
     const std::uint32_t* const row = painting.top.at(window.x0, y);

@@ -58,13 +58,13 @@ bool MergeTrial::keep_if_cheap(std::size_t depth) {
 }
 
 double RegionTrial::price(const Region& region, double limit) {
-  if (!merger_.merge(region)) return std::numeric_limits<double>::infinity();
+  if (!merger_.merge(region).valid()) return std::numeric_limits<double>::infinity();
   const double before = trial_.error();
   return trial_.error_.after_edits(trial_.journal_, depth_, before + limit) - before;
 }
 
 bool RegionTrial::describe(const Region& region, EditTile& tile) {
-  if (!merger_.merge(region)) return false;
+  if (!merger_.merge(region).valid()) return false;
   trial_.error_.describe(trial_.journal_, depth_, tile);
   return true;
 }

@@ -74,17 +74,6 @@ inline MeshParts ring(int n, glm::dvec2 center = {0, 0}) {
   return parts;
 }
 
-/// Puts the second mesh beside the first one.
-inline void append(MeshParts& parts, const MeshParts& more) {
-  const int offset = 4 * int(parts.patches.size());
-  parts.patches.insert(parts.patches.end(), more.patches.begin(), more.patches.end());
-  for (CurveParts curve : more.curves) {
-    for (CurveSide* side : {&curve.a, &curve.b})
-      for (int& h : side->halfedges) h += offset;
-    parts.curves.push_back(curve);
-  }
-}
-
 /// Two rings of six patches with a strip of two between them: a tree without ends, so there is no
 /// corner either. Where the strip starts, two points of the boundary have three faces each.
 inline MeshParts dumbbell() {
@@ -106,8 +95,7 @@ inline MeshParts dumbbell() {
 
 /// Two grids of 2 x 2 patches that do not touch.
 inline MeshParts two_components() {
-  std::mt19937 random(1);
-  MeshParts parts = grid_parts({.rows = 2, .columns = 2}, random);
+  MeshParts parts = grid_parts({.rows = 2, .columns = 2});
   MeshParts more = parts;
   for (Patch& patch : more.patches) transform(patch, Affine::translation({300, 0}));
   append(parts, more);

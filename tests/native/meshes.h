@@ -75,9 +75,26 @@ inline MeshParts grid_parts(const GridOptions& options, std::mt19937& random) {
   return parts;
 }
 
-inline Mesh grid_mesh(const GridOptions& options = {}, unsigned seed = 1) {
+inline MeshParts grid_parts(const GridOptions& options, unsigned seed = 1) {
   std::mt19937 random(seed);
-  return build_mesh(grid_parts(options, random));
+  return grid_parts(options, random);
+}
+
+inline Mesh grid_mesh(const GridOptions& options = {}, unsigned seed = 1) {
+  return build_mesh(grid_parts(options, seed));
+}
+
+/// One `bicubic` patch cut exactly between these parameters, which rise from 0 to 1: a row of
+/// patches for each two of `u`.
+inline MeshParts cut_patch(const Patch& whole, const std::vector<double>& u,
+                           const std::vector<double>& v) {
+  MeshParts parts;
+  parts.color_model = ColorModel::bicubic;
+  for (std::size_t i = 0; i + 1 < u.size(); ++i)
+    for (std::size_t j = 0; j + 1 < v.size(); ++j)
+      parts.patches.push_back(whole.part_u(u[i], u[i + 1]).part_v(v[j], v[j + 1]));
+  parts.curves = grid_curves(int(u.size()) - 1, int(v.size()) - 1);
+  return parts;
 }
 
 /// All patches, in the order of the faces.

@@ -184,17 +184,7 @@ float distance_between(Appearance s, Appearance t) {
   return exp2_bounded(power);
 }
 
-void main() {
-  int block = group_index();
-  if (block >= count) return;
-  Tile tile = tiles[tile_of_block(block)];
-  ivec2 corner = block_corner(tile, block), p = corner + ivec2(gl_LocalInvocationID.xy);
-#if PASS == RISES
-  if (!differs(tile, corner)) {
-    if (gl_LocalInvocationIndex == 0u) rises[block] = 0.0;
-    return;
-  }
-#endif
+void measure(int block, Tile tile, ivec2 corner, ivec2 p) {
   read_around(tile, corner);
   barrier();
   filter_down();

@@ -76,6 +76,23 @@ void write_sum(int block, float rise) {
 }
 #endif
 
+// Finds what PASS asks for at pixel p of a block.
+void measure(int block, Tile tile, ivec2 corner, ivec2 p);
+
+void main() {
+  int block = group_index();
+  if (block >= count) return;
+  Tile tile = tiles[tile_of_block(block)];
+  ivec2 corner = block_corner(tile, block);
+#if PASS == RISES
+  if (!differs(tile, corner)) {
+    if (gl_LocalInvocationIndex == 0u) rises[block] = 0.0;
+    return;
+  }
+#endif
+  measure(block, tile, corner, corner + ivec2(gl_LocalInvocationID.xy));
+}
+
 void write_distance(int block, Tile tile, ivec2 p, float distance) {
 #if PASS == DISTANCES
   if (is_measured(tile, p)) distances[frame_index(p)] = distance;

@@ -7,7 +7,6 @@ struct Patch {
   float color[64];
   float most[16];
   float start_u[3], start_v[3];
-  float uu, uv, vv;
   int x, y;
   uint number;
   int tile;

@@ -80,8 +80,10 @@ struct Knot {
   bool is_lost;
 };
 
+float most(int p, int a, int b) { return patches[p].most[4 * a + b]; }
+
 bool solve(int p, vec2 pixel, inout Knot knot) {
-  float uu = patches[p].most[8], uv = patches[p].most[5], vv = patches[p].most[2];
+  float uu = most(p, 2, 0), uv = most(p, 1, 1), vv = most(p, 0, 2);
   for (int n = 0; n < MOST_KNOT_STEPS; ++n) {
     Position at = position(p, knot.uv);
     vec2 step = abs(approach(at, pixel, knot.uv));
@@ -144,8 +146,6 @@ vec3 change(float len, float value, float next, float slope, float next_slope) {
               per_length * max(abs(to_middle), abs(from_middle)), third);
 }
 
-float most(int p, int a, int b) { return patches[p].most[4 * a + b]; }
-
 float second_term(int p, float a, float b, float to_a, float to_b) {
   precise float sum = (most(p, 2, 0) * (a * to_a) + most(p, 1, 1) * (a * to_b + b * to_a)) +
                       most(p, 0, 2) * (b * to_b);
@@ -184,8 +184,8 @@ bool are_near(int p, float len, Knot a, Knot b) {
 void polish(int p, vec2 pixel, inout vec2 uv) {
   for (int n = 0; n < MOST_POLISH_STEPS; ++n) {
     vec2 step = approach(position(p, uv), pixel, uv);
-    precise float left = (patches[p].uu * (step.x * step.x) + patches[p].vv * (step.y * step.y)) +
-                         2.0 * patches[p].uv * abs(step.x * step.y);
+    precise float left = (most(p, 2, 0) * (step.x * step.x) + most(p, 0, 2) * (step.y * step.y)) +
+                         2.0 * most(p, 1, 1) * abs(step.x * step.y);
     if (!(left > 2.0 * FLATNESS)) return;
   }
 }

@@ -94,11 +94,7 @@ float channel_distance(Tile tile, ivec2 corner, int c, int at_reference) {
 
 #endif
 
-void main() {
-  int block = group_index();
-  if (block >= count) return;
-  Tile tile = tiles[tile_of_block(block)];
-  ivec2 corner = block_corner(tile, block), p = corner + ivec2(gl_LocalInvocationID.xy);
+void measure(int block, Tile tile, ivec2 corner, ivec2 p) {
 #if PASS == REFERENCE
   for (int i = int(gl_LocalInvocationIndex); i < around * around; i += threads) {
     vec3 level = levels(color_of(tile, pixel_around(corner, i)));
@@ -112,12 +108,6 @@ void main() {
     reference[frame_index(p) + (3 + c) * plane_size] = moments.y;
   }
 #else
-#if PASS == RISES
-  if (!differs(tile, corner)) {
-    if (gl_LocalInvocationIndex == 0u) rises[block] = 0.0;
-    return;
-  }
-#endif
   precise float sum = 0.0;
   int at = frame_index(in_frame(p));
   for (int c = 0; c < 3; ++c) sum += channel_distance(tile, corner, c, at);

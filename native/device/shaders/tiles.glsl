@@ -1,5 +1,5 @@
 // What all shaders share: the tiles of a batch, and who works where. The structures are those of
-// edit_tile.h and batch.h.
+// edit_tile.h and tile_painter.h.
 
 struct Tile {
   int x0, y0, x1, y1;  // the pixels that may change

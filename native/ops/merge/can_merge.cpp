@@ -112,25 +112,17 @@ bool meets_itself(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const M
 }  // namespace
 
 Message describe(MergeObstacle obstacle) {
-  switch (obstacle) {
-    case MergeObstacle::none:
-      break;
-    case MergeObstacle::boundary:
-      return Message("it is on the boundary of the mesh");
-    case MergeObstacle::parent:
-      return Message("a T-junction divides it");
-    case MergeObstacle::bar:
-      return Message("it is part of a longer curve");
-    case MergeObstacle::next_cycle:
-      return Message("a curve would end on itself");
-    case MergeObstacle::origin_cycle:
-      return Message("a curve would start on itself");
-    case MergeObstacle::branch:
-      return Message("it meets a branch point, which must stay");
-    case MergeObstacle::ring:
-      return Message("its two patches meet themselves round a ring");
-  }
-  return Message("it can be merged");
+  const Message texts[] = {
+      Message("it can be merged"),
+      Message("it is on the boundary of the mesh"),
+      Message("a T-junction divides it"),
+      Message("it is part of a longer curve"),
+      Message("a curve would end on itself"),
+      Message("a curve would start on itself"),
+      Message("it meets a branch point, which must stay"),
+      Message("its two patches meet themselves round a ring"),
+  };
+  return texts[std::size_t(obstacle)];
 }
 
 MergeObstacle can_merge(const Mesh& mesh, Halfedge edge) {

@@ -219,7 +219,7 @@ class Merge {
     if (back.valid()) edit(back).handles = {second[1], first[0]};
   }
 
-  /// Does the same for the bars' own tangents. `in` becomes the bar instead of both.
+  /// Scales the outer own tangents of two bars (Eq. 5), for one bar instead, which is `in`.
   void join_own_tangents(Halfedge in, Halfedge out, double t) {
     const glm::dvec4 end = mesh_[out].own_tangents[1] / (1 - t);
     std::array<glm::dvec4, 2>& own = edit(in).own_tangents;

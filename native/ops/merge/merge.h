@@ -24,11 +24,6 @@ Message describe(MergeObstacle obstacle);
 /// any half-edge that is alive.
 MergeObstacle can_merge(const Mesh& mesh, Halfedge edge);
 
-/// Returns the parameter r at which the two patches beside `edge` are taken to be split (Eq. 4), as
-/// the share of the patch of `edge`: 0 < r < 1. Where Eq. 4 has nothing to divide, since tangents
-/// vanish or point apart, r follows from the lengths of the curves instead.
-double split_factor(const Mesh& mesh, Halfedge edge);
-
 /// Makes one patch of the two beside `edge` (Eq. 5, A.2) and mends the T-junctions at both of its
 /// ends (4.3), as one operation of the journal. The face of `edge` is kept; that of the twin is
 /// removed. `can_merge` must be `none`.

@@ -23,15 +23,4 @@ MergeEnd merge_end(const Mesh& mesh, Halfedge edge) {
   return end;
 }
 
-double bar_share(const Mesh& mesh, const MergeEnd& end) {
-  const double in = mesh.span(end.in).length(), out = mesh.span(end.out).length();
-  return in / (in + out);
-}
-
-double combined_share(const Mesh& mesh, const MergeEnd& end, double r) {
-  const double in_curve = r / mesh.span(end.in).length();
-  const double out_curve = (1 - r) / mesh.span(end.out).length();
-  return in_curve / (in_curve + out_curve);
-}
-
 }  // namespace gradmesh

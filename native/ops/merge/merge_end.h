@@ -27,11 +27,4 @@ struct MergeEnd {
 
 MergeEnd merge_end(const Mesh& mesh, Halfedge edge);
 
-/// Returns the share of `in` in the length of `in` and `out` where both are bars of one parent.
-double bar_share(const Mesh& mesh, const MergeEnd& end);
-
-/// Returns the place of p on the curve that the curves of `in` and `out` become (Eq. 6), if r is
-/// the share of `in` in the length of `in` and `out`.
-double combined_share(const Mesh& mesh, const MergeEnd& end, double r);
-
 }  // namespace gradmesh

@@ -40,18 +40,7 @@ Region merging_view(const Mesh& mesh, const Region& region) {
   return tops.empty() ? region : region_views(mesh, region, tops)[1];
 }
 
-Face merge_region(Journal& journal, const Region& region) {
-  const Region view = merging_view(journal.mesh(), region);
-  const std::size_t depth = journal.depth();
-  bool merged = true;
-  for (int j = 1; merged && j < view.columns; ++j) merged = grow(journal, view.face, view.top + 1);
-  for (int i = 1; merged && i < view.rows; ++i) merged = grow(journal, view.face, view.top + 2);
-  if (merged) return view.face;
-  journal.undo_to(depth);
-  return {};
-}
-
-bool RegionMerger::merge(const Region& region) {
+Face RegionMerger::merge(const Region& region) {
   const Region view = merging_view(start_, region);
   const bool grows =
       view.face == view_.face && view.top == view_.top && view.columns == view_.columns;
@@ -60,9 +49,9 @@ bool RegionMerger::merge(const Region& region) {
   while (int(depths_.size()) <= view.rows)
     if (!merge_row()) {
       undo();
-      return false;
+      return {};
     }
-  return true;
+  return view.face;
 }
 
 /// Merges the next row along itself and then with the rows above. Returns false, with the row as it

@@ -20,11 +20,6 @@ bool grow(Journal& journal, Face face, int side);
 /// columns as rows.
 Region merging_view(const Mesh& mesh, const Region& region);
 
-/// Merges a region into one patch, as one operation of the journal for each merge: in its
-/// merging_view row by row, each row along itself and then with the rows above. Returns the patch.
-/// Where a merge cannot be made (can_merge), changes nothing and returns an invalid face.
-Face merge_region(Journal& journal, const Region& region);
-
 /// Merges one region after another, each alone, and keeps the rows that the next has in common with
 /// it. So regions that grow by rows cost one row each, if the face, top, columns and rows of their
 /// merging_view are given.
@@ -35,9 +30,10 @@ class RegionMerger {
   RegionMerger(Journal& journal, const Mesh& start)
       : journal_(journal), start_(start), depths_{journal.depth()} {}
 
-  /// Leaves the journal with this region of `start` merged, as by merge_region, and no other.
-  /// Returns false if there is no such region or it cannot be merged; then nothing is merged.
-  bool merge(const Region& region);
+  /// Leaves the journal with this region of `start` merged, and no other, and returns the patch.
+  /// Returns an invalid face if there is no such region or it cannot be merged; then nothing is
+  /// merged.
+  Face merge(const Region& region);
   /// Undoes all merges.
   void undo() { keep_rows(0); }
 
@@ -52,5 +48,12 @@ class RegionMerger {
   /// The journal's depth before any merge, and after each row that is merged.
   std::vector<std::size_t> depths_;
 };
+
+/// Merges a region into one patch, as one operation of the journal for each merge: in its
+/// merging_view row by row, each row along itself and then with the rows above. Returns the patch.
+/// Where a merge cannot be made (can_merge), changes nothing and returns an invalid face.
+inline Face merge_region(Journal& journal, const Region& region) {
+  return RegionMerger(journal, journal.mesh()).merge(region);
+}
 
 }  // namespace gradmesh

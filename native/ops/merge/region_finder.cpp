@@ -8,9 +8,7 @@ namespace gradmesh {
 std::optional<FoundRegion> RegionFinder::around(Halfedge curve) {
   const Halfedge leaf = start_.first_leaf(start_.curve_side(curve));
   const Face face = start_.face(leaf);
-  const std::array<Halfedge, 4> sides = start_.sides(face);
-  const auto side = int(std::ranges::find(sides, leaf) - sides.begin());
-  return take_back(grow(journal_, face, side) ? face : Face{});
+  return take_back(grow(journal_, face, start_.side_number(leaf)) ? face : Face{});
 }
 
 std::array<std::optional<FoundRegion>, 4> RegionFinder::larger(const Region& region) {

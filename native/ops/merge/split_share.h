@@ -1,22 +1,17 @@
 #pragma once
 
-#include "geom/cubic.h"
-#include "mesh/mesh.h"
 #include "ops/merge/merge_end.h"
 
 namespace gradmesh {
 
-/// The smallest share, and the distance of the largest from 1, which keep 1/r and 1/(1-r) in Eq. 5
-/// within reason.
-inline constexpr double smallest_share = 1e-3;
+/// Returns the place of p on the curve that the curves of `end.in` and `end.out` become (Eq. 6), if
+/// r is the share of `in` in the length of `in` and `out`.
+double combined_share(const Mesh& mesh, const MergeEnd& end, double r);
 
-/// Returns the length of a curve in mesh units, to about a percent.
-double length(const Cubic<Value>& curve);
-
-/// Returns the share of `in` in the length of two curves; a half where both have none.
-double share_by_length(const Cubic<Value>& in, const Cubic<Value>& out);
-
-/// Returns split_factor() of an edge whose ends are known already.
+/// Returns the parameter r at which the two patches beside `edge` are taken to be split (Eq. 4), as
+/// the share of the patch of `edge`: 0 < r < 1. Where Eq. 4 has nothing to divide, since tangents
+/// vanish or point apart, r follows from the lengths of the curves instead. `tail` and `head` are
+/// the ends of the edge.
 double split_factor(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const MergeEnd& head);
 
 /// Returns the share of `end.in` at which a merge takes the curves at one end of the edge to be

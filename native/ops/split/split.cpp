@@ -1,5 +1,6 @@
 #include "ops/split/split.h"
 
+#include <algorithm>
 #include <cassert>
 #include <glm/geometric.hpp>
 
@@ -9,32 +10,19 @@
 namespace gradmesh {
 namespace {
 
-/// Returns the patch of the leaf's face, turned so that the leaf is its top.
-Patch patch_with_top(const Mesh& mesh, Halfedge leaf) {
-  std::array<Cubic<Value>, 4> sides;
-  std::array<Value, 4> twists;
-  Halfedge h = leaf;
-  for (int k = 0; k < 4; ++k, h = mesh.next(h)) {
-    sides[k] = mesh.side_of(h);
-    twists[k] = mesh[h].twist;
-  }
-  Patch patch = patch_from_sides(sides, twists);
-  if (mesh.color_model() == ColorModel::bilinear) make_color_bilinear(patch);
-  return patch;
-}
-
 class Split {
  public:
   Split(Journal& journal, Halfedge side, double t)
       : journal_(journal), mesh_(journal.mesh()), side_(side), t_(t) {}
 
   Halfedge run() {
-    const std::array<Patch, 2> parts = patch_with_top(mesh_, side_).split_v(t_);
-    const Halfedge right = mesh_.next(side_), bottom = mesh_.next(right), left = mesh_.next(bottom);
+    const std::array<Patch, 2> parts = mesh_.patch(side_).split_v(t_);
+    const std::array<Halfedge, 4> sides = mesh_.sides(side_);
+    const auto [top, right, bottom, left] = sides;
     const Face first = mesh_.face(side_);
-    const Halfedge top_before = mesh_[first].halfedge;
+    const auto first_side = std::ranges::find(sides, mesh_[first].halfedge) - sides.begin();
 
-    const Cut top_cut = cut(side_, t_), bottom_cut = cut(bottom, 1 - t_);
+    const Cut top_cut = cut(top, t_), bottom_cut = cut(bottom, 1 - t_);
     const Halfedge edge = journal_.add(HalfedgeRecord{}), twin = journal_.add(HalfedgeRecord{});
     add_curve(edge, twin, parts[0].side(1));
     start_at(edge, top_cut);
@@ -48,15 +36,11 @@ class Split {
     keep_colors(edge, top_cut, parts[0].side(0), parts[1].side(0));
     keep_colors(twin, bottom_cut, parts[1].side(2), parts[0].side(2));
     // u and v keep their directions in both parts.
-    const int top = top_before == side_    ? 0
-                    : top_before == right  ? 1
-                    : top_before == bottom ? 2
-                                           : 3;
-    journal_.edit(first).halfedge = first_loop[top];
-    journal_.edit(second).halfedge = second_loop[top];
+    journal_.edit(first).halfedge = first_loop[first_side];
+    journal_.edit(second).halfedge = second_loop[first_side];
     journal_.touch(first);
     journal_.touch(second);
-    refresh(journal_, std::array{mesh_.curve(side_), mesh_.curve(bottom), mesh_.curve(edge)});
+    refresh(journal_, std::array{mesh_.curve(top), mesh_.curve(bottom), mesh_.curve(edge)});
     return edge;
   }
 

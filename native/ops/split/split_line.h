@@ -10,7 +10,8 @@ namespace gradmesh {
 /// itself, round a ring, it ends.
 void split_line(Journal& journal, Halfedge side, double t);
 
-/// Does the same in both directions: also through the patches across `side`.
+/// Splits a line of patches as split_line() does, in both directions: also through the patches
+/// across `side`.
 void split_line_across(Journal& journal, Halfedge side, double t);
 
 /// Continues the stem of every T-junction across the mesh, so that no patch has a T-junction on its

@@ -55,20 +55,14 @@ void expect_same_picture(const Rasterizer& on_device, const Mesh& mesh, const Fr
   EXPECT_LE(double(differing), 0.001 * double(count));
 }
 
-std::vector<std::filesystem::path> samples() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& file :
-       std::filesystem::directory_iterator(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples"))
-    if (file.path().extension() == ".svg") files.push_back(file.path());
-  std::ranges::sort(files);
-  return files;
-}
+const std::filesystem::path samples = GRADMESH_SOURCE_DIR "/samples";
 
 TEST_F(OnDevice, paints_the_samples) {
   const auto rasterizer = make_egl_rasterizer(device_);
-  for (const std::filesystem::path& file : samples()) {
-    SCOPED_TRACE(file.filename().string());
-    const auto document = Document::read_file(file);
+  for (const auto& file : std::filesystem::directory_iterator(samples)) {
+    if (file.path().extension() != ".svg") continue;
+    SCOPED_TRACE(file.path().filename().string());
+    const auto document = Document::read_file(file.path());
     for (const MeshEntry& entry : document->meshes()) {
       const Mesh mesh = document->mesh(entry);
       expect_same_picture(*rasterizer, mesh, document->frame(entry, mesh, 400));
@@ -81,14 +75,13 @@ TEST_F(OnDevice, paints_folds_and_t_junctions) {
   const auto rasterizer = make_egl_rasterizer(device_);
   for (unsigned seed = 0; seed < 24; ++seed) {
     SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
     const MeshParts parts =
         test::grid_parts({.rows = 4,
                           .columns = 3,
                           .position_noise = 0.05 + 0.05 * double(seed % 12),
                           .color_noise = 0.4,
                           .color_model = seed % 2 ? ColorModel::bicubic : ColorModel::bilinear},
-                         random);
+                         seed);
     const Mesh mesh = test::changed_mesh(parts, seed, 6);
     expect_same_picture(*rasterizer, mesh, fit_frame(mesh, {}, 250));
   }
@@ -96,8 +89,7 @@ TEST_F(OnDevice, paints_folds_and_t_junctions) {
 
 TEST_F(OnDevice, paints_opacities_and_leaves_hidden_pixels_white) {
   const auto rasterizer = make_egl_rasterizer(device_);
-  const auto document = Document::read_file(samples()[3]);
-  ASSERT_EQ(samples()[3].filename(), "opacity.svg");
+  const auto document = Document::read_file(samples / "opacity.svg");
   for (const MeshEntry& entry : document->meshes()) {
     const Mesh mesh = document->mesh(entry);
     Frame frame = document->frame(entry, mesh, 300);
@@ -144,8 +136,7 @@ TEST_F(OnDevice, measures_edits) {
 class SampleOnDevice : public OnDevice, public testing::WithParamInterface<std::string> {};
 
 TEST_P(SampleOnDevice, is_merged_the_same) {
-  const std::filesystem::path file =
-      std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" / (GetParam() + ".svg");
+  const std::filesystem::path file = samples / (GetParam() + ".svg");
   for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim}) {
     // What was priced for one method is not priced again for the next.
     std::map<int, PriceTable> prices, prices_on_device;
@@ -224,9 +215,7 @@ TEST_F(OnDevice, a_lost_device_changes_nothing) {
 TEST_F(OnDevice, a_frame_beyond_its_memory_is_refused) {
   if (device_->info().is_hardware) GTEST_SKIP() << "how much it has is not known";
   // Mesa's programs take buffers of 128 MiB at most; this one is larger.
-  Frame frame;
-  frame.width = 8192;
-  frame.height = 4097;
+  const Frame frame{8192, 4097};
   EXPECT_THROW(DeviceErrors(device_, MetricKind::flip, Image(frame.width, frame.height), frame),
                DeviceError);
 }

@@ -60,7 +60,7 @@ Mesh random_mesh(unsigned seed) {
 std::vector<Patch> in_blocks(const Mesh& mesh, const std::vector<Rectangle>& blocks) {
   std::vector<Patch> list;
   for (const Rectangle& block : blocks)
-    for (const Halfedge top : block.tops) list.push_back(patch_from(mesh, top));
+    for (const Halfedge top : block.tops) list.push_back(mesh.patch(top));
   return list;
 }
 

@@ -97,7 +97,7 @@ TEST(SharedHemeshTwists, are_those_of_exact_splits) {
     const Halfedge right = mesh.sides(f)[1];
     if (can_merge(mesh, right) != MergeObstacle::none) continue;
     const Patch before = mesh.patch(f);
-    const double r = split_factor(mesh, right);
+    const double r = test::split_factor(mesh, right);
     merge(journal, right);
     const Patch left = mesh.patch(f).split_v(r)[0];
     journal.undo();

@@ -140,7 +140,7 @@ TEST(SvgWrite, no_point_is_rounded_by_more_than_a_tenth_of_the_tolerance) {
     EXPECT_EQ(form.step, 1e-4);
     for (const Rectangle& block : form.blocks)
       for (const Halfedge top : block.tops) {
-        const BezierNet net = bezier_net(patch_from(mesh, top)),
+        const BezierNet net = bezier_net(mesh.patch(top)),
                         written = bezier_net(written_patch(mesh, top, form));
         for (const int k : {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4}) {
           const glm::dvec2 p = written[std::size_t(k / 4)][std::size_t(k % 4)].position;
@@ -456,12 +456,12 @@ TEST(Blocks, hold_every_face_once_and_whole_grids_in_one) {
       for (int i = 0; i < block.rows; ++i)
         for (int j = 0; j < block.columns; ++j) {
           if (j + 1 < block.columns) {
-            EXPECT_EQ(mesh[side_from(mesh, block.top(i, j), 1)].twin,
-                      side_from(mesh, block.top(i, j + 1), 3));
+            EXPECT_EQ(mesh[mesh.sides(block.top(i, j))[1]].twin,
+                      mesh.sides(block.top(i, j + 1))[3]);
           }
           if (i + 1 < block.rows) {
-            EXPECT_EQ(mesh[side_from(mesh, block.top(i, j), 2)].twin,
-                      side_from(mesh, block.top(i + 1, j), 0));
+            EXPECT_EQ(mesh[mesh.sides(block.top(i, j))[2]].twin,
+                      mesh.sides(block.top(i + 1, j))[0]);
           }
         }
     }

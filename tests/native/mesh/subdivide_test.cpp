@@ -9,25 +9,20 @@
 #include "meshes.h"
 #include "random_meshes.h"
 #include "raster/rasterizer.h"
+#include "same_mesh.h"
 
 namespace gradmesh {
 namespace {
 
 using test::difference;
+using test::junctions;
 
 /// A random mesh with T-junctions.
 Mesh random_mesh(unsigned seed, ColorModel model) {
-  std::mt19937 random(seed);
   const MeshParts parts = test::grid_parts(
       {.rows = 3, .columns = 3, .position_noise = 0.1, .color_noise = 0.2, .color_model = model},
-      random);
+      seed);
   return test::changed_mesh(parts, seed, int(seed % 40), 2);
-}
-
-std::size_t count_junctions(const Mesh& mesh) {
-  std::size_t count = 0;
-  for (const Point p : mesh.points()) count += mesh[p].is_junction();
-  return count;
 }
 
 /// Whether some T-junction of a `bicubic` mesh has colours of its own, between whose corners the
@@ -59,7 +54,7 @@ double share_of_different_samples(const Mesh& a, const Mesh& b) {
 }
 
 TEST(Subdivided, patches_are_the_parts_of_the_old_ones) {
-  std::size_t junctions = 0, exact = 0;
+  std::size_t with_junctions = 0, exact = 0;
   for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic})
     for (unsigned seed = 0; seed < 60; ++seed) {
       const Mesh mesh = random_mesh(seed, model);
@@ -81,10 +76,10 @@ TEST(Subdivided, patches_are_the_parts_of_the_old_ones) {
               ASSERT_LE(difference(found, part), 1e-9) << seed;
             }
           }
-      junctions += count_junctions(fine);
+      with_junctions += junctions(fine);
       exact += !has_own_colors(mesh);
     }
-  EXPECT_GT(junctions, 1000u);
+  EXPECT_GT(with_junctions, 1000u);
   EXPECT_GE(exact, 60u);
 }
 
@@ -92,7 +87,7 @@ TEST(Subdivided, a_grid_stays_a_grid) {
   for (const int n : {1, 2, 3, 7}) {
     const Mesh mesh = test::grid_mesh({.rows = 3, .columns = 2, .position_noise = 0.1});
     const Mesh fine = build_mesh(subdivided(mesh, n));
-    EXPECT_EQ(count_junctions(fine), 0u);
+    EXPECT_EQ(junctions(fine), 0u);
     EXPECT_EQ(std::ranges::distance(fine.points()), (3 * n + 1) * (2 * n + 1));
     EXPECT_EQ(std::ranges::distance(fine.halfedges()), 4 * 6 * n * n);
   }
@@ -106,10 +101,10 @@ TEST(Subdivided, curves_are_cut_where_both_sides_are_divided) {
   const Halfedge top = mesh.sides(Face{1})[0];
   split(journal, top, 1.0 / 3);
   split(journal, mesh.sides(Face{2})[0], 0.5);
-  ASSERT_EQ(count_junctions(mesh), 2u);
-  EXPECT_EQ(count_junctions(build_mesh(subdivided(mesh, 1))), 2u);
-  EXPECT_EQ(count_junctions(build_mesh(subdivided(mesh, 3))), 6u);
-  EXPECT_EQ(count_junctions(build_mesh(subdivided(mesh, 2))), 4u);
+  ASSERT_EQ(junctions(mesh), 2u);
+  EXPECT_EQ(junctions(build_mesh(subdivided(mesh, 1))), 2u);
+  EXPECT_EQ(junctions(build_mesh(subdivided(mesh, 3))), 6u);
+  EXPECT_EQ(junctions(build_mesh(subdivided(mesh, 2))), 4u);
 }
 
 TEST(Subdivided, a_sliver_at_the_end_of_a_curve_is_no_curve_of_its_own) {

@@ -61,8 +61,7 @@ TEST(Grid, is_only_a_rectangle_without_T_junctions) {
 }
 
 TEST(Grid, is_not_a_rectangle_that_is_joined_to_itself) {
-  std::mt19937 random(1);
-  MeshParts parts = test::grid_parts({.rows = 2, .columns = 3}, random);
+  MeshParts parts = test::grid_parts({.rows = 2, .columns = 3});
   // The right side of the first row on the left one.
   parts.curves.push_back({{{4 * 2 + 1}, {}}, {{3}, {}}});
   EXPECT_FALSE(find_grid(build_mesh(parts)));
@@ -113,9 +112,8 @@ MeshParts turned(const MeshParts& parts, unsigned seed) {
 
 TEST(Lines, are_the_same_however_the_patches_are_turned) {
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
-    std::mt19937 random(seed);
     const MeshParts parts = test::grid_parts(
-        {.rows = 4, .columns = 6, .position_noise = 0.04, .color_noise = 0.04}, random);
+        {.rows = 4, .columns = 6, .position_noise = 0.04, .color_noise = 0.04}, seed);
     Mesh straight = build_mesh(parts), mesh = build_mesh(turned(parts, seed));
     simplify(straight, line_options(0.06));
     simplify(mesh, line_options(0.06));

@@ -51,7 +51,6 @@ Mesh own_mesh(const std::string& name) {
   if (name == "ring") return build_mesh(test::ring(7));
   if (name == "dumbbell") return build_mesh(test::dumbbell());
   if (name == "two_components") return build_mesh(test::two_components());
-  std::mt19937 random(3);
   const bool bicubic = name == "bicubic";
   const MeshParts parts =
       test::grid_parts({.rows = 5,
@@ -59,7 +58,7 @@ Mesh own_mesh(const std::string& name) {
                         .position_noise = 0.04,
                         .color_noise = 0.02,
                         .color_model = bicubic ? ColorModel::bicubic : ColorModel::bilinear},
-                       random);
+                       3);
   return bicubic ? build_mesh(parts) : test::changed_mesh(parts, 6, 8);
 }
 
@@ -255,9 +254,8 @@ TEST(Methods, see_across_junctions) {
 
 TEST(Methods, leave_nothing_for_a_second_run) {
   for (unsigned seed = 0; seed < 6; ++seed) {
-    std::mt19937 random(seed);
     const MeshParts parts = test::grid_parts(
-        {.rows = 6, .columns = 5, .position_noise = 0.05, .color_noise = 0.03}, random);
+        {.rows = 6, .columns = 5, .position_noise = 0.05, .color_noise = 0.03}, seed);
     const Mesh original = seed % 2 == 0 ? build_mesh(parts) : test::changed_mesh(parts, seed, 8);
     for (const std::string& method : method_names()) {
       if (!leaves_nothing(method) || !suits(method_named(method), original)) continue;

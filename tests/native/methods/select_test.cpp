@@ -24,9 +24,8 @@ namespace {
 using test::grid_mesh;
 
 MeshParts parts(int rows, int columns, unsigned seed, double noise = 0.03) {
-  std::mt19937 random(seed);
   return test::grid_parts(
-      {.rows = rows, .columns = columns, .position_noise = noise, .color_noise = noise}, random);
+      {.rows = rows, .columns = columns, .position_noise = noise, .color_noise = noise}, seed);
 }
 
 /// What a selection works on.
@@ -41,9 +40,11 @@ struct Bench {
   StopWatch watch{0, {}};
 };
 
+using FacePairs = std::vector<std::pair<int, int>>;
+
 /// Edges as the pairs of faces beside them.
-std::vector<std::pair<int, int>> faces_of(const Mesh& mesh, const std::vector<Halfedge>& edges) {
-  std::vector<std::pair<int, int>> pairs;
+FacePairs faces_of(const Mesh& mesh, const std::vector<Halfedge>& edges) {
+  FacePairs pairs;
   for (const Halfedge h : edges) {
     const int a = mesh.face(h).value, b = mesh.face(mesh[h].twin).value;
     pairs.emplace_back(std::min(a, b), std::max(a, b));
@@ -51,69 +52,76 @@ std::vector<std::pair<int, int>> faces_of(const Mesh& mesh, const std::vector<Ha
   return pairs;
 }
 
-TEST(GridOrder, goes_through_rows_and_then_between_them) {
+/// `wanted` is the order from the top left corner on along the top row, which some seed gives.
+void expect_orders(std::vector<Halfedge> (*order_of)(const Mesh&, std::uint64_t),
+                   const FacePairs& wanted) {
   const Mesh mesh = grid_mesh();
-  bool seen = false;
-  // Fig. 7a from the top left corner along the top row, for some seed.
-  const std::vector<std::pair<int, int>> wanted{{0, 1}, {1, 2}, {3, 4}, {4, 5}, {6, 7}, {7, 8},
-                                                {0, 3}, {3, 6}, {1, 4}, {4, 7}, {2, 5}, {5, 8}};
-  std::set<std::vector<std::pair<int, int>>> orders;
+  std::set<FacePairs> orders;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const auto order = faces_of(mesh, grid_order(mesh, seed));
-    EXPECT_EQ(std::set(order.begin(), order.end()), std::set(wanted.begin(), wanted.end()));
-    EXPECT_EQ(order.size(), wanted.size());
-    seen = seen || order == wanted;
-    orders.insert(order);
-  }
-  EXPECT_TRUE(seen);
-  // Four corners, two directions.
-  EXPECT_EQ(orders.size(), 8u);
-}
-
-TEST(GridOrder, reaches_every_edge_of_meshes_with_junctions_and_several_components) {
-  std::mt19937 random(1);
-  MeshParts parts = test::grid_parts({.rows = 2, .columns = 3}, random);
-  const MeshParts other = test::grid_parts({.rows = 2, .columns = 2}, random);
-  for (CurveParts curve : other.curves) {
-    for (CurveSide* side : {&curve.a, &curve.b})
-      for (int& h : side->halfedges) h += 4 * int(parts.patches.size());
-    parts.curves.push_back(curve);
-  }
-  parts.patches.insert(parts.patches.end(), other.patches.begin(), other.patches.end());
-  Mesh mesh = build_mesh(parts);
-  Journal journal(mesh);
-  split(journal, mesh.sides(Face{1})[0], 0.5);
-  std::set<Halfedge> curves;
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh[h].twin.valid()) curves.insert(mesh.curve(h));
-  const std::vector<Halfedge> order = grid_order(mesh, 0);
-  std::set<Halfedge> listed;
-  for (const Halfedge h : order) listed.insert(mesh.curve(h));
-  EXPECT_EQ(listed, curves);
-  EXPECT_EQ(order.size(), curves.size());
-}
-
-TEST(DualGridOrder, goes_along_lines) {
-  const Mesh mesh = grid_mesh();
-  // Fig. 7b from the top left corner, for some seed.
-  const std::vector<std::pair<int, int>> wanted{{0, 1}, {3, 4}, {6, 7}, {1, 2}, {4, 5}, {7, 8},
-                                                {0, 3}, {1, 4}, {2, 5}, {3, 6}, {4, 7}, {5, 8}};
-  std::set<std::vector<std::pair<int, int>>> orders;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    const auto order = faces_of(mesh, dual_grid_order(mesh, seed));
+    const FacePairs order = faces_of(mesh, order_of(mesh, seed));
     EXPECT_EQ(std::set(order.begin(), order.end()), std::set(wanted.begin(), wanted.end()));
     EXPECT_EQ(order.size(), wanted.size());
     orders.insert(order);
   }
   EXPECT_TRUE(orders.contains(wanted));
+  // Four corners, two directions.
   EXPECT_EQ(orders.size(), 8u);
+}
+
+TEST(GridOrder, goes_through_rows_and_then_between_them) {  // Fig. 7a
+  expect_orders(grid_order, {{0, 1},
+                             {1, 2},
+                             {3, 4},
+                             {4, 5},
+                             {6, 7},
+                             {7, 8},
+                             {0, 3},
+                             {3, 6},
+                             {1, 4},
+                             {4, 7},
+                             {2, 5},
+                             {5, 8}});
+}
+
+TEST(DualGridOrder, goes_along_lines) {  // Fig. 7b
+  expect_orders(dual_grid_order, {{0, 1},
+                                  {3, 4},
+                                  {6, 7},
+                                  {1, 2},
+                                  {4, 5},
+                                  {7, 8},
+                                  {0, 3},
+                                  {1, 4},
+                                  {2, 5},
+                                  {3, 6},
+                                  {4, 7},
+                                  {5, 8}});
+}
+
+std::set<Halfedge> inner_curves(const Mesh& mesh) {
+  std::set<Halfedge> curves;
+  for (const Halfedge curve : mesh.curves())
+    if (mesh[curve].twin.valid()) curves.insert(curve);
+  return curves;
+}
+
+TEST(GridOrder, reaches_every_edge_of_meshes_with_junctions_and_several_components) {
+  std::mt19937 random(1);
+  MeshParts parts = test::grid_parts({.rows = 2, .columns = 3}, random);
+  append(parts, test::grid_parts({.rows = 2, .columns = 2}, random));
+  Mesh mesh = build_mesh(parts);
+  Journal journal(mesh);
+  split(journal, mesh.sides(Face{1})[0], 0.5);
+  const std::vector<Halfedge> order = grid_order(mesh, 0);
+  std::set<Halfedge> listed;
+  for (const Halfedge h : order) listed.insert(mesh.curve(h));
+  EXPECT_EQ(listed, inner_curves(mesh));
+  EXPECT_EQ(order.size(), listed.size());
 }
 
 TEST(RandomOrder, holds_every_edge_once_and_follows_the_seed) {
   const Mesh mesh = test::changed_mesh(parts(3, 3, 1), 4, 3);
-  std::set<Halfedge> edges;
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh[h].twin.valid()) edges.insert(mesh.curve(h));
+  const std::set<Halfedge> edges = inner_curves(mesh);
   std::set<std::vector<Halfedge>> orders;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const std::vector<Halfedge> order = random_order(mesh, seed);
@@ -225,25 +233,17 @@ TEST(MergeRegion, takes_exact_splits_out_again) {
                                      .color_noise = 0.3,
                                      .color_model = ColorModel::bicubic},
                                     trial);
-    MeshParts grid;
-    grid.color_model = ColorModel::bicubic;
-    const double u0 = share() * 0.5, u1 = 0.5, v0 = share() * 0.5, v1 = 0.5;
-    const auto rows = original.patch(Face{0}).split_u(u0);
-    const auto rest = rows[1].split_u(u1);
-    for (const Patch& row : {rows[0], rest[0], rest[1]}) {
-      const auto left = row.split_v(v0);
-      const auto right = left[1].split_v(v1);
-      for (const Patch& patch : {left[0], right[0], right[1]}) grid.patches.push_back(patch);
-    }
-    grid.curves = grid_curves(3, 3);
-    Mesh mesh = build_mesh(grid);
+    // The rest behind the first cut is cut in halves.
+    const double u = share() * 0.5, v = share() * 0.5;
+    Mesh mesh = build_mesh(test::cut_patch(original.patch(Face{0}), {0, u, 0.5 + 0.5 * u, 1},
+                                           {0, v, 0.5 + 0.5 * v, 1}));
     Journal journal(mesh);
     const Region whole{Face{0}, 0, 3, 3};
     ASSERT_TRUE(merge_region(journal, whole).valid());
     EXPECT_EQ(mesh.face_count(), 1);
     EXPECT_EQ(journal.depth(), 8u);
     EXPECT_LT(test::difference(mesh.patch(*mesh.faces().begin()), original.patch(Face{0})), 1e-9);
-    while (journal.depth()) journal.undo();
+    journal.undo_to(0);
     EXPECT_EQ(mesh.face_count(), 9);
   }
 }

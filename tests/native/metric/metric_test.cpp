@@ -232,9 +232,7 @@ TEST(Metric, a_window_holds_the_bits_of_the_whole_frame) {
 template <class Sample, int Channels>
 Raster<Sample, Channels> part(const Raster<Sample, Channels>& whole, Window window) {
   Raster<Sample, Channels> result(window);
-  for (int c = 0; c < Channels; ++c)
-    for (int y = window.y0; y < window.y1; ++y)
-      std::copy_n(whole.at(window.x0, y, c), window.width(), result.at(window.x0, y, c));
+  copy(whole, window, result);
   return result;
 }
 

@@ -42,10 +42,8 @@ std::vector<Mesh> start_meshes() {
   for (const ColorModel model : {ColorModel::bilinear, ColorModel::bicubic}) {
     const GridOptions options{5, 6, 0.15, 0.2, model};
     meshes.push_back(test::grid_mesh(options, 4));
-    for (unsigned seed = 0; seed < 6; ++seed) {
-      std::mt19937 random(seed);
-      meshes.push_back(test::changed_mesh(test::grid_parts(options, random), seed, 6));
-    }
+    for (unsigned seed = 0; seed < 6; ++seed)
+      meshes.push_back(test::changed_mesh(test::grid_parts(options, seed), seed, 6));
   }
   return meshes;
 }
@@ -65,7 +63,7 @@ TEST(RegionMerger, gives_the_same_as_each_region_from_scratch) {
       (random() % 2 == 0 ? region.rows : region.columns) = 1 + int(random() % 5);
       const Merged expected = from_scratch(start, region);
       const bool can = !expected.patches.empty();
-      ASSERT_EQ(merger.merge(region), can);
+      ASSERT_EQ(merger.merge(region).valid(), can);
       ASSERT_EQ(journal.depth(), std::size_t(start.face_count() - mesh.face_count()));
       if (!region_tops(start, region).empty() && can) {
         ASSERT_EQ(journal.depth(), std::size_t(region.size() - 1));

@@ -8,10 +8,8 @@
 
 #include "mesh/dependence.h"
 #include "mesh/validate.h"
-#include "meshes.h"
-#include "ops/merge/merge.h"
 #include "ops/merge/merge_end.h"
-#include "ops/split/split.h"
+#include "random_meshes.h"
 
 namespace gradmesh {
 namespace {
@@ -49,10 +47,9 @@ bool would_cycle(const Mesh& mesh, Halfedge edge) {
   for (const MergeEnd& end : ends)
     if (end.kind == MergeEnd::interior && node(end.in) != node(end.out))
       same[node(end.out)] = node(end.in);
-  for (const Halfedge h : mesh.halfedges()) {
-    if (mesh.is_bar(h) || mesh.curve(h) != h || h == mesh.curve(edge)) continue;
-    for (const Halfedge s : supports(mesh, h)) hangs.insert({node(h), node(s)});
-  }
+  for (const Halfedge h : mesh.curves())
+    if (h != mesh.curve(edge))
+      for (const Halfedge s : supports(mesh, h)) hangs.insert({node(h), node(s)});
   for (const MergeEnd& end : ends)
     if (end.kind == MergeEnd::interior) hangs.insert({node(end.across), node(end.in)});
   // Take away what hangs on nothing until nothing is left, or a cycle.
@@ -98,7 +95,7 @@ TEST(SplitFactor, is_exact_for_exact_splits) {
     Journal journal(mesh);
     const double t = 0.1 + 0.008 * seed;
     const Halfedge edge = split(journal, mesh.sides(Face{0})[seed % 4], t);
-    EXPECT_NEAR(split_factor(mesh, edge), t, 1e-10);
+    EXPECT_NEAR(test::split_factor(mesh, edge), t, 1e-10);
   }
 }
 
@@ -120,7 +117,7 @@ TEST(SplitFactor, comes_from_the_lengths_where_tangents_vanish_or_point_apart) {
     MeshParts parts{
         {wide(0, 30, true), wide(30, 100, false)}, grid_curves(1, 2), ColorModel::bilinear};
     const Mesh mesh = build_mesh(parts);
-    const double r = split_factor(mesh, Halfedge{1});
+    const double r = test::split_factor(mesh, Halfedge{1});
     EXPECT_TRUE(std::isfinite(r));
     EXPECT_GT(r, 0);
     EXPECT_LT(r, 1);
@@ -133,13 +130,12 @@ TEST(SplitFactor, comes_from_the_lengths_where_tangents_vanish_or_point_apart) {
 TEST(SplitFactor, holds_for_patches_without_any_size) {
   const Patch point = test::straight_patch({Value{}, Value{}, Value{}, Value{}});
   const Mesh mesh = build_mesh({{point, point}, grid_curves(1, 2), ColorModel::bilinear});
-  EXPECT_EQ(split_factor(mesh, Halfedge{1}), 0.5);
+  EXPECT_EQ(test::split_factor(mesh, Halfedge{1}), 0.5);
 }
 
 TEST(Merge, undo_touches_what_the_merge_touched_alone) {
   Mesh mesh = grid_mesh({.rows = 8, .columns = 8, .position_noise = 0.05}, 4);
-  std::vector<Patch> before;
-  for (const Face f : mesh.faces()) before.push_back(mesh.patch(f));
+  const std::vector<Patch> before = test::patches(mesh);
   Journal journal(mesh);
   merge(journal, between(mesh, Face{3 * 8 + 3}, Face{3 * 8 + 4}));
   // The two, and those above and below both.
@@ -151,12 +147,11 @@ TEST(Merge, undo_touches_what_the_merge_touched_alone) {
       EXPECT_EQ(mesh.patch(f), before[f.value]);
     }
   journal.undo();
-  for (const Face f : mesh.faces()) EXPECT_EQ(mesh.patch(f), before[f.value]);
+  EXPECT_EQ(test::patches(mesh), before);
 }
 
 TEST(Build, refuses_what_does_not_fit_together) {
-  std::mt19937 random(1);
-  const MeshParts good = test::grid_parts({.rows = 2, .columns = 2}, random);
+  const MeshParts good = test::grid_parts({.rows = 2, .columns = 2});
   const auto expect_refused = [&](const std::function<void(MeshParts&)>& spoil) {
     MeshParts parts = good;
     spoil(parts);

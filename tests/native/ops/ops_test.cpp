@@ -19,29 +19,27 @@ using test::difference;
 using test::grid_mesh;
 using test::patches;
 
-::testing::AssertionResult sound(const Mesh& mesh) {
-  const std::vector<std::string> broken = validate(mesh);
-  if (broken.empty()) return ::testing::AssertionSuccess();
-  auto result = ::testing::AssertionFailure();
-  for (const std::string& b : broken) result << b << "; ";
-  return result;
+/// What validate() says of a sound mesh.
+const std::vector<std::string> sound;
+
+void expect_near(const std::vector<Patch>& a, const std::vector<Patch>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LE(difference(a[i], b[i]), 1e-9);
 }
 
 /// Along each curve the patches of both sides must lie on the very same points.
 void expect_no_gap(const Mesh& mesh) {
-  for (const Halfedge h : mesh.halfedges()) {
-    if (mesh.is_bar(h) || !mesh[h].twin.valid()) continue;
+  for (const Halfedge h : mesh.curves()) {
+    if (!mesh[h].twin.valid()) continue;
     const Cubic<Value> curve = mesh.curve_of(h);
     for (const Halfedge side : {h, mesh[h].twin})
       for (const Halfedge leaf : mesh.leaves(side)) {
-        const Patch patch = mesh.patch(mesh.face(leaf));
-        const auto around = mesh.sides(mesh.face(leaf));
-        const int k = int(std::ranges::find(around, leaf) - around.begin());
+        const Cubic<Value> of_patch = mesh.patch(mesh.face(leaf)).side(mesh.side_number(leaf));
         const Interval span = mesh.span(leaf);
         for (const double t : {0.0, 0.3, 0.5, 0.9, 1.0}) {
           double at = span.first + t * span.length();
           if (side != h) at = 1 - at;
-          const glm::dvec2 gap = patch.side(k).at(t).position - curve.at(at).position;
+          const glm::dvec2 gap = of_patch.at(t).position - curve.at(at).position;
           EXPECT_LE(glm::length(gap), 1e-9 * (1 + glm::length(curve.at(at).position)));
         }
       }
@@ -50,7 +48,7 @@ void expect_no_gap(const Mesh& mesh) {
 
 TEST(Mesh, grid_is_sound) {
   const Mesh mesh = grid_mesh({.rows = 3, .columns = 4, .position_noise = 0.1});
-  EXPECT_TRUE(sound(mesh));
+  EXPECT_EQ(validate(mesh), sound);
   EXPECT_EQ(mesh.face_count(), 12);
   EXPECT_EQ(std::ranges::distance(mesh.points()), 20);
   EXPECT_EQ(std::ranges::distance(mesh.halfedges()), 48);
@@ -72,16 +70,13 @@ TEST(Split, then_merge_gives_back_the_patch) {
       const Halfedge side = mesh.sides(f)[std::uniform_int_distribution<int>(0, 3)(random)];
       const double t = std::uniform_real_distribution<double>(0.05, 0.95)(random);
       const Halfedge edge = split(journal, side, t);
-      ASSERT_TRUE(sound(mesh));
+      ASSERT_EQ(validate(mesh), sound);
       expect_no_gap(mesh);
       EXPECT_EQ(mesh.face_count(), 10);
       ASSERT_EQ(can_merge(mesh, edge), MergeObstacle::none);
       merge(journal, edge);
-      ASSERT_TRUE(sound(mesh));
-      const std::vector<Patch> after = patches(mesh);
-      ASSERT_EQ(after.size(), before.size());
-      for (std::size_t i = 0; i < after.size(); ++i)
-        EXPECT_LE(difference(before[i], after[i]), 1e-9);
+      ASSERT_EQ(validate(mesh), sound);
+      expect_near(patches(mesh), before);
     }
 }
 
@@ -123,27 +118,24 @@ double color_difference(Patch a, Patch b) {
 void expect_exact_split(Journal& journal, std::mt19937& random) {
   const Mesh& mesh = journal.mesh();
   const std::vector<Face> faces(mesh.faces().begin(), mesh.faces().end());
+  std::vector<Patch> expected = patches(mesh);
   const Face f = faces[random() % faces.size()];
   const int k = int(random() % 4);
   const double t = std::uniform_real_distribution<double>(0.1, 0.9)(random);
-  std::vector<Patch> expected;
-  for (const Face g : faces) expected.push_back(mesh.patch(g));
   const Patch whole = mesh.patch(f);
   const bool across = k % 2 == 0;
   std::array<Patch, 2> parts =
       across ? whole.split_v(k == 0 ? t : 1 - t) : whole.split_u(k == 1 ? t : 1 - t);
   if (k > 1) std::swap(parts[0], parts[1]);
   const Halfedge edge = split(journal, mesh.sides(f)[std::size_t(k)], t);
-  ASSERT_TRUE(sound(mesh));
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const Patch now = mesh.patch(faces[i]);
-    const Patch& was = faces[i] == f ? parts[0] : expected[i];
-    EXPECT_LE(color_difference(now, was), 1e-12);
-    EXPECT_LE(difference(now, was), 1e-9);
-  }
-  const Patch other = mesh.patch(mesh.face(mesh[edge].twin));
-  EXPECT_LE(color_difference(other, parts[1]), 1e-12);
-  EXPECT_LE(difference(other, parts[1]), 1e-9);
+  ASSERT_EQ(validate(mesh), sound);
+  const auto expect_same = [&](Face face, const Patch& wanted) {
+    EXPECT_LE(color_difference(mesh.patch(face), wanted), 1e-12);
+    EXPECT_LE(difference(mesh.patch(face), wanted), 1e-9);
+  };
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    expect_same(faces[i], faces[i] == f ? parts[0] : expected[i]);
+  expect_same(mesh.face(mesh[edge].twin), parts[1]);
 }
 
 TEST(Split, is_exact_beside_recoloured_junctions) {
@@ -175,9 +167,7 @@ TEST(Split, then_merge_gives_back_a_patch_between_recoloured_junctions) {
   recolor_junctions(journal, random);
   const std::vector<Patch> before = patches(mesh);
   merge(journal, split(journal, mesh.sides(mesh.face(right))[0], 0.4));
-  const std::vector<Patch> after = patches(mesh);
-  ASSERT_EQ(after.size(), before.size());
-  for (std::size_t i = 0; i < after.size(); ++i) EXPECT_LE(difference(before[i], after[i]), 1e-9);
+  expect_near(patches(mesh), before);
 }
 
 TEST(Merge, random_sequences_keep_every_invariant) {
@@ -191,11 +181,7 @@ TEST(Merge, random_sequences_keep_every_invariant) {
     Journal journal(mesh);
     std::vector<std::vector<Patch>> history{patches(mesh)};
     for (int step = 0; step < 40; ++step) {
-      std::vector<Halfedge> edges, leaves;
-      for (const Halfedge h : mesh.halfedges()) {
-        if (mesh.is_leaf(h)) leaves.push_back(h);
-        if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
-      }
+      const auto edges = test::mergeable_edges(mesh), leaves = test::all_leaves(mesh);
       const int action = pick(10);
       if (action < 2 && history.size() > 1) {
         journal.undo();
@@ -215,12 +201,12 @@ TEST(Merge, random_sequences_keep_every_invariant) {
         history.push_back(patches(mesh));
         ++merges;
       }
-      ASSERT_TRUE(sound(mesh)) << "seed " << seed << " step " << step;
+      ASSERT_EQ(validate(mesh), sound) << "seed " << seed << " step " << step;
       expect_no_gap(mesh);
       for (const Halfedge h : mesh.halfedges())
         if (mesh.is_stem(h) && mesh.is_parent(h)) ++nested;
     }
-    while (journal.depth() > 0) journal.undo();
+    journal.undo_to(0);
     ASSERT_EQ(patches(mesh), history.front());
   }
   // The sequences reach what they are meant to.

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "branch_meshes.h"
 #include "mesh/validate.h"
-#include "ops/merge/merge.h"
 #include "ops/merge/merge_end.h"
+#include "random_meshes.h"
 
 /// Each case of the paper's 4.3 and 4.4 on a small mesh of its own.
 namespace gradmesh {
@@ -21,7 +21,9 @@ using test::difference;
 class ExactGrid {
  public:
   ExactGrid(std::vector<double> rows, std::vector<double> columns)
-      : rows_(std::move(rows)), columns_(std::move(columns)), mesh_(build_mesh(parts())) {
+      : rows_(std::move(rows)),
+        columns_(std::move(columns)),
+        mesh_(build_mesh(test::cut_patch(whole(), rows_, columns_))) {
     for (const Face f : mesh_.faces()) {
       const auto [i, j] = std::pair(f.value / width(), f.value % width());
       covered_.push_back({rows_[i], rows_[i + 1], columns_[j], columns_[j + 1]});
@@ -64,9 +66,7 @@ class ExactGrid {
   std::size_t points() const { return std::size_t(std::ranges::distance(mesh_.points())); }
 
   /// The curve u = const of the whole patch, from left to right.
-  Cubic<Value> across(double u, double from, double to) const {
-    return part({u, 1, from, to}).side(0);
-  }
+  static Cubic<Value> across(double u) { return part({u, 1, 0, 1}).side(0); }
 
  private:
   struct Rectangle {
@@ -74,28 +74,18 @@ class ExactGrid {
   };
 
   static Patch whole() {
-    std::mt19937 random(3);
     return test::grid_parts({.rows = 1,
                              .columns = 1,
                              .position_noise = 0.15,
                              .color_noise = 0.2,
                              .color_model = ColorModel::bicubic},
-                            random)
+                            3)
         .patches[0];
   }
   static Patch part(const Rectangle& r) {
     return whole().part_u(r.top, r.bottom).part_v(r.left, r.right);
   }
   int width() const { return int(columns_.size()) - 1; }
-  MeshParts parts() const {
-    MeshParts parts;
-    parts.color_model = ColorModel::bicubic;
-    for (std::size_t i = 0; i + 1 < rows_.size(); ++i)
-      for (std::size_t j = 0; j + 1 < columns_.size(); ++j)
-        parts.patches.push_back(part({rows_[i], rows_[i + 1], columns_[j], columns_[j + 1]}));
-    parts.curves = grid_curves(int(rows_.size()) - 1, width());
-    return parts;
-  }
 
   std::vector<double> rows_, columns_;
   Mesh mesh_;
@@ -105,13 +95,6 @@ class ExactGrid {
 
 /// Nine faces, none as wide as its neighbour.
 ExactGrid three_by_three() { return {{0, 0.3, 0.6, 1}, {0, 0.2, 0.7, 1}}; }
-
-double largest_difference(const Cubic<Value>& a, const Cubic<Value>& b) {
-  double most = 0;
-  for (const Value& d : {a.p0 - b.p0, a.m0 - b.m0, a.m1 - b.m1, a.p1 - b.p1})
-    most = std::max({most, glm::length(d.position), glm::length(d.color)});
-  return most;
-}
 
 // --- Fig. 4a: T-junctions are inserted ---
 
@@ -192,7 +175,7 @@ void expect_combined(ExactGrid& grid, double u, int a, int b, double s, double q
   ASSERT_EQ(end.kind, MergeEnd::interior);
   EXPECT_NEAR(mesh.span(end.in).length(), s, 1e-9);
   EXPECT_NEAR(mesh.span(end.out).length(), q, 1e-9);
-  const double t = eq6(split_factor(mesh, edge), s, q);
+  const double t = eq6(test::split_factor(mesh, edge), s, q);
   EXPECT_NEAR(t, expected, 1e-9);
   const Halfedge across = end.across;
 
@@ -201,7 +184,10 @@ void expect_combined(ExactGrid& grid, double u, int a, int b, double s, double q
   ASSERT_TRUE(mesh.is_stem(across));
   EXPECT_NEAR(1 - mesh[across].interval.first, t, 1e-9);
   const Halfedge parent = mesh[mesh[across].parent].twin;
-  EXPECT_LE(largest_difference(mesh.curve_of(parent), grid.across(u, 0, 1)), 1e-8);
+  const Cubic<Value> curve = mesh.curve_of(parent), whole = grid.across(u);
+  for (const Value& d :
+       {curve.p0 - whole.p0, curve.m0 - whole.m0, curve.m1 - whole.m1, curve.p1 - whole.p1})
+    EXPECT_LE(std::max(glm::length(d.position), glm::length(d.color)), 1e-8);
 }
 
 TEST(Fig4c, the_side_before_is_a_bar) {
@@ -236,20 +222,12 @@ TEST(Fig4c, both_sides_are_whole_curves_that_are_divided_on_the_far_side) {
 // --- Fig. 5: cycles ---
 
 /// Three sides of a pinwheel round the middle face of a 3 x 3 grid; the fourth would close it.
-TEST(Fig5, a_next_cycle_is_refused) {
-  ExactGrid grid = three_by_three();
-  grid.merge(0, 1);
-  grid.merge(2, 5);
-  grid.merge(8, 7);
-  EXPECT_EQ(can_merge(grid.mesh(), grid.edge(6, 3)), MergeObstacle::next_cycle);
-}
-
-TEST(Fig5, an_origin_cycle_is_refused) {
-  ExactGrid grid = three_by_three();
-  grid.merge(1, 2);
-  grid.merge(5, 8);
-  grid.merge(7, 6);
-  EXPECT_EQ(can_merge(grid.mesh(), grid.edge(3, 0)), MergeObstacle::origin_cycle);
+TEST(Fig5, cycles_are_refused) {
+  ExactGrid next = three_by_three(), origin = three_by_three();
+  for (const auto& [a, b] : {std::pair(0, 1), {2, 5}, {8, 7}}) next.merge(a, b);
+  EXPECT_EQ(can_merge(next.mesh(), next.edge(6, 3)), MergeObstacle::next_cycle);
+  for (const auto& [a, b] : {std::pair(1, 2), {5, 8}, {7, 6}}) origin.merge(a, b);
+  EXPECT_EQ(can_merge(origin.mesh(), origin.edge(3, 0)), MergeObstacle::origin_cycle);
 }
 
 /// Seen in a mirror: sides 1 and 3 of each patch change places, and the order along each side.
@@ -304,18 +282,14 @@ int fewest_faces(const MeshParts& parts) {
     std::mt19937 random(seed);
     Mesh mesh = build_mesh(parts);
     Journal journal(mesh);
-    while (true) {
-      std::vector<Halfedge> edges;
-      for (const Halfedge h : mesh.halfedges())
-        if (can_merge(mesh, h) == MergeObstacle::none) edges.push_back(h);
-      if (edges.empty()) break;
+    for (auto edges = test::mergeable_edges(mesh); !edges.empty();
+         edges = test::mergeable_edges(mesh)) {
       merge(journal, edges[random() % edges.size()]);
       EXPECT_EQ(validate(mesh), std::vector<std::string>{});
     }
     fewest = std::min(fewest, mesh.face_count());
-    while (journal.depth() > 0) journal.undo();
-    const Mesh original = build_mesh(parts);
-    for (const Face f : original.faces()) EXPECT_EQ(mesh.patch(f), original.patch(f));
+    journal.undo_to(0);
+    EXPECT_EQ(test::patches(mesh), test::patches(build_mesh(parts)));
   }
   return fewest;
 }

@@ -15,19 +15,12 @@ namespace {
 
 using Runs = std::vector<HiddenPixels::Run>;
 
-Frame pixels(int width, int height) {
-  Frame frame;
-  frame.width = width;
-  frame.height = height;
-  return frame;
-}
-
 VisibleArea inside(const Outline& outline, FillRule rule = FillRule::nonzero) {
   return {{{{outline, rule}}}};
 }
 
 TEST(HiddenPixels, all_that_a_rectangle_does_not_touch) {
-  const HiddenPixels hidden(inside({{{2, 1.2}, {5.5, 1.2}, {5.5, 2.8}, {2, 2.8}}}), pixels(8, 4));
+  const HiddenPixels hidden(inside({{{2, 1.2}, {5.5, 1.2}, {5.5, 2.8}, {2, 2.8}}}), Frame{8, 4});
   EXPECT_EQ(hidden.row(0), (Runs{{0, 8}}));
   EXPECT_EQ(hidden.row(1), (Runs{{0, 2}, {6, 8}}));
   EXPECT_EQ(hidden.row(2), (Runs{{0, 2}, {6, 8}}));
@@ -36,8 +29,8 @@ TEST(HiddenPixels, all_that_a_rectangle_does_not_touch) {
 
 TEST(HiddenPixels, holes_follow_the_fill_rule) {
   const Outline ring{{{0, 0}, {9, 0}, {9, 1}, {0, 1}}, {{3, 0}, {6, 0}, {6, 1}, {3, 1}}};
-  EXPECT_EQ(HiddenPixels(inside(ring, FillRule::evenodd), pixels(9, 1)).row(0), (Runs{{3, 6}}));
-  EXPECT_EQ(HiddenPixels(inside(ring), pixels(9, 1)).row(0), Runs{});
+  EXPECT_EQ(HiddenPixels(inside(ring, FillRule::evenodd), Frame{9, 1}).row(0), (Runs{{3, 6}}));
+  EXPECT_EQ(HiddenPixels(inside(ring), Frame{9, 1}).row(0), Runs{});
 }
 
 TEST(HiddenPixels, seen_is_what_some_outline_of_each_set_holds) {
@@ -45,9 +38,9 @@ TEST(HiddenPixels, seen_is_what_some_outline_of_each_set_holds) {
     return FilledOutline{{{{from, 0}, {to, 0}, {to, 1}, {from, 1}}}};
   };
   const VisibleArea area{{{columns(0, 3), columns(5, 9)}, {columns(2, 7)}}};
-  EXPECT_EQ(HiddenPixels(area, pixels(9, 1)).row(0), (Runs{{0, 2}, {3, 5}, {7, 9}}));
-  EXPECT_EQ(HiddenPixels({{{}}}, pixels(9, 1)).row(0), (Runs{{0, 9}}));
-  EXPECT_EQ(HiddenPixels({}, pixels(9, 1)).row(0), Runs{});
+  EXPECT_EQ(HiddenPixels(area, Frame{9, 1}).row(0), (Runs{{0, 2}, {3, 5}, {7, 9}}));
+  EXPECT_EQ(HiddenPixels({{{}}}, Frame{9, 1}).row(0), (Runs{{0, 9}}));
+  EXPECT_EQ(HiddenPixels({}, Frame{9, 1}).row(0), Runs{});
 }
 
 /// Against each pixel's own distance to a circle.
@@ -57,12 +50,11 @@ TEST(HiddenPixels, a_pixel_is_hidden_where_the_outline_stays_away) {
     const double angle = 2 * std::numbers::pi * i / 2000;
     circle.push_back({50.3 + 40 * std::cos(angle), 49.8 + 40 * std::sin(angle)});
   }
-  const HiddenPixels hidden(inside({circle}), pixels(100, 100));
+  const HiddenPixels hidden(inside({circle}), Frame{100, 100});
   int seen = 0;
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 100; ++x) {
-      const bool is_hidden = std::ranges::any_of(
-          hidden.row(y), [&](HiddenPixels::Run run) { return run.begin <= x && x < run.end; });
+      const bool is_hidden = hidden.contains(x, y);
       const double from_center = std::hypot(x + 0.5 - 50.3, y + 0.5 - 49.8);
       if (from_center < 40) {
         EXPECT_FALSE(is_hidden) << x << " " << y;

@@ -22,10 +22,7 @@ Mesh square() {
 
 /// A frame of so many pixels a unit, in which the origin is at `origin`.
 Frame frame(int size, double scale, glm::dvec2 origin) {
-  Frame frame;
-  frame.width = frame.height = size;
-  frame.to_pixels = Affine::translation(origin) * Affine::scaling(glm::dvec2(scale));
-  return frame;
+  return {size, size, Affine::translation(origin) * Affine::scaling(glm::dvec2(scale))};
 }
 
 TEST(Picture, has_colors_that_are_not_multiplied_and_opacities) {

@@ -137,7 +137,7 @@ std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps) {
     return unless_too_long(base64(zip(write_hemesh(mesh))));
   const std::vector<Rectangle> blocks = blocks_of(mesh, overlaps);
   const std::string curves = format_curves(mesh, blocks);
-  const auto patch = [&](Halfedge top) { return patch_from(mesh, top); };
+  const auto patch = [&](Halfedge top) { return mesh.patch(top); };
   return packed({mesh.is_smooth(), curves, grids_of(blocks, patch)});
 }
 

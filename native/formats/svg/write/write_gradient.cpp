@@ -40,10 +40,10 @@ class GradientWriter {
   /// given already.
   void write_patch(xmlNode* node, int row, int column) {
     const Halfedge top = block_.top(row, column);
-    const Patch patch = patch_from(mesh_, top);
+    const Patch patch = mesh_.patch(top);
     for (int side = row == 0 ? 0 : 1; side < (column == 0 ? 4 : 3); ++side) {
       xmlNode* stop = add_child(node, "stop");
-      const Cubic<Value> curve = mesh_.side_of(side_from(mesh_, top, side));
+      const Cubic<Value> curve = mesh_.side_of(mesh_.sides(top)[side]);
       set_attribute(stop, "path", path(curve));
       const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
       if (!given) write_color(stop, curve.p0.color);

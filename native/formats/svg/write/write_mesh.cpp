@@ -89,7 +89,7 @@ MeshParts gradient_parts(const Mesh& mesh, double coons_tolerance, const Affine&
   parts.smooth = mesh.is_smooth();
   const double step = step_in(to_gradient, coons_tolerance);
   for (const Halfedge top : grid.tops) {
-    const Patch patch = as_written(patch_from(mesh, top), coons_tolerance);
+    const Patch patch = as_written(mesh.patch(top), coons_tolerance);
     parts.patches.push_back(step > 0 ? rounded(patch, coons_tolerance, step, to_gradient) : patch);
   }
   return parts;
