@@ -5,7 +5,7 @@
 #include "files/base85.h"
 #include "files/zip.h"
 #include "formats/packed/patches.h"
-#include "formats/svg/write/memory.h"
+#include "formats/svg/group/memory.h"
 #include "mesh/build.h"
 #include "target.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <string>
 
-#include "formats/svg/read/document.h"
+#include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/length.h"
 #include "formats/svg/values/transform.h"
 #include "formats/svg/xml/edit.h"
@@ -30,7 +30,7 @@ void check_opacity(std::string_view text) {
 
 /// As an attribute, and as the size that percentages are taken of.
 void check_length(const std::string& text) {
-  static const SvgDocument document = SvgDocument::parse("<svg><rect/></svg>", input_name);
+  static const SvgTree document = SvgTree::parse("<svg><rect/></svg>", input_name);
   xmlNode* const svg = document.root();
   xmlNode* const rect = child_elements(svg).front();
   set_attribute(rect, "x", text);

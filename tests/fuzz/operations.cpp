@@ -6,7 +6,7 @@
 #include "branch_meshes.h"
 #include "choices.h"
 #include "form/blocks.h"
-#include "formats/svg/write/memory.h"
+#include "formats/svg/group/memory.h"
 #include "mesh/region.h"
 #include "mesh/subdivide.h"
 #include "ops/merge/merge.h"

@@ -1,7 +1,7 @@
 #include <string>
 
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/objects.h"
+#include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/tree/objects.h"
 #include "formats/svg/values/style.h"
 #include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
@@ -26,7 +26,7 @@ void check_order(const Declarations& declarations) {
 
 /// The text as a style sheet, and as the style of one element.
 void check(const std::string& text) {
-  static const SvgDocument document = SvgDocument::parse(
+  static const SvgTree document = SvgTree::parse(
       "<svg><style/><g class=\"a b\"><path id=\"p\" class=\"a\" fill=\"red\"/></g></svg>",
       input_name);
   xmlNode* const style = child_elements(document.root(), "style").front();

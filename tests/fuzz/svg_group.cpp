@@ -1,9 +1,9 @@
 #include <string>
 
 #include "form/reconcile.h"
-#include "formats/svg/read/curves.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/read_group.h"
+#include "formats/svg/values/curves.h"
+#include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/group/read_group.h"
 #include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/build.h"
@@ -13,7 +13,7 @@ namespace gradmesh::fuzz {
 namespace {
 
 /// A group of one block of two patches above two of one each, which a few T-junctions can join.
-SvgDocument blocks() {
+SvgTree blocks() {
   const std::string square =
       "<stop path='l 20,0' stop-color='red'/><stop path='l 0,10'/><stop path='l -20,0'/>";
   const auto gradient = [&](const std::string& id, const std::string& place,
@@ -23,7 +23,7 @@ SvgDocument blocks() {
            "</meshrow></meshgradient>";
   };
   const std::string beside = "<meshpatch>" + square + "</meshpatch>";
-  return SvgDocument::parse(
+  return SvgTree::parse(
       "<svg xmlns='http://www.w3.org/2000/svg' xmlns:gradmesh='urn:gradmesh'><defs>" +
           gradient("a", "x='0' y='0'", beside) + gradient("b", "x='0' y='10'", "") +
           gradient("c", "x='20' y='10'", "") +
@@ -35,7 +35,7 @@ SvgDocument blocks() {
 
 /// The text as the group's `curves`.
 void check(const std::string& text) {
-  static const SvgDocument document = blocks();
+  static const SvgTree document = blocks();
   xmlNode* const group = child_elements(document.root(), "g").front();
   set_attribute(group, "curves", text, gradmesh_namespace, "gradmesh");
   accepts([&] {

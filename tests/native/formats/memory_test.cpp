@@ -8,10 +8,10 @@
 #include "form/handles.h"
 #include "form/reconcile.h"
 #include "form/written_patch.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/write/memory.h"
-#include "formats/svg/write/write_group.h"
+#include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/group/read_group.h"
+#include "formats/svg/group/memory.h"
+#include "formats/svg/group/write_group.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/boundary.h"
 #include "mesh/build.h"
@@ -70,7 +70,7 @@ double rounding(double width) { return 9 * 9 * width / (1 << 18); }
 
 /// What older versions have written: a document with a group.
 std::string older_memory(const Mesh& mesh, const std::string& end = "") {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       "<svg xmlns=\"http://www.w3.org/2000/svg\"><defs/><path id=\"p\" d=\"M0,0 H9 V9 Z\" "
       "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
       "d.svg");
@@ -164,7 +164,7 @@ TEST(Memory, keeps_bicubic_colours) {
 /// What the document says that was written, and what the group remembers of it.
 TEST(Memory, of_what_was_written_is_finer_than_what_counts_as_an_edit) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    SvgDocument document = SvgDocument::parse(
+    SvgTree document = SvgTree::parse(
         "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"p\" d=\"M0,0 H9 V9 Z\" "
         "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
         "d.svg");

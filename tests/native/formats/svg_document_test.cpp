@@ -1,4 +1,4 @@
-#include "formats/svg/read/document.h"
+#include "formats/svg/tree/svg_tree.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "files/atomic_file.h"
-#include "formats/svg/read/objects.h"
-#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/tree/objects.h"
+#include "formats/svg/gradient/read_mesh.h"
 
 namespace gradmesh {
 namespace {
@@ -25,15 +25,15 @@ const std::string gradients = "<meshgradient id=\"m\">" + row +
                               "</meshgradient><meshgradient id=\"n\">" + row +
                               "</meshgradient><linearGradient id=\"flat\"/>";
 
-SvgDocument parse(const std::string& text) { return SvgDocument::parse(text, "drawing.svg"); }
+SvgTree parse(const std::string& text) { return SvgTree::parse(text, "drawing.svg"); }
 
-SvgDocument parse_body(const std::string& body) {
+SvgTree parse_body(const std::string& body) {
   return parse(head + gradients + body + "</svg>");
 }
 
 /// `id fill=GRADIENT` of every object found, in order.
 std::string listing(const std::string& body) {
-  SvgDocument document = parse_body(body);
+  SvgTree document = parse_body(body);
   std::string text;
   for (const MeshObject& object : mesh_objects(document)) {
     const char* role = object.role == PaintRole::fill ? " fill" : " stroke";
@@ -121,7 +121,7 @@ TEST(SvgObjects, definitions_are_not_listed) {
 }
 
 TEST(SvgObjects, missing_ids_are_written) {
-  SvgDocument document =
+  SvgTree document =
       parse_body("<rect id=\"rect1\"/><rect fill=\"url(#m)\"/><rect id=\"\" fill=\"url(#m)\"/>");
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 2u);
@@ -132,7 +132,7 @@ TEST(SvgObjects, missing_ids_are_written) {
 }
 
 TEST(SvgObjects, transform_to_document) {
-  SvgDocument document = parse_body(
+  SvgTree document = parse_body(
       "<g transform=\"translate(100 0) scale(2)\"><g transform=\"rotate(90)\">"
       "<path id=\"a\" fill=\"url(#m)\" transform=\"translate(1,2)\"/></g></g>");
   const Affine map = to_document(mesh_objects(document).at(0));
@@ -141,13 +141,13 @@ TEST(SvgObjects, transform_to_document) {
   EXPECT_NEAR(p.x, 88, 1e-12);
   EXPECT_NEAR(p.y, 8, 1e-12);
 
-  SvgDocument bad = parse_body("\n<g transform=\"scale(\"><path id=\"a\" fill=\"url(#m)\"/></g>");
+  SvgTree bad = parse_body("\n<g transform=\"scale(\"><path id=\"a\" fill=\"url(#m)\"/></g>");
   const auto objects = mesh_objects(bad);
   EXPECT_EQ(complaint([&] { to_document(objects.at(0)); }),
             "drawing.svg: g in line 2: its transform \"scale(\" is malformed.");
 }
 
-TEST(SvgDocument, unreadable_documents_give_the_reason) {
+TEST(SvgTree, unreadable_documents_give_the_reason) {
   const std::string start = "drawing.svg is not a readable SVG document: ";
   EXPECT_EQ(parse_complaint(""), start + "it is empty.");
   EXPECT_EQ(parse_complaint("plain text"), start + "Start tag expected, '<' not found (line 1).");
@@ -158,7 +158,7 @@ TEST(SvgDocument, unreadable_documents_give_the_reason) {
   EXPECT_EQ(parse_complaint("<html/>"), start + "its outermost element is not <svg>.");
 }
 
-TEST(SvgDocument, depth_is_limited) {
+TEST(SvgTree, depth_is_limited) {
   std::string deep = head, end = "</svg>";
   for (int i = 0; i < 100000; ++i) {
     deep += "<g>";
@@ -179,7 +179,7 @@ TEST(SvgDocument, depth_is_limited) {
   EXPECT_TRUE(parse(just.substr(0, last) + just_end).root());
 }
 
-TEST(SvgDocument, keeps_what_it_does_not_know) {
+TEST(SvgTree, keeps_what_it_does_not_know) {
   const std::string text =
       "<?xml version=\"1.0\" encoding=\"ISO-8859-1\" standalone=\"no\"?>\n"
       "<!DOCTYPE svg [\n<!ENTITY note \"plain\">\n]>\n"
@@ -193,7 +193,7 @@ TEST(SvgDocument, keeps_what_it_does_not_know) {
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + head + "\xc3\xa9</svg>\n");
 }
 
-TEST(SvgDocument, can_be_read_again_whatever_its_encoding) {
+TEST(SvgTree, can_be_read_again_whatever_its_encoding) {
 #ifdef _WIN32
   GTEST_SKIP() << "libxml2 is built without iconv there.";
 #endif
@@ -206,9 +206,9 @@ TEST(SvgDocument, can_be_read_again_whatever_its_encoding) {
   }
 }
 
-TEST(SvgDocument, entities_are_taken_only_where_harmless) {
+TEST(SvgTree, entities_are_taken_only_where_harmless) {
   const auto first_color = [](const std::string& entities, const std::string& paint) {
-    SvgDocument document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
+    SvgTree document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
                                  "<rect id=\"a\" style=\"" + paint + "\"/></svg>");
     return mesh_objects(document).size();
   };
@@ -218,7 +218,7 @@ TEST(SvgDocument, entities_are_taken_only_where_harmless) {
       "drawing.svg: rect \"a\": the entity \"b\" is not a short plain text.");
 }
 
-TEST(SvgDocument, entity_bomb_is_not_expanded) {
+TEST(SvgTree, entity_bomb_is_not_expanded) {
   std::string entities = "<!ENTITY e0 \"0123456789\">";
   for (int i = 1; i < 12; ++i) {
     std::string ten;
@@ -230,7 +230,7 @@ TEST(SvgDocument, entity_bomb_is_not_expanded) {
   for (const std::string body : {"<rect id=\"a\" style=\"&e11;\"/>",
                                  "<rect id=\"&e11;\" fill=\"url(#m)\"/>", "<style>&e11;</style>"})
     EXPECT_TRUE(complaint([&] {
-                  SvgDocument document = parse(start + body + "</svg>");
+                  SvgTree document = parse(start + body + "</svg>");
                   mesh_objects(document);
                 }).starts_with("drawing.svg"))
         << body;
@@ -241,7 +241,7 @@ TEST_F(SvgFile, external_entities_are_not_loaded) {
   const std::string uri = "file://" + (folder / "secret.txt").string();
   const std::string in_text = "<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
                               gradients + "<text id=\"a\">&x;</text></svg>";
-  SvgDocument document = parse(in_text);
+  SvgTree document = parse(in_text);
   EXPECT_TRUE(mesh_objects(document).empty());
   EXPECT_EQ(document.serialize().find("fill:url"), std::string::npos);
   EXPECT_NE(document.serialize().find("<text id=\"a\">&x;</text>"), std::string::npos);
@@ -255,7 +255,7 @@ TEST_F(SvgFile, external_entities_are_not_loaded) {
 TEST_F(SvgFile, writes_whole_file_or_nothing) {
   const fs::path path = folder / "drawing.svg";
   write_bytes(path, head + "<rect/></svg>");
-  SvgDocument document = SvgDocument::read_file(path);
+  SvgTree document = SvgTree::read_file(path);
   document.write_file(path);
   EXPECT_EQ(read_bytes(path), document.serialize());
   EXPECT_EQ(entries(), 1u);
@@ -265,11 +265,11 @@ TEST_F(SvgFile, writes_whole_file_or_nothing) {
             nowhere.string() + " cannot be written: No such file or directory.");
   EXPECT_EQ(complaint([&] { document.write_file(folder); }),
             folder.string() + " cannot be written: it is not a regular file.");
-  EXPECT_EQ(complaint([&] { SvgDocument::read_file(nowhere); }),
+  EXPECT_EQ(complaint([&] { SvgTree::read_file(nowhere); }),
             nowhere.string() + " cannot be read: No such file or directory.");
   // Why is in the system's words.
   EXPECT_TRUE(complaint([&] {
-                SvgDocument::read_file(folder);
+                SvgTree::read_file(folder);
               }).starts_with(folder.string() + " cannot be read: "));
   EXPECT_EQ(entries(), 1u);
 }
@@ -283,7 +283,7 @@ TEST_F(SvgFile, keeps_permissions_and_links) {
   constexpr fs::perms some = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
   fs::permissions(path, some);
   fs::create_symlink(path, link);
-  const SvgDocument document = SvgDocument::read_file(path);
+  const SvgTree document = SvgTree::read_file(path);
   document.write_file(link);
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_EQ(read_bytes(path), document.serialize());

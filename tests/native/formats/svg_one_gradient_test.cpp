@@ -3,11 +3,11 @@
 #include "app/document.h"
 #include "base/error.h"
 #include "form/written_patch.h"
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/read/read_mesh.h"
-#include "formats/svg/read/written_gradient.h"
-#include "formats/svg/write/write_gradient.h"
-#include "formats/svg/write/write_mesh.h"
+#include "formats/svg/group/read_group.h"
+#include "formats/svg/gradient/read_mesh.h"
+#include "formats/svg/gradient/written_gradient.h"
+#include "formats/svg/gradient/write_rows.h"
+#include "formats/svg/gradient/write_mesh.h"
 #include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
@@ -46,8 +46,8 @@ std::string gradient(const std::string& id, const std::string& attributes,
 
 const std::string user_space = "gradientUnits=\"userSpaceOnUse\"";
 
-SvgDocument parse(const std::string& defs, const std::string& body) {
-  return SvgDocument::parse(
+SvgTree parse(const std::string& defs, const std::string& body) {
+  return SvgTree::parse(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:xlink=\"http://www.w3.org/1999/xlink\"><defs>" +
           defs + "</defs>" + body + "</svg>",
@@ -57,7 +57,7 @@ SvgDocument parse(const std::string& defs, const std::string& body) {
 /// What control points may be off without anybody seeing it.
 constexpr double tolerance = 1e-3;
 
-Mesh read(const SvgDocument& document, const MeshObject& object) {
+Mesh read(const SvgTree& document, const MeshObject& object) {
   return build_mesh(read_mesh(document, object));
 }
 
@@ -75,8 +75,8 @@ Mesh one_patch(const Mesh& mesh) {
 
 /// Replaces the mesh of the object `which` by one patch; the document, after what was read back was
 /// found to be what was written.
-SvgDocument reduced(const std::string& defs, const std::string& body, int which = 0) {
-  SvgDocument document = parse(defs, body);
+SvgTree reduced(const std::string& defs, const std::string& body, int which = 0) {
+  SvgTree document = parse(defs, body);
   const auto before = mesh_objects(document);
   const Mesh mesh = one_patch(read(document, before.at(which)));
   const MeshParts wanted =
@@ -104,7 +104,7 @@ TEST(OneGradient, keeps_the_object_and_what_else_it_says) {
       "<g id=\"g\"><rect id=\"a\"/><rect id=\"b\" class=\"c\" transform=\"scale(2)\" width=\"20\" "
       "height=\"20\" style=\"stroke:#123456;fill:url(#m) #abcdef;opacity:0.5\"/><rect "
       "id=\"z\"/></g>";
-  const SvgDocument document = reduced(gradient("m", user_space), body);
+  const SvgTree document = reduced(gradient("m", user_space), body);
   const xmlNode* object = document.find("b");
   EXPECT_EQ(text(object, "class"), "c");
   EXPECT_EQ(text(object, "transform"), "scale(2)");
@@ -116,7 +116,7 @@ TEST(OneGradient, keeps_the_object_and_what_else_it_says) {
 }
 
 TEST(OneGradient, keeps_units_and_transform_and_short_numbers) {
-  const SvgDocument document =
+  const SvgTree document =
       reduced(gradient("m", user_space + " x=\"5.5\" y=\"0\" "
                                          "gradientTransform=\"matrix(3,0.7,-0.3,0.1,17,0.05)\""),
               "<rect id=\"b\" fill=\"url(#m)\"/>");
@@ -136,7 +136,7 @@ TEST(OneGradient, keeps_units_and_transform_and_short_numbers) {
 
 TEST(OneGradient, keeps_its_colours_from_the_rules_of_the_document) {
   const std::string rule = "<style>stop { stop-color: red; stop-opacity: 0.5 }</style>";
-  const SvgDocument document =
+  const SvgTree document =
       reduced(rule + gradient("m", user_space), "<rect id=\"b\" fill=\"url(#m)\"/>");
   const auto stops =
       child_elements(child_elements(child_elements(document.find("b-mesh1"))[0])[0], "stop");
@@ -145,7 +145,7 @@ TEST(OneGradient, keeps_its_colours_from_the_rules_of_the_document) {
 }
 
 TEST(OneGradient, remembers_what_it_is_told_until_it_is_edited) {
-  SvgDocument document = parse(gradient("m", user_space), "<rect id=\"b\" fill=\"url(#m)\"/>");
+  SvgTree document = parse(gradient("m", user_space), "<rect id=\"b\" fill=\"url(#m)\"/>");
   const MeshObject object = mesh_objects(document).at(0);
   const Mesh mesh = one_patch(read(document, object));
   const MeshObject after = write_mesh_gradient(document, object, mesh, tolerance);
@@ -181,7 +181,7 @@ TEST(OneGradient, remembers_what_it_is_told_until_it_is_edited) {
 
 TEST(OneGradient, stays_in_the_units_of_a_bounding_box) {
   for (const std::string units : {"", "gradientUnits=\"objectBoundingBox\" "}) {
-    const SvgDocument document =
+    const SvgTree document =
         reduced(gradient("m", units + "gradientTransform=\"scale(0.05)\""),
                 "<rect id=\"b\" x=\"3\" y=\"7\" width=\"30\" height=\"70\" fill=\"url(#m)\"/>");
     const xmlNode* mesh = document.find("b-mesh1");
@@ -194,7 +194,7 @@ TEST(OneGradient, has_its_rows_itself_where_the_old_one_borrowed_them) {
   const std::string defs =
       gradient("rows", user_space) + gradient("m", "x=\"3\" y=\"4\" xlink:href=\"#rows\"", "");
   {
-    const SvgDocument document = reduced(defs, "<rect id=\"b\" stroke=\"url(#m)\"/>");
+    const SvgTree document = reduced(defs, "<rect id=\"b\" stroke=\"url(#m)\"/>");
     const xmlNode* mesh = document.find("b-mesh1");
     EXPECT_EQ(attribute(mesh, "href", xlink_namespace), std::nullopt);
     EXPECT_EQ(text(mesh, "gradientUnits"), "userSpaceOnUse");
@@ -202,7 +202,7 @@ TEST(OneGradient, has_its_rows_itself_where_the_old_one_borrowed_them) {
     EXPECT_EQ(document.find("rows"), nullptr);
     EXPECT_EQ(document.find("m"), nullptr);
   }
-  const SvgDocument document =
+  const SvgTree document =
       reduced(defs, "<rect id=\"b\" stroke=\"url(#m)\"/><rect id=\"c\" fill=\"url(#rows)\"/>");
   EXPECT_NE(document.find("rows"), nullptr);
   EXPECT_EQ(document.find("m"), nullptr);
@@ -211,7 +211,7 @@ TEST(OneGradient, has_its_rows_itself_where_the_old_one_borrowed_them) {
 TEST(OneGradient, leaves_the_old_one_to_others) {
   const std::string shared =
       "<g id=\"g\" fill=\"url(#m) #fff\"><rect id=\"a\"/><rect id=\"b\"/></g>";
-  SvgDocument document = reduced(gradient("m", user_space), shared, 1);
+  SvgTree document = reduced(gradient("m", user_space), shared, 1);
   EXPECT_EQ(text(document.find("b"), "style"), "fill:url(#b-mesh1) #fff");
   EXPECT_EQ(text(document.find("a"), "style"), "(none)");
   EXPECT_EQ(text(document.find("g"), "fill"), "url(#m) #fff");
@@ -220,7 +220,7 @@ TEST(OneGradient, leaves_the_old_one_to_others) {
 
 TEST(OneGradient, is_for_one_of_two_paints) {
   const std::string body = "<rect id=\"b\" fill=\"url(#m)\" stroke=\"url(#m)\"/>";
-  SvgDocument document = reduced(gradient("m", user_space), body, 1);
+  SvgTree document = reduced(gradient("m", user_space), body, 1);
   EXPECT_EQ(text(document.find("b"), "fill"), "url(#m)");
   EXPECT_EQ(text(document.find("b"), "style"), "stroke:url(#b-mesh1)");
   EXPECT_NE(document.find("m"), nullptr);
@@ -229,12 +229,12 @@ TEST(OneGradient, is_for_one_of_two_paints) {
 TEST(OneGradient, of_a_smooth_mesh_stays_smooth_and_in_its_own_coordinates) {
   const std::string attributes =
       user_space + " type=\"bicubic\" gradientTransform=\"matrix(1,0,0.4,2,9,1)\"";
-  const SvgDocument document =
+  const SvgTree document =
       reduced(gradient("m", attributes), "<rect id=\"b\" fill=\"url(#m)\"/>");
   const xmlNode* mesh = document.find("b-mesh1");
   EXPECT_EQ(text(mesh, "type"), "bicubic");
   EXPECT_EQ(text(mesh, "gradientTransform"), "matrix(1,0,0.4,2,9,1)");
-  SvgDocument again = SvgDocument::parse(document.serialize(), "again.svg");
+  SvgTree again = SvgTree::parse(document.serialize(), "again.svg");
   const MeshObject object = mesh_objects(again).at(0);
   EXPECT_EQ(read(again, object).position(Point{0}), glm::dvec2(0, 0));
   EXPECT_EQ(mesh_to_user(again, object).point({10, 10}), glm::dvec2(23, 21));

@@ -3,15 +3,15 @@
 #include <functional>
 
 #include "base/error.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/objects.h"
-#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/tree/objects.h"
+#include "formats/svg/gradient/read_mesh.h"
 
 namespace gradmesh {
 namespace {
 
-SvgDocument parse(const std::string& body) {
-  return SvgDocument::parse(
+SvgTree parse(const std::string& body) {
+  return SvgTree::parse(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "width=\"200\" height=\"100\">" +
           body + "</svg>",
@@ -19,20 +19,20 @@ SvgDocument parse(const std::string& body) {
 }
 
 /// A rectangle (10, 20)..(110, 70) filled with the meshgradient `m1`.
-SvgDocument parse_mesh(const std::string& gradient) {
+SvgTree parse_mesh(const std::string& gradient) {
   return parse("<defs>" + gradient +
                "</defs><rect id=\"r\" x=\"10\" y=\"20\" width=\"100\" height=\"50\" "
                "fill=\"url(#m1)\"/>");
 }
 
-MeshParts read_only_mesh(SvgDocument& document) {
+MeshParts read_only_mesh(SvgTree& document) {
   const auto objects = mesh_objects(document);
   EXPECT_EQ(objects.size(), 1u);
   return read_mesh(document, objects.at(0));
 }
 
 MeshParts read_gradient(const std::string& gradient) {
-  SvgDocument document = parse_mesh(gradient);
+  SvgTree document = parse_mesh(gradient);
   return read_only_mesh(document);
 }
 
@@ -270,14 +270,14 @@ TEST(SvgMesh, lengths_of_the_start) {
 
 TEST(SvgMesh, smooth_meshes_stay_in_the_coordinates_of_their_gradient) {
   const std::string attributes = "gradientTransform=\"matrix(2,0,0,5,7,1)\" type=\"bicubic\"";
-  SvgDocument document = parse_mesh(mesh(row(square), attributes));
+  SvgTree document = parse_mesh(mesh(row(square), attributes));
   const MeshParts smooth = read_only_mesh(document);
   EXPECT_TRUE(smooth.smooth);
   EXPECT_EQ(smooth.patches, read_gradient(mesh(row(square))).patches);
   const MeshObject object = mesh_objects(document).at(0);
   EXPECT_EQ(mesh_to_user(document, object).point({10, 20}), glm::dvec2(27, 101));
   // Not inherited by href either.
-  EXPECT_FALSE(read_only_mesh(*std::make_unique<SvgDocument>(parse_mesh(
+  EXPECT_FALSE(read_only_mesh(*std::make_unique<SvgTree>(parse_mesh(
                                   "<meshgradient id=\"base\" type=\"bicubic\">" + row(square) +
                                   "</meshgradient><meshgradient id=\"m1\" href=\"#base\"/>")))
                    .smooth);
@@ -415,7 +415,7 @@ TEST(SvgMesh, bad_links_are_named) {
 TEST(SvgMesh, bounding_box_must_be_known) {
   const auto with = [](const std::string& shape) {
     return complaint([&] {
-      SvgDocument document =
+      SvgTree document =
           parse("<meshgradient id=\"m1\">" + row(square) + "</meshgradient>" + shape);
       read_only_mesh(document);
     });

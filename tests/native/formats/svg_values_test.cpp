@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "formats/svg/read/document.h"
+#include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/color.h"
 #include "formats/svg/values/path.h"
 #include "formats/svg/values/shape.h"
@@ -192,8 +192,8 @@ TEST(SvgPath, arcs_that_are_none) {
 
 TEST(SvgShape, box_of_every_shape) {
   const auto expect_shape = [](const std::string& shape, glm::dvec2 low, glm::dvec2 high) {
-    const SvgDocument document =
-        SvgDocument::parse("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 400 300\"><" +
+    const SvgTree document =
+        SvgTree::parse("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 400 300\"><" +
                                shape + " id=\"a\"/></svg>",
                            "drawing.svg");
     const auto box = shape_box(document.find("a"));
@@ -246,7 +246,7 @@ TEST(SvgPath, outlines) {
 }
 
 TEST(SvgShape, outlines) {
-  const SvgDocument document = SvgDocument::parse(
+  const SvgTree document = SvgTree::parse(
       "<svg xmlns='http://www.w3.org/2000/svg'><rect id='r' x='1' y='2' width='4' height='3'/>"
       "<rect id='round' width='4' height='3' rx='1'/><circle id='c' cx='9' r='2'/>"
       "<ellipse id='e' rx='3' ry='2'/><polygon id='p' points='0,0 4,0 0,3'/>"

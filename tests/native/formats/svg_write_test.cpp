@@ -10,9 +10,9 @@
 #include "form/block_outline.h"
 #include "form/rounding.h"
 #include "form/written_patch.h"
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/read/read_mesh.h"
-#include "formats/svg/write/write_group.h"
+#include "formats/svg/group/read_group.h"
+#include "formats/svg/gradient/read_mesh.h"
+#include "formats/svg/group/write_group.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/build.h"
 #include "mesh/validate.h"
@@ -34,13 +34,13 @@ constexpr const char* gradient =
     "stop-color=\"#0f0\"/><stop path=\"l -100,0\" stop-color=\"#00f\"/><stop path=\"l\" "
     "stop-color=\"#fff\"/></meshpatch></meshrow></meshgradient></defs>";
 
-SvgDocument document_of(const std::string& body) {
-  return SvgDocument::parse(head + std::string(gradient) + body + "</svg>", "drawing.svg");
+SvgTree document_of(const std::string& body) {
+  return SvgTree::parse(head + std::string(gradient) + body + "</svg>", "drawing.svg");
 }
 
 constexpr double tolerance = 0.001;
 
-void write(SvgDocument& document, const MeshObject& object, const Mesh& mesh) {
+void write(SvgTree& document, const MeshObject& object, const Mesh& mesh) {
   write_mesh(document, object, {mesh, block_form(mesh, tolerance), "label", {24, 9}});
 }
 
@@ -50,7 +50,7 @@ Mesh as_measured(const Mesh& mesh) {
 }
 
 std::string after_writing(const std::string& body, const Mesh& mesh, int which = 0) {
-  SvgDocument document = document_of(body);
+  SvgTree document = document_of(body);
   write(document, mesh_objects(document).at(which), mesh);
   return document.serialize();
 }
@@ -153,7 +153,7 @@ TEST(SvgWrite, no_point_is_rounded_by_more_than_a_tenth_of_the_tolerance) {
 
 TEST(SvgWrite, shared_points_are_the_very_same_text) {
   const Mesh mesh = random_mesh(4);
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", mesh),
       "d.svg");
   // All corners of all blocks, as they are written: as many different ones as there are points.
@@ -186,7 +186,7 @@ TEST(SvgWrite, takes_the_place_of_the_object) {
       "<path id=\"p\" transform=\"rotate(30)\" style=\"fill:url(#m);fill-opacity:0.5;opacity:0.7\" "
       "d=\"M0,0 H400 V400 Z\"><title>Pear</title></path><circle id=\"above\" r=\"5\"/></g>",
       grid_mesh({.rows = 2, .columns = 2}));
-  SvgDocument document = SvgDocument::parse(text, "d.svg");
+  SvgTree document = SvgTree::parse(text, "d.svg");
   const auto children = child_elements(document.find("outer"));
   ASSERT_EQ(children.size(), 3u);
   xmlNode* group = children[1];
@@ -210,7 +210,7 @@ TEST(SvgWrite, takes_the_place_of_the_object) {
 }
 
 TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing(
           "<rect xmlns=\"http://www.w3.org/2000/svg\" xmlns:n=\"urn:notes\" n:say=\"ripe\" "
           "id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
@@ -223,7 +223,7 @@ TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
 }
 
 TEST(SvgWrite, gives_no_meaning_to_prefixes_that_the_document_does_not_declare) {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<g id=\"g\" gradmesh:version=\"1\"><rect id=\"p\" width=\"400\" "
                     "height=\"400\" fill=\"url(#m)\"/></g>",
                     grid_mesh()),
@@ -233,7 +233,7 @@ TEST(SvgWrite, gives_no_meaning_to_prefixes_that_the_document_does_not_declare) 
 }
 
 TEST(SvgWrite, does_not_use_a_prefix_that_is_none) {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<g xmlns:a:b=\"urn:gradmesh\"><rect id=\"p\" width=\"400\" height=\"400\" "
                     "fill=\"url(#m)\"/></g>",
                     grid_mesh()),
@@ -243,7 +243,7 @@ TEST(SvgWrite, does_not_use_a_prefix_that_is_none) {
 }
 
 TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<rect id=\"a)b 'c\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
                     grid_mesh()),
       "d.svg");
@@ -255,7 +255,7 @@ TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
 }
 
 TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<rect id=\"p\" width=\"400\" height=\"400\" class=\"c\" clip-path=\"url(#k)\" "
                     "style=\"fill:url(#m);stroke:#00f;stroke-width:4;filter:url(#f)\"/>"
                     "<style>.c { opacity: 0.5 }</style>",
@@ -278,7 +278,7 @@ TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
 }
 
 TEST(SvgWrite, masks_a_stroke_in_white) {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<g stroke-width=\"30\"><path id=\"p\" d=\"M50,50 L300,300\" fill=\"none\" "
                     "stroke=\"url(#m)\" stroke-linecap=\"round\"/></g>",
                     grid_mesh()),
@@ -295,7 +295,7 @@ TEST(SvgWrite, masks_a_stroke_in_white) {
 
 TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
   const std::string other = "<rect id=\"q\" width=\"9\" height=\"9\" fill=\"url(#m)\"/>";
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>" + other,
                     grid_mesh()),
       "d.svg");
@@ -321,7 +321,7 @@ TEST(SvgWrite, opacities_are_a_mask_of_greys) {
   for (const char* paint : {"fill", "stroke"}) {
     const std::string body = "<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:none;" +
                              std::string(paint) + ":url(#m)\"/>";
-    SvgDocument document = SvgDocument::parse(after_writing(body, mesh), "d.svg");
+    SvgTree document = SvgTree::parse(after_writing(body, mesh), "d.svg");
     for (int round = 0; round < 2; ++round) {
       const auto objects = mesh_objects(document);
       ASSERT_EQ(objects.size(), 1u);
@@ -348,7 +348,7 @@ TEST(SvgWrite, opacities_are_a_mask_of_greys) {
 }
 
 TEST(SvgWrite, keeps_the_fallback_colour) {
-  SvgDocument document = SvgDocument::parse(
+  SvgTree document = SvgTree::parse(
       after_writing("<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:url(#m) #abc\"/>",
                     random_mesh(1)),
       "d.svg");
@@ -364,7 +364,7 @@ TEST(SvgWrite, keeps_the_fallback_colour) {
 TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
   const std::string first = after_writing(
       "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
-  SvgDocument document = SvgDocument::parse(first, "d.svg");
+  SvgTree document = SvgTree::parse(first, "d.svg");
   const Mesh other = grid_mesh({.rows = 1, .columns = 2});
   write(document, mesh_objects(document).at(0), other);
   const auto gradients =
@@ -380,7 +380,7 @@ TEST(SvgWrite, both_paints_of_one_object) {
   const std::string body =
       "<rect id=\"p\" width=\"100\" height=\"100\" stroke-width=\"9\" "
       "style=\"fill:url(#m);stroke:url(#m)\"/>";
-  SvgDocument document = document_of(body);
+  SvgTree document = document_of(body);
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 2u);
   for (const MeshObject& o : objects) write(document, o, grid_mesh());
@@ -402,7 +402,7 @@ TEST(SvgWrite, both_paints_of_one_object) {
 TEST(SvgGroup, whose_object_has_lost_its_id_gets_one_that_stays) {
   const std::string body =
       "<rect id=\"p\" width=\"100\" height=\"100\" style=\"fill:url(#m);stroke:#00f\"/>";
-  SvgDocument document = SvgDocument::parse(after_writing(body, grid_mesh()), "d.svg");
+  SvgTree document = SvgTree::parse(after_writing(body, grid_mesh()), "d.svg");
   xmlNode* outer = document.find("p");
   ASSERT_FALSE(is_mesh_group(outer));
   xmlUnsetProp(outer, BAD_CAST "id");
@@ -415,7 +415,7 @@ TEST(SvgGroup, says_what_is_missing) {
   const std::string good = after_writing(
       "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
   const auto complaint = [&](const auto& spoil) -> std::string {
-    SvgDocument document = SvgDocument::parse(good, "d.svg");
+    SvgTree document = SvgTree::parse(good, "d.svg");
     spoil(document.find("p"));
     try {
       build_mesh(read_mesh_group(document, document.find("p")));
