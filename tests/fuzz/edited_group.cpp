@@ -6,9 +6,9 @@
 
 #include "branch_meshes.h"
 #include "choices.h"
-#include "formats/svg/values/curves.h"
+#include "formats/svg/group/mesh_group.h"
 #include "formats/svg/tree/svg_tree.h"
-#include "formats/svg/group/read_group.h"
+#include "formats/svg/values/curves.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/build.h"
 #include "ops/split/without_faces.h"
@@ -212,7 +212,7 @@ std::pair<std::string, std::string> texts(const std::vector<Block>& blocks,
 }
 
 SvgTree document(const Written& written, const std::vector<Block>& blocks,
-                     const std::vector<Block>* mask) {
+                 const std::vector<Block>* mask) {
   const auto [gradients, paths] = texts(blocks, "b");
   std::string defs = gradients;
   if (mask) {
@@ -268,8 +268,7 @@ void check(Choices& choices) {
   Edits edits(written, choices), lights(written, choices);
   while (!choices.at_end()) (has_mask && choices.byte() % 8 == 1 ? lights : edits).next();
   const auto read = [&] {
-    const SvgTree edited =
-        document(written, edits.blocks(), has_mask ? &lights.blocks() : nullptr);
+    const SvgTree edited = document(written, edits.blocks(), has_mask ? &lights.blocks() : nullptr);
     const bool is_edited = update(edited, known);
     require(!stays || has_mask || &known != &written.blocks || !is_edited,
             "a group is as it was written");

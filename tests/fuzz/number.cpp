@@ -4,7 +4,6 @@
 #include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/length.h"
 #include "formats/svg/values/transform.h"
-#include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 #include "formats/text/scanner.h"

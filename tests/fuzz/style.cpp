@@ -1,9 +1,8 @@
 #include <string>
 
-#include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/tree/objects.h"
+#include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/style.h"
-#include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/scanner.h"
 #include "target.h"

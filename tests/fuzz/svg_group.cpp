@@ -1,10 +1,9 @@
 #include <string>
 
 #include "form/reconcile.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/tree/own.h"
 #include "formats/svg/values/curves.h"
-#include "formats/svg/tree/svg_tree.h"
-#include "formats/svg/group/read_group.h"
-#include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/build.h"
 #include "target.h"
@@ -37,7 +36,7 @@ SvgTree blocks() {
 void check(const std::string& text) {
   static const SvgTree document = blocks();
   xmlNode* const group = child_elements(document.root(), "g").front();
-  set_attribute(group, "curves", text, gradmesh_namespace, "gradmesh");
+  set_own_attribute(group, "curves", text);
   accepts([&] {
     const MeshParts parts = read_mesh_group(document, group);
     const Mesh mesh = build_mesh(parts);

@@ -3,7 +3,7 @@
 
 #include "app/info.h"
 #include "app/svg_meshes.h"
-#include "formats/svg/gradient/read_mesh.h"
+#include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/tree/visible.h"
 #include "mesh/build.h"
 #include "target.h"

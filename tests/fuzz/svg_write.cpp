@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "formats/svg/group/read_group.h"
-#include "formats/svg/gradient/read_mesh.h"
-#include "formats/svg/group/restore_shape.h"
+#include "formats/svg/gradient/mesh_gradient.h"
+#include "formats/svg/gradient/rows.h"
 #include "formats/svg/group/memory.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/group/shape.h"
 #include "formats/svg/group/write_group.h"
-#include "formats/svg/gradient/write_mesh.h"
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "ops/merge/merge.h"
@@ -43,7 +43,7 @@ std::optional<std::pair<MeshObject, Mesh>> first_mesh(SvgTree& document) {
 /// The object, named by its id and what the mesh paints, in the document as a program finds it that
 /// opens what is written.
 std::pair<SvgTree, MeshObject> reopened(const SvgTree& document, const std::string& id,
-                                            PaintRole role) {
+                                        PaintRole role) {
   SvgTree again = SvgTree::parse(document.serialize(), input_name);
   const auto objects = mesh_objects(again);
   const auto found = std::ranges::find_if(
@@ -73,13 +73,13 @@ bool write_blocks(SvgTree& document, const MeshObject& object, Mesh mesh) {
   require_sound(expected);
   // Documents refuse the others before they write.
   if (!std::ranges::all_of(parts.patches, is_within_limits)) return false;
-  write_mesh(document, object, {mesh, form, "label", before, original});
+  write_group(document, object, {mesh, form, "label", before, original});
 
   const auto [again, group] = reopened(document, object.id, object.role);
-  const MeshCounts told = counts_before(group.node);
-  require(
-      is_mesh_group(group.node) && told.patches == before.patches && told.handles == before.handles,
-      "it is a group");
+  require(group.is_group(), "it is a group");
+  const MeshCounts told = counts_before(group);
+  require(told.patches == before.patches && told.handles == before.handles,
+          "it says how many there were");
   const Mesh written = read(again, group);
   require_sound(written);
   require(written.face_count() == expected.face_count(), "no patch is lost");

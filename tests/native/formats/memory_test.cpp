@@ -8,16 +8,16 @@
 #include "form/handles.h"
 #include "form/reconcile.h"
 #include "form/written_patch.h"
-#include "formats/svg/tree/svg_tree.h"
-#include "formats/svg/group/read_group.h"
 #include "formats/svg/group/memory.h"
+#include "formats/svg/group/mesh_group.h"
 #include "formats/svg/group/write_group.h"
-#include "formats/svg/xml/node.h"
+#include "formats/svg/tree/own.h"
 #include "mesh/boundary.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "random_meshes.h"
 #include "same_mesh.h"
+#include "svg_documents.h"
 
 namespace gradmesh {
 namespace {
@@ -68,14 +68,18 @@ std::vector<Patch> in_blocks(const Mesh& mesh, const std::vector<Rectangle>& blo
 /// units or so that is remembered.
 double rounding(double width) { return 9 * 9 * width / (1 << 18); }
 
-/// What older versions have written: a document with a group.
+/// A document with the mesh in blocks of this tolerance.
+SvgTree group_of(const Mesh& mesh, double tolerance) {
+  SvgTree document = test::svg_tree(
+      "<path id=\"p\" d=\"M0,0 H9 V9 Z\" fill=\"url(#m)\"/><meshgradient id=\"m\"/>");
+  write_group(document, mesh_objects(document).at(0),
+              {mesh, block_form(mesh, tolerance), "", {49, 16}});
+  return document;
+}
+
+/// What gradmesh 0.1 has written: a document with a group.
 std::string older_memory(const Mesh& mesh, const std::string& end = "") {
-  SvgTree document = SvgTree::parse(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\"><defs/><path id=\"p\" d=\"M0,0 H9 V9 Z\" "
-      "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
-      "d.svg");
-  write_mesh(document, mesh_objects(document).at(0), {mesh, block_form(mesh, 0), "", 16});
-  return base64(zip(document.serialize() + end));
+  return base64(zip(group_of(mesh, 0).serialize() + end));
 }
 
 TEST(Memory, keeps_a_mesh_but_for_rounding) {
@@ -164,15 +168,9 @@ TEST(Memory, keeps_bicubic_colours) {
 /// What the document says that was written, and what the group remembers of it.
 TEST(Memory, of_what_was_written_is_finer_than_what_counts_as_an_edit) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    SvgTree document = SvgTree::parse(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"p\" d=\"M0,0 H9 V9 Z\" "
-        "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
-        "d.svg");
-    const Mesh mesh = random_mesh(seed);
-    write_mesh(document, mesh_objects(document).at(0),
-               {mesh, block_form(mesh, 0.01), "", {49, 16}});
+    SvgTree document = group_of(random_mesh(seed), 0.01);
     const xmlNode* group = mesh_objects(document).at(0).node;
-    const auto blocks = recall_blocks(*attribute(group, "written", gradmesh_namespace));
+    const auto blocks = recall_blocks(*own_attribute(group, "written"));
     ASSERT_TRUE(blocks);
     const MeshParts read = read_mesh_group(document, group);
     MeshParts written = parts_of(*blocks);

@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "files/atomic_file.h"
+#include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/tree/objects.h"
-#include "formats/svg/gradient/read_mesh.h"
 
 namespace gradmesh {
 namespace {
@@ -27,9 +27,7 @@ const std::string gradients = "<meshgradient id=\"m\">" + row +
 
 SvgTree parse(const std::string& text) { return SvgTree::parse(text, "drawing.svg"); }
 
-SvgTree parse_body(const std::string& body) {
-  return parse(head + gradients + body + "</svg>");
-}
+SvgTree parse_body(const std::string& body) { return parse(head + gradients + body + "</svg>"); }
 
 /// `id fill=GRADIENT` of every object found, in order.
 std::string listing(const std::string& body) {
@@ -209,7 +207,7 @@ TEST(SvgTree, can_be_read_again_whatever_its_encoding) {
 TEST(SvgTree, entities_are_taken_only_where_harmless) {
   const auto first_color = [](const std::string& entities, const std::string& paint) {
     SvgTree document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
-                                 "<rect id=\"a\" style=\"" + paint + "\"/></svg>");
+                             "<rect id=\"a\" style=\"" + paint + "\"/></svg>");
     return mesh_objects(document).size();
   };
   EXPECT_EQ(first_color("<!ENTITY st \"fill:url(#m)\">", "&st;"), 1u);

@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "base/error.h"
-#include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/tree/objects.h"
-#include "formats/svg/gradient/read_mesh.h"
+#include "formats/svg/tree/svg_tree.h"
 
 namespace gradmesh {
 namespace {

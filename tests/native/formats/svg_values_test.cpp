@@ -194,8 +194,8 @@ TEST(SvgShape, box_of_every_shape) {
   const auto expect_shape = [](const std::string& shape, glm::dvec2 low, glm::dvec2 high) {
     const SvgTree document =
         SvgTree::parse("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 400 300\"><" +
-                               shape + " id=\"a\"/></svg>",
-                           "drawing.svg");
+                           shape + " id=\"a\"/></svg>",
+                       "drawing.svg");
     const auto box = shape_box(document.find("a"));
     ASSERT_TRUE(box) << shape;
     expect_near(box->low(), low, 1e-12);
