@@ -1,8 +1,7 @@
 #include <optional>
 #include <string>
 
-#include "formats/hemesh/read_hemesh.h"
-#include "formats/hemesh/write_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 #include "mesh/build.h"
 #include "target.h"
 

@@ -2,7 +2,6 @@
 #include <string>
 
 #include "files/base64.h"
-#include "files/base85.h"
 #include "files/zip.h"
 #include "formats/packed/patches.h"
 #include "formats/svg/group/memory.h"

@@ -12,6 +12,13 @@
 namespace gradmesh::fuzz {
 namespace {
 
+/// Returns all of the text as one number.
+std::optional<double> parse_number(std::string_view text) {
+  Scanner scanner(text);
+  const auto value = scanner.number();
+  return scanner.at_end() ? value : std::nullopt;
+}
+
 void check_number(std::string_view text) {
   const auto number = parse_number(text);
   if (!number) return;

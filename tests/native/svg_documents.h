@@ -1,9 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <string>
 
-#include "base/error.h"
+#include "complaint.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/xml/node.h"
 
@@ -34,16 +33,6 @@ inline std::vector<xmlNode*> elements_called(const xmlNode* root, std::string_vi
 /// Returns an attribute's value as tests compare it: "(none)" where it is absent.
 inline std::string text_of_attribute(const xmlNode* node, const char* name) {
   return attribute(node, name).value_or("(none)");
-}
-
-/// Returns the sentence of the InputError that `action` throws.
-inline std::string complaint(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 }  // namespace gradmesh::test

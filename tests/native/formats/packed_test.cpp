@@ -2,12 +2,11 @@
 
 #include <random>
 
-#include "files/base85.h"
+#include "files/base64.h"
 #include "formats/packed/expectation.h"
 #include "formats/packed/patches.h"
 #include "formats/packed/range_coder.h"
 #include "formats/packed/scale.h"
-#include "formats/packed/spread.h"
 #include "random_meshes.h"
 
 namespace gradmesh {

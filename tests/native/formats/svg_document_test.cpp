@@ -1,21 +1,13 @@
-#include "formats/svg/tree/svg_tree.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <functional>
 
-#include "base/error.h"
 #include "files/atomic_file.h"
-#include "formats/svg/gradient/mesh_gradient.h"
-#include "formats/svg/tree/objects.h"
+#include "svg_documents.h"
 
 namespace gradmesh {
 namespace {
-
-namespace fs = std::filesystem;
 
 const std::string head = "<svg xmlns=\"http://www.w3.org/2000/svg\">";
 const std::string row =
@@ -25,7 +17,7 @@ const std::string gradients = "<meshgradient id=\"m\">" + row +
                               "</meshgradient><meshgradient id=\"n\">" + row +
                               "</meshgradient><linearGradient id=\"flat\"/>";
 
-SvgTree parse(const std::string& text) { return SvgTree::parse(text, "drawing.svg"); }
+SvgTree parse(const std::string& text) { return SvgTree::parse(text, test::drawing_name); }
 
 SvgTree parse_body(const std::string& body) { return parse(head + gradients + body + "</svg>"); }
 
@@ -41,14 +33,10 @@ std::string listing(const std::string& body) {
   return text;
 }
 
+/// Returns the sentence that `action` ends in, while libxml2 says nothing itself.
 std::string complaint(const std::function<void()>& action) {
   testing::internal::CaptureStderr();
-  std::string message = "nothing was thrown";
-  try {
-    action();
-  } catch (const InputError& error) {
-    message = error.what();
-  }
+  std::string message = test::complaint(action);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   return message;
 }
@@ -56,21 +44,6 @@ std::string complaint(const std::function<void()>& action) {
 std::string parse_complaint(const std::string& text) {
   return complaint([&] { parse(text); });
 }
-
-/// A folder of its own for each test, removed afterwards.
-class SvgFile : public testing::Test {
- protected:
-  SvgFile() : folder(fs::temp_directory_path() / ("gradmesh_svg_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder);
-  }
-  ~SvgFile() override { fs::remove_all(folder); }
-
-  std::size_t entries() const {
-    return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-  }
-
-  fs::path folder;
-};
 
 TEST(SvgObjects, paint_comes_from_style_attribute_or_group) {
   EXPECT_EQ(listing("<path id=\"a\" fill=\"url(#m)\" stroke=\"url(#n)\"/>"),
@@ -234,9 +207,10 @@ TEST(SvgTree, entity_bomb_is_not_expanded) {
         << body;
 }
 
-TEST_F(SvgFile, external_entities_are_not_loaded) {
-  write_bytes(folder / "secret.txt", "fill:url(#m)");
-  const std::string uri = "file://" + (folder / "secret.txt").string();
+TEST(SvgTree, external_entities_are_not_loaded) {
+  const std::string secret = testing::TempDir() + "gradmesh_secret_" + std::to_string(::getpid());
+  write_bytes(secret, "fill:url(#m)");
+  const std::string uri = "file://" + secret;
   const std::string in_text = "<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
                               gradients + "<text id=\"a\">&x;</text></svg>";
   SvgTree document = parse(in_text);
@@ -248,45 +222,7 @@ TEST_F(SvgFile, external_entities_are_not_loaded) {
   EXPECT_EQ(parse_complaint("<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
                             "<style id=\"s\">&x;</style></svg>"),
             "drawing.svg: style \"s\": the entity \"x\" is not a short plain text.");
-}
-
-TEST_F(SvgFile, writes_whole_file_or_nothing) {
-  const fs::path path = folder / "drawing.svg";
-  write_bytes(path, head + "<rect/></svg>");
-  SvgTree document = SvgTree::read_file(path);
-  document.write_file(path);
-  EXPECT_EQ(read_bytes(path), document.serialize());
-  EXPECT_EQ(entries(), 1u);
-
-  const fs::path nowhere = folder / "missing" / "drawing.svg";
-  EXPECT_EQ(complaint([&] { document.write_file(nowhere); }),
-            nowhere.string() + " cannot be written: No such file or directory.");
-  EXPECT_EQ(complaint([&] { document.write_file(folder); }),
-            folder.string() + " cannot be written: it is not a regular file.");
-  EXPECT_EQ(complaint([&] { SvgTree::read_file(nowhere); }),
-            nowhere.string() + " cannot be read: No such file or directory.");
-  // Why is in the system's words.
-  EXPECT_TRUE(complaint([&] {
-                SvgTree::read_file(folder);
-              }).starts_with(folder.string() + " cannot be read: "));
-  EXPECT_EQ(entries(), 1u);
-}
-
-TEST_F(SvgFile, keeps_permissions_and_links) {
-#ifdef _WIN32
-  GTEST_SKIP() << "There are no such permissions, and not everybody may make links.";
-#endif
-  const fs::path path = folder / "drawing.svg", link = folder / "link.svg";
-  write_bytes(path, head + "<rect/></svg>");
-  constexpr fs::perms some = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
-  fs::permissions(path, some);
-  fs::create_symlink(path, link);
-  const SvgTree document = SvgTree::read_file(path);
-  document.write_file(link);
-  EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_EQ(read_bytes(path), document.serialize());
-  EXPECT_EQ(fs::status(path).permissions(), some);
-  EXPECT_EQ(entries(), 2u);
+  std::filesystem::remove(secret);
 }
 
 }  // namespace

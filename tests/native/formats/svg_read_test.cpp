@@ -1,28 +1,17 @@
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "base/error.h"
 #include "formats/svg/gradient/mesh_gradient.h"
-#include "formats/svg/tree/objects.h"
-#include "formats/svg/tree/svg_tree.h"
+#include "meshes.h"
+#include "svg_documents.h"
 
 namespace gradmesh {
 namespace {
 
-SvgTree parse(const std::string& body) {
-  return SvgTree::parse(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
-      "width=\"200\" height=\"100\">" +
-          body + "</svg>",
-      "drawing.svg");
-}
-
 /// A rectangle (10, 20)..(110, 70) filled with the meshgradient `m1`.
 SvgTree parse_mesh(const std::string& gradient) {
-  return parse("<defs>" + gradient +
-               "</defs><rect id=\"r\" x=\"10\" y=\"20\" width=\"100\" height=\"50\" "
-               "fill=\"url(#m1)\"/>");
+  return test::svg_tree("<defs>" + gradient +
+                        "</defs><rect id=\"r\" x=\"10\" y=\"20\" width=\"100\" height=\"50\" "
+                        "fill=\"url(#m1)\"/>");
 }
 
 MeshParts read_only_mesh(SvgTree& document) {
@@ -36,14 +25,7 @@ MeshParts read_gradient(const std::string& gradient) {
   return read_only_mesh(document);
 }
 
-std::string complaint(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using test::complaint;
 
 std::string complaint(const std::string& gradient) {
   return complaint([&] { read_gradient(gradient); });
@@ -69,19 +51,10 @@ const std::string square =
 const std::string next_square = patch(stop("l 10,0") + stop("l 0,10") + stop("l -10,0"));
 const std::string square_below = patch(stop("l 0,10") + stop("l -10,0") + stop("l 0,-10"));
 
-void expect_near(const Value& a, const Value& b, double tolerance) {
-  for (int i = 0; i < 2; ++i) EXPECT_NEAR(a.position[i], b.position[i], tolerance);
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(a.color[i], b.color[i], tolerance);
-}
-
 void expect_near(const std::vector<Patch>& a, const std::vector<Patch>& b, double tolerance) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) {
-        SCOPED_TRACE("patch " + std::to_string(k) + ", entry " + std::to_string(4 * i + j));
-        expect_near(a[k].c[i][j], b[k].c[i][j], tolerance);
-      }
+    EXPECT_LE(test::difference(a[k], b[k]), tolerance) << "patch " << k;
 }
 
 // A 2x3 grid whose 7x10 Bezier points and 3x4 corner colours follow formulas, so that no two are
@@ -416,7 +389,7 @@ TEST(SvgMesh, bounding_box_must_be_known) {
   const auto with = [](const std::string& shape) {
     return complaint([&] {
       SvgTree document =
-          parse("<meshgradient id=\"m1\">" + row(square) + "</meshgradient>" + shape);
+          test::svg_tree("<meshgradient id=\"m1\">" + row(square) + "</meshgradient>" + shape);
       read_only_mesh(document);
     });
   };

@@ -81,6 +81,11 @@ TEST(SvgColor, others_are_none) {
 }
 
 TEST(SvgNumber, forms_and_limits) {
+  const auto parse_number = [](std::string_view text) {
+    Scanner scanner(text);
+    const auto value = scanner.number();
+    return scanner.at_end() ? value : std::nullopt;
+  };
   for (const auto& [text, value] :
        std::vector<std::pair<std::string_view, double>>{{"1", 1},
                                                         {" -1.5 ", -1.5},

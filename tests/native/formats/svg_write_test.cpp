@@ -33,8 +33,7 @@ const std::string gradient =
     "<meshpatch><stop path=\"l 100,0\" stop-color=\"#f00\"/><stop path=\"l 0,100\" "
     "stop-color=\"#0f0\"/><stop path=\"l -100,0\" stop-color=\"#00f\"/><stop path=\"l\" "
     "stop-color=\"#fff\"/></meshpatch></meshrow></meshgradient></defs>";
-const std::string filled =
-    "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>";
+const std::string filled = "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>";
 
 constexpr double tolerance = 0.001;
 

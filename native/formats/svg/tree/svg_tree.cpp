@@ -12,7 +12,6 @@
 
 #include "base/error.h"
 #include "base/limits.h"
-#include "files/atomic_file.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/scanner.h"
 
@@ -154,10 +153,6 @@ std::string serialized(xmlDoc* document, const char* encoding) {
 
 SvgTree::SvgTree(xmlDoc* document) : document_(document) {}
 
-SvgTree SvgTree::read_file(const std::filesystem::path& path) {
-  return parse(read_bytes(path), path.string());
-}
-
 SvgTree SvgTree::parse(std::string_view bytes, const std::string& name) {
   const auto refuse = [&](const Message& reason) {
     throw InputError("{0} is not a readable SVG document: {1}.", name, reason);
@@ -227,10 +222,6 @@ std::string SvgTree::serialize() const {
   // Where even the brackets are others, as in UTF-7, only what libxml2 itself knows is read again.
   const bool is_known = xmlParseCharEncoding(encoding) != XML_CHAR_ENCODING_ERROR;
   return is_known || text.starts_with('<') ? text : serialized(document_.get(), "UTF-8");
-}
-
-void SvgTree::write_file(const std::filesystem::path& path) const {
-  write_bytes(path, serialize());
 }
 
 }  // namespace gradmesh

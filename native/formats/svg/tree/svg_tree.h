@@ -2,7 +2,6 @@
 
 #include <libxml/tree.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,9 +15,8 @@ namespace gradmesh {
 /// Messages about the document begin with its name.
 class SvgTree {
  public:
-  /// Reads a file. Throws InputError if it cannot be read or is no SVG document.
-  static SvgTree read_file(const std::filesystem::path& path);
-  /// Parses bytes in any encoding that XML declares. `name` is the file's name in messages.
+  /// Parses bytes in any encoding that XML declares. `name` is the file's name in messages. Throws
+  /// InputError if they are no SVG document.
   static SvgTree parse(std::string_view bytes, const std::string& name);
 
   /// Returns the document's name in messages.
@@ -40,8 +38,6 @@ class SvgTree {
   /// Returns the document's text in its own encoding; in UTF-8 if it declares none, or one that
   /// could not be read again.
   std::string serialize() const;
-  /// Writes the whole file or leaves the old one. Throws InputError if the file cannot be written.
-  void write_file(const std::filesystem::path& path) const;
 
  private:
   struct FreeDocument {
