@@ -261,7 +261,10 @@ const std::vector<PatchGrid>& remembered(const Written& written, Choices& choice
   }
 }
 
-void check(Choices& choices) {
+}  // namespace
+
+void check(std::string_view bytes) {
+  Choices choices(bytes);
   const Written& written = groups()[choices.below(groups().size())];
   const std::vector<PatchGrid>& known = remembered(written, choices);
   const bool has_mask = choices.byte() % 4 == 1, stays = choices.at_end();
@@ -279,11 +282,4 @@ void check(Choices& choices) {
     accepts(read);
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::Choices choices(data, size);
-  gradmesh::fuzz::check(choices);
-  return 0;
-}

@@ -6,7 +6,6 @@
 #include "target.h"
 
 namespace gradmesh::fuzz {
-namespace {
 
 void check(std::string_view text) {
   std::optional<Mesh> mesh;
@@ -23,10 +22,4 @@ void check(std::string_view text) {
       "what was written can be read");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

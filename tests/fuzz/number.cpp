@@ -51,6 +51,8 @@ void check_length(const std::string& text) {
   accepts([&] { read_length(rect, "y", LengthAxis::diagonal); });
 }
 
+}  // namespace
+
 void check(std::string_view text) {
   check_number(text);
   check_opacity(text);
@@ -58,10 +60,4 @@ void check(std::string_view text) {
   parse_transform(text);
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

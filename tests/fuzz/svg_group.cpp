@@ -32,8 +32,11 @@ SvgTree blocks() {
       input_name);
 }
 
+}  // namespace
+
 /// The text as the group's `curves`.
-void check(const std::string& text) {
+void check(std::string_view bytes) {
+  const std::string text(bytes);
   static const SvgTree document = blocks();
   xmlNode* const group = child_elements(document.root(), "g").front();
   set_own_attribute(group, "curves", text);
@@ -55,10 +58,4 @@ void check(const std::string& text) {
   });
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(std::string(gradmesh::fuzz::as_text(data, size)));
-  return 0;
-}

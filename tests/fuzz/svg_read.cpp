@@ -60,11 +60,10 @@ void check_writing(std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace gradmesh::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view bytes = gradmesh::fuzz::as_text(data, size);
-  gradmesh::fuzz::check_meshes(bytes);
-  gradmesh::fuzz::check_writing(bytes);
-  return 0;
+void check(std::string_view bytes) {
+  check_meshes(bytes);
+  check_writing(bytes);
 }
+
+}  // namespace gradmesh::fuzz

@@ -99,6 +99,8 @@ void write_one(SvgTree& document, const std::string& id, PaintRole role) {
   require(read(last, object).face_count() == mesh.face_count(), "no patch is lost");
 }
 
+}  // namespace
+
 void check(std::string_view bytes) {
   std::optional<SvgTree> document;
   std::optional<std::pair<MeshObject, Mesh>> first;
@@ -116,10 +118,4 @@ void check(std::string_view bytes) {
       "what was written can be read");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

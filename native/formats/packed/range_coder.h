@@ -32,7 +32,7 @@ class RangeCoder {
   /// Writes the bit and returns it, or returns the next bit whatever `bit` is; any after the last.
   /// `chance` learns of it.
   bool code(bool bit, Chance& chance);
-  /// Does the same for a bit of which nothing is known.
+  /// Writes or reads a bit of which nothing is known.
   bool code(bool bit);
 
   /// Returns the bytes that were written. Nothing can be written after that.

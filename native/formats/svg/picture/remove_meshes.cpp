@@ -27,7 +27,7 @@ void replace_paints(SvgTree& tree, const std::vector<const xmlNode*>& gradients)
     }
 }
 
-/// Returns rules with the paints that name this id replaced likewise.
+/// Returns rules in which the paints that name this id are replaced by their colours.
 std::string without_paint(std::string css, const std::string& id) {
   for (std::size_t at = 0; (at = css.find("url(", at)) != css.npos;) {
     const std::size_t end = std::min(css.find_first_of(";}", at), css.size());
