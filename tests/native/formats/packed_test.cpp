@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "corners.h"
 #include "files/base64.h"
 #include "formats/packed/expectation.h"
 #include "formats/packed/patches.h"
@@ -28,11 +29,8 @@ PackedMesh random_grid(double step, glm::dvec2 place = {}) {
     for (auto& row : net)
       for (Value& value : row) value.position = glm::round(value.position / step) * step;
     patch = patch_from_bezier(net);
-    for (const int i : {0, 3})
-      for (const int j : {0, 3})
-        patch.c[i][j].color = glm::round(patch.c[i][j].color * 1000.0) / 1000.0;
-    make_color_bilinear(patch);
   }
+  test::change_corners(parts, [](Value& v) { v.color = glm::round(v.color * 1000.0) / 1000.0; });
   return {.grids = {{3, 4, parts.patches}}};
 }
 

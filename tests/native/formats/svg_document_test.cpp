@@ -11,11 +11,11 @@ namespace {
 
 const std::string head = "<svg xmlns=\"http://www.w3.org/2000/svg\">";
 const std::string row =
-    "<meshrow><meshpatch><stop path=\"l 1,0\"/><stop path=\"l 0,1\"/><stop path=\"l -1,0\"/>"
-    "<stop path=\"l\"/></meshpatch></meshrow>";
-const std::string gradients = "<meshgradient id=\"m\">" + row +
-                              "</meshgradient><meshgradient id=\"n\">" + row +
-                              "</meshgradient><linearGradient id=\"flat\"/>";
+    "<meshrow><meshpatch><stop path='l 1,0'/><stop path='l 0,1'/><stop path='l -1,0'/><stop "
+    "path='l'/></meshpatch></meshrow>";
+const std::string gradients = "<meshgradient id='m'>" + row +
+                              "</meshgradient><meshgradient id='n'>" + row +
+                              "</meshgradient><linearGradient id='flat'/>";
 
 SvgTree parse(const std::string& text) { return SvgTree::parse(text, test::drawing_name); }
 
@@ -46,38 +46,34 @@ std::string parse_complaint(const std::string& text) {
 }
 
 TEST(SvgObjects, paint_comes_from_style_attribute_or_group) {
-  EXPECT_EQ(listing("<path id=\"a\" fill=\"url(#m)\" stroke=\"url(#n)\"/>"),
-            "a fill=m; a stroke=n; ");
-  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#m)\" style=\"fill:url(#n)\"/>"), "a fill=n; ");
-  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#m)\" style=\"fill:red\"/>"), "");
-  EXPECT_EQ(listing("<g fill=\"url(#m)\"><g><circle id=\"a\"/><circle id=\"b\" fill=\"none\"/>"
-                    "<circle id=\"c\" fill=\"inherit\"/></g><text id=\"d\">x</text></g>"
-                    "<circle id=\"e\"/>"),
+  EXPECT_EQ(listing("<path id='a' fill='url(#m)' stroke='url(#n)'/>"), "a fill=m; a stroke=n; ");
+  EXPECT_EQ(listing("<rect id='a' fill='url(#m)' style='fill:url(#n)'/>"), "a fill=n; ");
+  EXPECT_EQ(listing("<rect id='a' fill='url(#m)' style='fill:red'/>"), "");
+  EXPECT_EQ(listing("<g fill='url(#m)'><g><circle id='a'/><circle id='b' fill='none'/><circle "
+                    "id='c' fill='inherit'/></g><text id='d'>x</text></g><circle id='e'/>"),
             "a fill=m; c fill=m; d fill=m; ");
-  EXPECT_EQ(listing("<g fill=\"url(#m)\" stroke=\"url(#n)\"><line id=\"a\"/></g>"), "a stroke=n; ");
-  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#flat)\"/><rect id=\"b\" fill=\"url(#none)\"/>"),
-            "");
+  EXPECT_EQ(listing("<g fill='url(#m)' stroke='url(#n)'><line id='a'/></g>"), "a stroke=n; ");
+  EXPECT_EQ(listing("<rect id='a' fill='url(#flat)'/><rect id='b' fill='url(#none)'/>"), "");
 }
 
 TEST(SvgObjects, writings_of_the_paint) {
   for (const std::string paint :
        {"url(#m)", "url( '#m' )", "url(#m) #abc", "url(#m) none", "URL(&quot;#m&quot;) red"})
-    EXPECT_EQ(listing("<rect id=\"a\" fill=\"" + paint + "\"/>"), "a fill=m; ") << paint;
-  EXPECT_EQ(
-      listing("<rect id=\"a\" style=\"; ;stroke:none;FILL : url(&quot;#m&quot;) !important;\"/>"),
-      "a fill=m; ");
+    EXPECT_EQ(listing("<rect id='a' fill=\"" + paint + "\"/>"), "a fill=m; ") << paint;
+  EXPECT_EQ(listing("<rect id='a' style='; ;stroke:none;FILL : url(&quot;#m&quot;) !important;'/>"),
+            "a fill=m; ");
 }
 
 TEST(SvgObjects, simple_style_rules) {
   const auto with = [](const std::string& css) {
-    return listing("<style>" + css + "</style><rect id=\"a\" class=\"x y\" fill=\"none\"/>");
+    return listing("<style>" + css + "</style><rect id='a' class='x y' fill='none'/>");
   };
   EXPECT_EQ(with("rect{fill:url(#m)}"), "a fill=m; ");
   EXPECT_EQ(with("path, .y ,#b{fill:url(#m);}"), "a fill=m; ");
   EXPECT_EQ(with("#a{fill:url(#m)} .y{fill:red} rect{fill:blue}"), "a fill=m; ");
   EXPECT_EQ(with(".y{fill:url(#n)} .x{fill:url(#m)}"), "a fill=m; ");
-  EXPECT_EQ(with("<![CDATA[ /* } */ @import 'a;b'; @media print { rect{fill:red} } "
-                 "rect { stroke: none; fill: url(\"#m\") } ]]>"),
+  EXPECT_EQ(with("<![CDATA[ /* } */ @import 'a;b'; @media print { rect{fill:red} } rect { stroke: "
+                 "none; fill: url(\"#m\") } ]]>"),
             "a fill=m; ");
   EXPECT_EQ(with("rect{fill:url(#m)"), "a fill=m; ");
   // Anything more is passed over.
@@ -86,9 +82,9 @@ TEST(SvgObjects, simple_style_rules) {
 
 TEST(SvgObjects, definitions_are_not_listed) {
   for (const std::string element : {"defs", "clipPath", "mask", "symbol", "pattern", "marker"})
-    EXPECT_EQ(
-        listing("<" + element + "><g><rect id=\"a\" fill=\"url(#m)\"/></g></" + element + ">"), "");
-  EXPECT_EQ(listing("<x:rect xmlns:x=\"urn:other\" id=\"a\" fill=\"url(#m)\"/>"), "");
+    EXPECT_EQ(listing("<" + element + "><g><rect id='a' fill='url(#m)'/></g></" + element + ">"),
+              "");
+  EXPECT_EQ(listing("<x:rect xmlns:x='urn:other' id='a' fill='url(#m)'/>"), "");
 }
 
 TEST(SvgObjects, missing_ids_are_written) {
@@ -104,15 +100,15 @@ TEST(SvgObjects, missing_ids_are_written) {
 
 TEST(SvgObjects, transform_to_document) {
   SvgTree document = parse_body(
-      "<g transform=\"translate(100 0) scale(2)\"><g transform=\"rotate(90)\">"
-      "<path id=\"a\" fill=\"url(#m)\" transform=\"translate(1,2)\"/></g></g>");
+      "<g transform='translate(100 0) scale(2)'><g transform='rotate(90)'><path id='a' "
+      "fill='url(#m)' transform='translate(1,2)'/></g></g>");
   const Affine map = to_document(mesh_objects(document).at(0));
   // (3, 4) -> (4, 6) -> (-6, 4) -> (88, 8)
   const glm::dvec2 p = map.point({3, 4});
   EXPECT_NEAR(p.x, 88, 1e-12);
   EXPECT_NEAR(p.y, 8, 1e-12);
 
-  SvgTree bad = parse_body("\n<g transform=\"scale(\"><path id=\"a\" fill=\"url(#m)\"/></g>");
+  SvgTree bad = parse_body("\n<g transform='scale('><path id='a' fill='url(#m)'/></g>");
   const auto objects = mesh_objects(bad);
   EXPECT_EQ(complaint([&] { to_document(objects.at(0)); }),
             "drawing.svg: g in line 2: its transform \"scale(\" is malformed.");
@@ -180,7 +176,7 @@ TEST(SvgTree, can_be_read_again_whatever_its_encoding) {
 TEST(SvgTree, entities_are_taken_only_where_harmless) {
   const auto first_color = [](const std::string& entities, const std::string& paint) {
     SvgTree document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
-                             "<rect id=\"a\" style=\"" + paint + "\"/></svg>");
+                             "<rect id='a' style=\"" + paint + "\"/></svg>");
     return mesh_objects(document).size();
   };
   EXPECT_EQ(first_color("<!ENTITY st \"fill:url(#m)\">", "&st;"), 1u);
@@ -198,8 +194,8 @@ TEST(SvgTree, entity_bomb_is_not_expanded) {
   }
   const std::string start = "<!DOCTYPE svg [" + entities + "]>" + head + gradients;
   // Whether libxml2 refuses it or we do, it ends in a sentence and not in 10^12 characters.
-  for (const std::string body : {"<rect id=\"a\" style=\"&e11;\"/>",
-                                 "<rect id=\"&e11;\" fill=\"url(#m)\"/>", "<style>&e11;</style>"})
+  for (const std::string body : {"<rect id='a' style='&e11;'/>",
+                                 "<rect id='&e11;' fill='url(#m)'/>", "<style>&e11;</style>"})
     EXPECT_TRUE(complaint([&] {
                   SvgTree document = parse(start + body + "</svg>");
                   mesh_objects(document);

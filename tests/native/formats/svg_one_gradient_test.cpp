@@ -42,7 +42,7 @@ std::string gradient(const std::string& id, const std::string& attributes,
   return "<meshgradient id=\"" + id + "\" " + attributes + ">" + content + "</meshgradient>";
 }
 
-const std::string user_space = "gradientUnits=\"userSpaceOnUse\"";
+const std::string user_space = "gradientUnits='userSpaceOnUse'";
 
 SvgTree parse(const std::string& defs, const std::string& body) {
   return test::svg_tree("<defs>" + defs + "</defs>" + body);
@@ -91,9 +91,8 @@ SvgTree reduced(const std::string& defs, const std::string& body, int which = 0)
 
 TEST(OneGradient, keeps_the_object_and_what_else_it_says) {
   const std::string body =
-      "<g id=\"g\"><rect id=\"a\"/><rect id=\"b\" class=\"c\" transform=\"scale(2)\" width=\"20\" "
-      "height=\"20\" style=\"stroke:#123456;fill:url(#m) #abcdef;opacity:0.5\"/><rect "
-      "id=\"z\"/></g>";
+      "<g id='g'><rect id='a'/><rect id='b' class='c' transform='scale(2)' width='20' height='20' "
+      "style='stroke:#123456;fill:url(#m) #abcdef;opacity:0.5'/><rect id='z'/></g>";
   const SvgTree document = reduced(gradient("m", user_space), body);
   const xmlNode* object = document.find("b");
   EXPECT_EQ(text(object, "class"), "c");
@@ -106,10 +105,10 @@ TEST(OneGradient, keeps_the_object_and_what_else_it_says) {
 }
 
 TEST(OneGradient, keeps_units_and_transform_and_short_numbers) {
-  const SvgTree document =
-      reduced(gradient("m", user_space + " x=\"5.5\" y=\"0\" "
-                                         "gradientTransform=\"matrix(3,0.7,-0.3,0.1,17,0.05)\""),
-              "<rect id=\"b\" fill=\"url(#m)\"/>");
+  const SvgTree document = reduced(
+      gradient("m",
+               user_space + " x='5.5' y='0' gradientTransform='matrix(3,0.7,-0.3,0.1,17,0.05)'"),
+      "<rect id='b' fill='url(#m)'/>");
   const xmlNode* mesh = document.find("b-mesh1");
   EXPECT_EQ(text(mesh, "gradientUnits"), "userSpaceOnUse");
   EXPECT_EQ(text(mesh, "gradientTransform"), "matrix(3,0.7,-0.3,0.1,17,0.05)");
@@ -127,14 +126,14 @@ TEST(OneGradient, keeps_units_and_transform_and_short_numbers) {
 TEST(OneGradient, keeps_its_colours_from_the_rules_of_the_document) {
   const std::string rule = "<style>stop { stop-color: red; stop-opacity: 0.5 }</style>";
   const SvgTree document =
-      reduced(rule + gradient("m", user_space), "<rect id=\"b\" fill=\"url(#m)\"/>");
+      reduced(rule + gradient("m", user_space), "<rect id='b' fill='url(#m)'/>");
   const auto stops = elements_called(document.find("b-mesh1"), "stop");
   EXPECT_EQ(text(stops[0], "style"), "stop-color:#f00;stop-opacity:0.37");
   EXPECT_EQ(text(stops[1], "style"), "stop-color:#0f0;stop-opacity:0.5");
 }
 
 TEST(OneGradient, remembers_what_it_is_told_until_it_is_edited) {
-  SvgTree document = parse(gradient("m", user_space), "<rect id=\"b\" fill=\"url(#m)\"/>");
+  SvgTree document = parse(gradient("m", user_space), "<rect id='b' fill='url(#m)'/>");
   const MeshObject object = mesh_objects(document).at(0);
   const Mesh mesh = one_patch(read(document, object));
   const MeshObject after = write_mesh_gradient(document, object, mesh, tolerance);
@@ -169,10 +168,10 @@ TEST(OneGradient, remembers_what_it_is_told_until_it_is_edited) {
 }
 
 TEST(OneGradient, stays_in_the_units_of_a_bounding_box) {
-  for (const std::string units : {"", "gradientUnits=\"objectBoundingBox\" "}) {
+  for (const std::string units : {"", "gradientUnits='objectBoundingBox' "}) {
     const SvgTree document =
-        reduced(gradient("m", units + "gradientTransform=\"scale(0.05)\""),
-                "<rect id=\"b\" x=\"3\" y=\"7\" width=\"30\" height=\"70\" fill=\"url(#m)\"/>");
+        reduced(gradient("m", units + "gradientTransform='scale(0.05)'"),
+                "<rect id='b' x='3' y='7' width='30' height='70' fill='url(#m)'/>");
     const xmlNode* mesh = document.find("b-mesh1");
     EXPECT_EQ(text(mesh, "gradientUnits"), "objectBoundingBox");
     EXPECT_EQ(text(mesh, "x"), "0");
@@ -181,9 +180,9 @@ TEST(OneGradient, stays_in_the_units_of_a_bounding_box) {
 
 TEST(OneGradient, has_its_rows_itself_where_the_old_one_borrowed_them) {
   const std::string defs =
-      gradient("rows", user_space) + gradient("m", "x=\"3\" y=\"4\" xlink:href=\"#rows\"", "");
+      gradient("rows", user_space) + gradient("m", "x='3' y='4' xlink:href='#rows'", "");
   {
-    const SvgTree document = reduced(defs, "<rect id=\"b\" stroke=\"url(#m)\"/>");
+    const SvgTree document = reduced(defs, "<rect id='b' stroke='url(#m)'/>");
     const xmlNode* mesh = document.find("b-mesh1");
     EXPECT_EQ(attribute(mesh, "href", xlink_namespace), std::nullopt);
     EXPECT_EQ(text(mesh, "gradientUnits"), "userSpaceOnUse");
@@ -192,14 +191,13 @@ TEST(OneGradient, has_its_rows_itself_where_the_old_one_borrowed_them) {
     EXPECT_EQ(document.find("m"), nullptr);
   }
   const SvgTree document =
-      reduced(defs, "<rect id=\"b\" stroke=\"url(#m)\"/><rect id=\"c\" fill=\"url(#rows)\"/>");
+      reduced(defs, "<rect id='b' stroke='url(#m)'/><rect id='c' fill='url(#rows)'/>");
   EXPECT_NE(document.find("rows"), nullptr);
   EXPECT_EQ(document.find("m"), nullptr);
 }
 
 TEST(OneGradient, leaves_the_old_one_to_others) {
-  const std::string shared =
-      "<g id=\"g\" fill=\"url(#m) #fff\"><rect id=\"a\"/><rect id=\"b\"/></g>";
+  const std::string shared = "<g id='g' fill='url(#m) #fff'><rect id='a'/><rect id='b'/></g>";
   SvgTree document = reduced(gradient("m", user_space), shared, 1);
   EXPECT_EQ(text(document.find("b"), "style"), "fill:url(#b-mesh1) #fff");
   EXPECT_EQ(text(document.find("a"), "style"), "(none)");
@@ -208,7 +206,7 @@ TEST(OneGradient, leaves_the_old_one_to_others) {
 }
 
 TEST(OneGradient, is_for_one_of_two_paints) {
-  const std::string body = "<rect id=\"b\" fill=\"url(#m)\" stroke=\"url(#m)\"/>";
+  const std::string body = "<rect id='b' fill='url(#m)' stroke='url(#m)'/>";
   SvgTree document = reduced(gradient("m", user_space), body, 1);
   EXPECT_EQ(text(document.find("b"), "fill"), "url(#m)");
   EXPECT_EQ(text(document.find("b"), "style"), "stroke:url(#b-mesh1)");
@@ -217,8 +215,8 @@ TEST(OneGradient, is_for_one_of_two_paints) {
 
 TEST(OneGradient, of_a_smooth_mesh_stays_smooth_and_in_its_own_coordinates) {
   const std::string attributes =
-      user_space + " type=\"bicubic\" gradientTransform=\"matrix(1,0,0.4,2,9,1)\"";
-  const SvgTree document = reduced(gradient("m", attributes), "<rect id=\"b\" fill=\"url(#m)\"/>");
+      user_space + " type='bicubic' gradientTransform='matrix(1,0,0.4,2,9,1)'";
+  const SvgTree document = reduced(gradient("m", attributes), "<rect id='b' fill='url(#m)'/>");
   const xmlNode* mesh = document.find("b-mesh1");
   EXPECT_EQ(text(mesh, "type"), "bicubic");
   EXPECT_EQ(text(mesh, "gradientTransform"), "matrix(1,0,0.4,2,9,1)");
@@ -231,15 +229,15 @@ TEST(OneGradient, of_a_smooth_mesh_stays_smooth_and_in_its_own_coordinates) {
 
 /// Two patches far out: what is simplified of them has a handle beyond what a document may hold.
 TEST(OneGradient, and_blocks_that_no_reader_would_take_are_not_written) {
-  const std::string stop = "<stop stop-color=\"red\" path=\"";
+  const std::string stop = "<stop stop-color='red' path=\"";
   const std::string far = "<meshrow><meshpatch>" + stop + "c 0,-4.9e8 0.9e8,0 1e8,0\"/>" + stop +
                           "l 0,1e8\"/>" + stop + "l -1e8,0\"/>" + stop +
                           "l 0,-1e8\"/></meshpatch><meshpatch>" + stop + "l 1e8,0\"/>" + stop +
                           "l 0,1e8\"/>" + stop + "l -1e8,0\"/></meshpatch></meshrow>";
-  const auto document = Document::parse(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\">" + gradient("m", user_space, far) +
-          "<rect id=\"r\" width=\"2e8\" height=\"1e8\" fill=\"url(#m)\"/></svg>",
-      "far.svg");
+  const auto document =
+      Document::parse("<svg xmlns='http://www.w3.org/2000/svg'>" + gradient("m", user_space, far) +
+                          "<rect id='r' width='2e8' height='1e8' fill='url(#m)'/></svg>",
+                      "far.svg");
   const std::string before = document->bytes();
   for (const std::string method : {"gqe", "lines"}) {
     RunOptions options;

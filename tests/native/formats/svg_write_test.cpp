@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/document.h"
+#include "corners.h"
 #include "form/block_outline.h"
 #include "form/rounding.h"
 #include "form/written_patch.h"
@@ -29,11 +30,12 @@ using test::complaint;
 using test::elements_called;
 
 const std::string gradient =
-    "<defs><meshgradient id=\"m\" x=\"0\" y=\"0\" gradientUnits=\"userSpaceOnUse\"><meshrow>"
-    "<meshpatch><stop path=\"l 100,0\" stop-color=\"#f00\"/><stop path=\"l 0,100\" "
-    "stop-color=\"#0f0\"/><stop path=\"l -100,0\" stop-color=\"#00f\"/><stop path=\"l\" "
-    "stop-color=\"#fff\"/></meshpatch></meshrow></meshgradient></defs>";
-const std::string filled = "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>";
+    "<defs><meshgradient id='m' x='0' y='0' "
+    "gradientUnits='userSpaceOnUse'><meshrow><meshpatch><stop path='l 100,0' "
+    "stop-color='#f00'/><stop path='l 0,100' stop-color='#0f0'/><stop path='l -100,0' "
+    "stop-color='#00f'/><stop path='l' "
+    "stop-color='#fff'/></meshpatch></meshrow></meshgradient></defs>";
+const std::string filled = "<rect id='p' width='400' height='400' fill='url(#m)'/>";
 
 constexpr double tolerance = 0.001;
 
@@ -115,7 +117,7 @@ TEST(SvgWrite, read_back_it_is_the_same_mesh) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Mesh mesh = random_mesh(seed);
     const std::string text =
-        after_writing("<path id=\"p\" d=\"M0,0 H400 V400 Z\" fill=\"url(#m)\"/>", mesh).serialize();
+        after_writing("<path id='p' d='M0,0 H400 V400 Z' fill='url(#m)'/>", mesh).serialize();
     const std::unique_ptr<Document> document = Document::parse(text, "drawing.svg");
     ASSERT_EQ(document->meshes().size(), 1u);
     const Mesh back = document->mesh(document->meshes()[0]);
@@ -179,9 +181,9 @@ TEST(SvgWrite, halves_of_a_step_are_rounded_alike_where_the_last_bits_differ) {
 
 TEST(SvgWrite, takes_the_place_of_the_object) {
   SvgTree document = after_writing(
-      "<g id=\"outer\"><circle id=\"below\" r=\"5\"/>"
-      "<path id=\"p\" transform=\"rotate(30)\" style=\"fill:url(#m);fill-opacity:0.5;opacity:0.7\" "
-      "d=\"M0,0 H400 V400 Z\"><title>Pear</title></path><circle id=\"above\" r=\"5\"/></g>",
+      "<g id='outer'><circle id='below' r='5'/><path id='p' transform='rotate(30)' "
+      "style='fill:url(#m);fill-opacity:0.5;opacity:0.7' d='M0,0 H400 V400 "
+      "Z'><title>Pear</title></path><circle id='above' r='5'/></g>",
       grid_mesh({.rows = 2, .columns = 2}));
   const auto children = child_elements(document.find("outer"));
   ASSERT_EQ(children.size(), 3u);
@@ -206,8 +208,8 @@ TEST(SvgWrite, takes_the_place_of_the_object) {
 
 TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
   SvgTree document = after_writing(
-      "<rect xmlns=\"http://www.w3.org/2000/svg\" xmlns:n=\"urn:notes\" n:say=\"ripe\" "
-      "id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
+      "<rect xmlns='http://www.w3.org/2000/svg' xmlns:n='urn:notes' n:say='ripe' id='p' "
+      "width='400' height='400' fill='url(#m)'/>",
       grid_mesh());
   xmlNode* group = document.find("p");
   EXPECT_EQ(svg_name(group), "g");
@@ -217,8 +219,7 @@ TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
 
 TEST(SvgWrite, gives_no_meaning_to_prefixes_that_the_document_does_not_declare) {
   SvgTree document = after_writing(
-      "<g id=\"g\" gradmesh:version=\"1\"><rect id=\"p\" width=\"400\" "
-      "height=\"400\" fill=\"url(#m)\"/></g>",
+      "<g id='g' gradmesh:version='1'><rect id='p' width='400' height='400' fill='url(#m)'/></g>",
       grid_mesh());
   EXPECT_FALSE(is_mesh_group(document.find("g")));
   EXPECT_TRUE(is_mesh_group(document.find("p")));
@@ -226,16 +227,15 @@ TEST(SvgWrite, gives_no_meaning_to_prefixes_that_the_document_does_not_declare) 
 
 TEST(SvgWrite, does_not_use_a_prefix_that_is_none) {
   SvgTree document = after_writing(
-      "<g xmlns:a:b=\"urn:gradmesh\"><rect id=\"p\" width=\"400\" height=\"400\" "
-      "fill=\"url(#m)\"/></g>",
+      "<g xmlns:a:b='urn:gradmesh'><rect id='p' width='400' height='400' fill='url(#m)'/></g>",
       grid_mesh());
   ASSERT_TRUE(is_mesh_group(document.find("p")));
   EXPECT_EQ(read_mesh_group(document, document.find("p")).patches.size(), 9u);
 }
 
 TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
-  SvgTree document = after_writing(
-      "<rect id=\"a)b 'c\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", grid_mesh());
+  SvgTree document =
+      after_writing("<rect id=\"a)b 'c\" width='400' height='400' fill='url(#m)'/>", grid_mesh());
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 1u);
   EXPECT_EQ(objects[0].id, "a)b 'c");
@@ -245,9 +245,9 @@ TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
 
 TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
   SvgTree document = after_writing(
-      "<rect id=\"p\" width=\"400\" height=\"400\" class=\"c\" clip-path=\"url(#k)\" "
-      "style=\"fill:url(#m);stroke:#00f;stroke-width:4;filter:url(#f)\"/>"
-      "<style>.c { opacity: 0.5 }</style>",
+      "<rect id='p' width='400' height='400' class='c' clip-path='url(#k)' "
+      "style='fill:url(#m);stroke:#00f;stroke-width:4;filter:url(#f)'/><style>.c { opacity: 0.5 "
+      "}</style>",
       grid_mesh());
   xmlNode* outer = document.find("p");
   EXPECT_EQ(attribute(outer, "clip-path"), "url(#k)");
@@ -267,8 +267,8 @@ TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
 
 TEST(SvgWrite, masks_a_stroke_in_white) {
   SvgTree document = after_writing(
-      "<g stroke-width=\"30\"><path id=\"p\" d=\"M50,50 L300,300\" fill=\"none\" "
-      "stroke=\"url(#m)\" stroke-linecap=\"round\"/></g>",
+      "<g stroke-width='30'><path id='p' d='M50,50 L300,300' fill='none' stroke='url(#m)' "
+      "stroke-linecap='round'/></g>",
       grid_mesh());
   xmlNode* group = document.find("p");
   xmlNode* shape = child_elements(held_by(document, group, "mask")).at(0);
@@ -280,7 +280,7 @@ TEST(SvgWrite, masks_a_stroke_in_white) {
 }
 
 TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
-  const std::string other = "<rect id=\"q\" width=\"9\" height=\"9\" fill=\"url(#m)\"/>";
+  const std::string other = "<rect id='q' width='9' height='9' fill='url(#m)'/>";
   SvgTree document = after_writing(filled + other, grid_mesh());
   ASSERT_NE(document.find("m"), nullptr);
   const auto objects = mesh_objects(document);
@@ -292,17 +292,13 @@ TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
 TEST(SvgWrite, opacities_are_a_mask_of_greys) {
   std::mt19937 random(3);
   MeshParts parts = test::grid_parts({.rows = 3, .columns = 3, .color_noise = 0.2}, random);
-  for (Patch& patch : parts.patches) {
-    for (const int i : {0, 3})
-      for (const int j : {0, 3})
-        patch.c[i][j].color.a = patch.c[i][j].position.x < 150 ? 1 : 102 / 255.0;
-    patch = as_written(patch, 0);
-  }
+  test::change_corners(parts, [](Value& v) { v.color.a = v.position.x < 150 ? 1 : 102 / 255.0; });
+  for (Patch& patch : parts.patches) patch = as_written(patch, 0);
   Mesh mesh = build_mesh(parts);
   Journal journal(mesh);
   merge(journal, test::between(mesh, Face{3}, Face{4}));
   for (const char* paint : {"fill", "stroke"}) {
-    const std::string body = "<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:none;" +
+    const std::string body = "<rect id='p' width='400' height='400' style=\"fill:none;" +
                              std::string(paint) + ":url(#m)\"/>";
     SvgTree document = after_writing(body, mesh);
     for (int round = 0; round < 2; ++round) {
@@ -326,7 +322,7 @@ TEST(SvgWrite, opacities_are_a_mask_of_greys) {
 
 TEST(SvgWrite, keeps_the_fallback_colour) {
   SvgTree document = after_writing(
-      "<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:url(#m) #abc\"/>", random_mesh(1));
+      "<rect id='p' width='400' height='400' style='fill:url(#m) #abc'/>", random_mesh(1));
   for (int round = 0; round < 2; ++round) {
     const auto blocks = child_elements(document.find("p"));
     EXPECT_FALSE(blocks.empty());
@@ -350,8 +346,8 @@ TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
 
 TEST(SvgWrite, both_paints_of_one_object) {
   const std::string body =
-      "<rect id=\"p\" width=\"100\" height=\"100\" stroke-width=\"9\" "
-      "style=\"fill:url(#m);stroke:url(#m)\"/>";
+      "<rect id='p' width='100' height='100' stroke-width='9' "
+      "style='fill:url(#m);stroke:url(#m)'/>";
   SvgTree document = test::svg_tree(gradient + body);
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 2u);
@@ -373,7 +369,7 @@ TEST(SvgWrite, both_paints_of_one_object) {
 
 TEST(SvgGroup, whose_object_has_lost_its_id_gets_one_that_stays) {
   const std::string body =
-      "<rect id=\"p\" width=\"100\" height=\"100\" style=\"fill:url(#m);stroke:#00f\"/>";
+      "<rect id='p' width='100' height='100' style='fill:url(#m);stroke:#00f'/>";
   SvgTree document = after_writing(body, grid_mesh());
   xmlNode* outer = document.find("p");
   ASSERT_FALSE(is_mesh_group(outer));
