@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
 #include "mesh/boundary.h"
 

@@ -10,12 +10,14 @@
 #include "app/formats.h"
 #include "base/error.h"
 #include "base/image.h"
-#include "formats/svg/read/objects.h"
+#include "formats/svg/tree/objects.h"
 #include "mesh/mesh.h"
 #include "problem/problem.h"
 #include "raster/rasterizer.h"
 
 namespace gradmesh {
+
+class SvgMeshes;
 
 /// A mesh as its document lists it.
 struct MeshEntry {
@@ -53,11 +55,11 @@ struct UpdateReport {
 /// How a simplified mesh is put into its document.
 struct WriteOptions {
   /// SVG only: true if the document remembers the mesh before the mesh was first simplified
-  /// (formats/svg/read/read_group.h). Later runs measure against the remembered mesh. The file
+  /// (formats/svg/group/mesh_group.h). Later runs measure against the remembered mesh. The file
   /// becomes larger.
   bool remember_original = true;
   /// SVG only: true if a hidden copy of the object as it was stays directly below the object
-  /// (formats/svg/write/keep_original.h).
+  /// (formats/svg/tree/kept.h).
   bool keep_original = false;
 };
 
@@ -188,6 +190,9 @@ class Document {
   /// Returns the content of the document, never compressed: exactly the bytes that were read if
   /// nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : content_; }
+  /// Returns the document as one of SVG. Throws InputError with the message `otherwise` if it is
+  /// one of another format.
+  virtual SvgMeshes& as_svg(const Message& otherwise) { throw InputError(otherwise); }
   /// Throws InputError if a mesh of this document cannot be converted to a document of `to`.
   virtual void check_conversion(const Format& /*to*/) const {}
   /// Throws InputError if the path's extension is that of another format.

@@ -8,8 +8,6 @@
 #include "app/svg_meshes.h"
 #include "app/svg_rules.h"
 #include "fit/plainness.h"
-#include "formats/svg/write/write_mesh.h"
-#include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
@@ -24,8 +22,8 @@ namespace gradmesh {
 namespace {
 
 SvgMeshes& svg(Document& document) {
-  if (auto* const svg = dynamic_cast<SvgMeshes*>(&document)) return *svg;
-  throw InputError("{0}: patches are edited in SVG documents only.", document.name());
+  return document.as_svg(
+      Message("{0}: patches are edited in SVG documents only.", document.name()));
 }
 
 EditReport write(SvgMeshes& document, const MeshEntry& entry, const Mesh& mesh,

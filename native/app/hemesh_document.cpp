@@ -1,8 +1,7 @@
 #include "app/hemesh_document.h"
 
 #include "base/utf8_path.h"
-#include "formats/hemesh/read_hemesh.h"
-#include "formats/hemesh/write_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 #include "formats/text/excerpt.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"

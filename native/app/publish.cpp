@@ -13,7 +13,7 @@
 #include "base/limits.h"
 #include "files/image_file.h"
 #include "form/linear_colors.h"
-#include "formats/svg/write/mesh_outline.h"
+#include "formats/svg/values/mesh_outline.h"
 #include "mesh/boundary.h"
 #include "raster/hidden.h"
 #include "raster/picture.h"
@@ -143,13 +143,6 @@ class MeshPublisher {
   PublishedMesh report_;
 };
 
-SvgMeshes& svg(Document& document) {
-  if (auto* const svg = dynamic_cast<SvgMeshes*>(&document)) return *svg;
-  throw InputError(
-      "{0}: only SVG documents are published; gradmesh convert makes one of this file.",
-      document.name());
-}
-
 }  // namespace
 
 const char* name(PublishedAs as) {
@@ -162,7 +155,9 @@ std::vector<PublishedMesh> publish(Document& document, const PublishOptions& opt
   constexpr double largest = 16;
   if (!(options.scale > 0 && options.scale <= largest))
     throw std::invalid_argument("the scale must be above 0, and at most 16.");
-  SvgMeshes& meshes = svg(document);
+  SvgMeshes& meshes = document.as_svg(
+      Message("{0}: only SVG documents are published; gradmesh convert makes one of this file.",
+              document.name()));
   std::vector<PublishedMesh> reports;
   std::vector<std::pair<MeshEntry, SvgMeshes::Look>> looks;
   for (const MeshEntry& entry : meshes.selected({}))

@@ -4,26 +4,19 @@
 #include "app/svg_rules.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "form/blocks.h"
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/read/read_mesh.h"
-#include "formats/svg/read/restore_shape.h"
-#include "formats/svg/read/visible.h"
-#include "formats/svg/read/written_gradient.h"
-#include "formats/svg/values/length.h"
-#include "formats/svg/values/mesh_names.h"
-#include "formats/svg/values/shape.h"
-#include "formats/svg/write/keep_original.h"
-#include "formats/svg/write/memory.h"
-#include "formats/svg/write/mesh_outline.h"
-#include "formats/svg/write/remove_meshes.h"
-#include "formats/svg/write/write_group.h"
-#include "formats/svg/write/write_linear.h"
-#include "formats/svg/write/write_mesh.h"
-#include "formats/svg/write/write_new.h"
-#include "formats/svg/xml/node.h"
-#include "formats/text/excerpt.h"
+#include "form/handles.h"
+#include "formats/svg/gradient/mesh_gradient.h"
+#include "formats/svg/gradient/written_gradient.h"
+#include "formats/svg/group/memory.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/group/shape.h"
+#include "formats/svg/group/write_group.h"
+#include "formats/svg/picture/remove_meshes.h"
+#include "formats/svg/tree/kept.h"
+#include "formats/svg/tree/visible.h"
+#include "formats/svg/values/mesh_outline.h"
 #include "formats/text/scanner.h"
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
@@ -36,25 +29,6 @@
 namespace gradmesh {
 namespace {
 
-bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
-  while (node && node != ancestor) node = parent_element(node);
-  return node != nullptr;
-}
-
-/// Returns true if the object is, or is inside of, the element that was named. A hidden original
-/// counts only if it or something in it was named.
-bool is_named_by(const xmlNode* named, const MeshObject& object) {
-  return is_inside(object.node, named) && (!object.kept || is_inside(named, object.kept));
-}
-
-/// Returns why an element is no mesh and holds none.
-Message why_unpainted(const xmlNode* node) {
-  for (const xmlNode* outer = node; outer; outer = parent_element(outer))
-    if (svg_name(outer) == "clipPath")
-      return Message("it is in a clipPath, of which nothing is painted");
-  return Message("it is not painted by a mesh gradient");
-}
-
 /// Returns all overlaps, also those at hidden pixels, since what is hidden now may be seen later.
 std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
   frame.hidden = nullptr;
@@ -64,8 +38,18 @@ std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
 }  // namespace
 
 SvgMeshes::SvgMeshes(std::string_view bytes, const std::string& name)
-    : Document(name, bytes), svg_(SvgDocument::parse(bytes, name)) {
+    : Document(name, bytes), svg_(SvgTree::parse(bytes, name)) {
   list_meshes();
+}
+
+SvgTree& SvgMeshes::changing() {
+  text_.reset();
+  return svg_;
+}
+
+const std::string& SvgMeshes::text() const {
+  if (!text_) text_ = svg_.serialize();
+  return *text_;
 }
 
 bool SvgMeshes::recognises(std::string_view bytes) { return trimmed(bytes).starts_with('<'); }
@@ -90,14 +74,25 @@ Message SvgMeshes::why_not(ColorModel) const {
       name());
 }
 
-void SvgMeshes::list_meshes() {
-  objects_ = mesh_objects(svg_);
-  entries_.clear();
-  for (const MeshObject& o : objects_)
-    entries_.push_back(
-        {int(entries_.size()), o.id, o.role, o.gradient == nullptr, o.kept != nullptr});
-  read_.assign(entries_.size(), std::nullopt);
-  for (MeshEntry& entry : entries_) entry.refused = refusal(entry);
+void SvgMeshes::list_meshes(const std::vector<MeshEntry>& written) {
+  const std::vector<MeshObject> objects = std::exchange(objects_, mesh_objects(changing()));
+  const std::vector<MeshEntry> entries = std::exchange(entries_, {});
+  auto read = std::exchange(read_, {});
+  const auto is_written = [&](const MeshObject& o) {
+    return std::ranges::find(written, o.id, &MeshEntry::id) != written.end();
+  };
+  for (const MeshObject& o : objects_) {
+    MeshEntry& entry = entries_.emplace_back(
+        MeshEntry{int(entries_.size()), o.id, o.role, o.is_group(), o.kept != nullptr});
+    read_.emplace_back();
+    const auto known = std::size_t(std::ranges::find(objects, o) - objects.begin());
+    if (known == objects.size() || is_written(o)) {
+      entry.refused = refusal(entry);
+    } else {
+      entry.refused = entries[known].refused;
+      read_.back() = std::move(read[known]);
+    }
+  }
 }
 
 std::optional<Message> SvgMeshes::refusal(const MeshEntry& entry) const {
@@ -111,27 +106,13 @@ std::optional<Message> SvgMeshes::refusal(const MeshEntry& entry) const {
 
 std::vector<MeshEntry> SvgMeshes::named(const std::vector<std::string>& ids) const {
   std::vector<bool> found(entries_.size());
-  const auto find_below = [&](const xmlNode* place, const InputError& otherwise) {
-    const MeshEntry* unread = nullptr;
-    bool reads = false;
-    for (const MeshEntry& entry : entries_) {
-      if (!is_named_by(place, object(entry))) continue;
-      found[std::size_t(entry.index)] = true;
-      reads = reads || !entry.refused;
-      if (!unread && entry.refused) unread = &entry;
-    }
-    if (!reads) throw unread ? InputError(*unread->refused) : otherwise;
+  const auto choose = [&](const std::vector<std::size_t>& places) {
+    for (const std::size_t i : places) found[i] = true;
+    if (std::ranges::all_of(places, [&](std::size_t i) { return entries_[i].refused.has_value(); }))
+      throw InputError(*entries_[places.front()].refused);
   };
-  for (const std::string& id : ids) {
-    const xmlNode* place = svg_.find(id);
-    if (!place) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
-    find_below(place, InputError("{0}: {1}: {2}.", name(), gradmesh::describe(place),
-                                 why_unpainted(place)));
-  }
-  if (ids.empty())
-    find_below(
-        svg_.root(),
-        InputError("{0}: no object in this document is painted by a mesh gradient.", name()));
+  for (const std::string& id : ids) choose(objects_named(svg_, objects_, id));
+  if (ids.empty()) choose(objects_shown(svg_, objects_));
   std::vector<MeshEntry> chosen;
   for (const MeshEntry& entry : entries_)
     if (found[std::size_t(entry.index)]) chosen.push_back(entry);
@@ -152,11 +133,8 @@ std::vector<MeshEntry> SvgMeshes::refused(const std::vector<std::string>& ids) c
 
 std::vector<UnusedMesh> SvgMeshes::unused() const {
   std::vector<UnusedMesh> meshes;
-  for (const xmlNode* gradient : unused_mesh_gradients(svg_, objects_)) {
-    UnusedMesh mesh{attribute(gradient, "id").value_or("")};
-    for (const xmlNode* row : mesh_rows(gradient)) mesh.patches += int(mesh_patches(row).size());
-    meshes.push_back(std::move(mesh));
-  }
+  for (const auto& [id, patches] : unused_gradients(svg_, objects_))
+    meshes.push_back({id, patches});
   return meshes;
 }
 
@@ -173,11 +151,7 @@ const SvgMeshes::ReadMesh& SvgMeshes::read(const MeshEntry& entry) const {
 }
 
 SvgMeshes::ReadMesh SvgMeshes::group_mesh(const MeshEntry& group) const {
-  const xmlNode* node = object(group).node;
-  const auto memory = attribute(node, "written", gradmesh_namespace);
-  const auto written = memory ? recall_blocks(*memory) : std::nullopt;
-  const EditedBlocks blocks =
-      read_edited_group(svg_, node, written.value_or(std::vector<PatchGrid>()));
+  const EditedBlocks blocks = read_edited_group(svg_, object(group));
   return naming(group, [&] {
     const Reconciled whole = reconcile(blocks);
     std::vector<Face> removed;
@@ -188,20 +162,11 @@ SvgMeshes::ReadMesh SvgMeshes::group_mesh(const MeshEntry& group) const {
   });
 }
 
-std::optional<std::string> SvgMeshes::memory(const MeshEntry& entry) const {
-  const MeshObject& o = object(entry);
-  const std::string name = o.gradient ? original_name(o.role) : "original";
-  return attribute(o.node, name.c_str(), gradmesh_namespace);
-}
-
 std::shared_ptr<const Mesh> SvgMeshes::recalled(const MeshEntry& entry) const {
   read(entry);
   std::optional<std::shared_ptr<const Mesh>>& known = read_[std::size_t(entry.index)]->recalled;
   if (!known) {
-    const auto text = memory(entry);
-    auto parts = text ? recall(*text) : std::nullopt;
-    const MeshObject& o = object(entry);
-    if (parts && o.gradient) transform(*parts, mesh_to_gradient(svg_, o).inverse());
+    const auto parts = recalled_mesh(svg_, object(entry));
     known = parts ? std::make_shared<const Mesh>(build_mesh(*parts)) : nullptr;
   }
   return *known;
@@ -212,23 +177,21 @@ std::shared_ptr<const Mesh> SvgMeshes::remembered_original(const MeshEntry& entr
 }
 
 Affine SvgMeshes::view(const MeshEntry& entry) const {
-  const MeshObject& o = object(entry);
-  const Affine to_user = o.gradient ? mesh_to_user(svg_, o) : Affine();
-  return to_document(o) * to_user;
+  return to_document(object(entry)) * mesh_to_user(svg_, object(entry));
 }
 
 int SvgMeshes::objects(const MeshEntry& entry) const {
-  return entry.simplified ? block_count(object(entry).node) : 1;
+  return entry.simplified ? block_count(object(entry)) : 1;
 }
 
 Message SvgMeshes::describe(const MeshEntry& entry) const {
-  return Message("{0}: {1}", name(), gradmesh::describe(object(entry).node));
+  return Message("{0}: {1}", name(), gradmesh::describe(object(entry)));
 }
 
 std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const {
   const MeshObject& o = object(entry);
   std::optional<VisibleArea> area = gradmesh::visible_area(svg_, o);
-  if (area && o.gradient) {
+  if (area && !o.is_group()) {
     const Affine to_mesh = mesh_to_user(svg_, o).inverse();
     for (std::vector<FilledOutline>& set : area->sets)
       for (FilledOutline& filled : set)
@@ -246,7 +209,7 @@ std::shared_ptr<const WritingRules> SvgMeshes::rules(const MeshEntry& entry, boo
 void SvgMeshes::replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                         const WriteOptions& writing) {
   if (writing.keep_original)
-    for (const ChangedMesh& m : meshes) keep_hidden_copy(svg_, object(m.entry));
+    for (const ChangedMesh& m : meshes) keep_hidden_copy(changing(), object(m.entry));
   for (const ChangedMesh& m : meshes) {
     const auto& [entry, written, counts, frame, measured] = m;
     const std::string original = writing.remember_original ? new_memory(m) : "";
@@ -256,18 +219,20 @@ void SvgMeshes::replace(const std::vector<ChangedMesh>& meshes, MetricKind metri
     }
     const MeshObject& o = object(entry);
     const MeshCounts now{written.counts().handles, written.mesh.face_count()};
-    const MeshCounts before = entry.simplified ? counts_before(o.node) : counts;
+    const MeshCounts before = entry.simplified ? counts_before(o) : counts;
     const std::string label = mesh_label(now, before, metric, written.error).in(translation());
-    write_mesh(svg_, o, {written.mesh, *written.form.blocks, label, before, original});
+    write_group(changing(), o, {written.mesh, *written.form.blocks, label, before, original});
   }
-  list_meshes();
+  std::vector<MeshEntry> written;
+  for (const ChangedMesh& m : meshes) written.push_back(m.entry);
+  list_meshes(written);
 }
 
 std::string SvgMeshes::new_memory(const ChangedMesh& m) const {
   const bool stays_one = !m.written.form.blocks;
   const bool stays_what_it_is = stays_one != m.entry.simplified;
   if (stays_what_it_is && !has_given_originals() && remembered_original(m.entry))
-    return *memory(m.entry);
+    return *memory_of(object(m.entry));
   const std::vector<Overlap> overlaps = all_overlaps(*m.original, m.frame);
   const Affine place = stays_one ? mesh_to_gradient(svg_, object(m.entry)) : Affine();
   if (place == Affine()) return remember(*m.original, overlaps);
@@ -279,33 +244,25 @@ std::string SvgMeshes::new_memory(const ChangedMesh& m) const {
 void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& original) {
   constexpr std::size_t names = 120;  // Of the attributes and their namespace, and a fingerprint.
   const bool has_remembered = remembered_original(m.entry) != nullptr;
-  const double tolerance = m.written.form.coons_tolerance;
+  const bool must_fit = !original.empty() && !has_remembered;
   // Of the bytes that were read as well, to which serializing may add a declaration.
-  const std::size_t before = std::min(bytes().size(), svg_.serialize().size());
-  const MeshObject written = write_mesh_gradient(svg_, object(m.entry), m.written.mesh, tolerance);
+  const std::size_t before = must_fit ? std::min(bytes().size(), text().size()) : 0;
+  const double tolerance = coons_tolerance(m.frame);
+  const MeshObject written =
+      write_mesh_gradient(changing(), object(m.entry), m.written.mesh, tolerance);
   if (original.empty()) return;
-  if (has_remembered || svg_.serialize().size() + original.size() + names <= before)
-    remember_original(svg_, written, tolerance, original);
+  if (!must_fit || text().size() + original.size() + names <= before)
+    remember_original(changing(), written, tolerance, original);
 }
 
 ChosenPatches SvgMeshes::block(const std::string& id) const {
-  const xmlNode* node = svg_.find(id);
-  if (!node) throw InputError("{0}: there is no object with the id {1}.", name(), excerpt(id));
-  const xmlNode* group = parent_element(node);
-  const auto blocks = group && is_mesh_group(group) ? block_faces(svg_, group)
-                                                    : std::map<const xmlNode*, BlockFaces>();
-  const auto found = blocks.find(node);
-  if (found == blocks.end()) fail(node, Message("it is no block of a simplified mesh"));
-  const auto [first, rows, columns] = found->second;
-  ChosenPatches chosen{{}, {rows, columns, {}}};
-  for (const MeshEntry& entry : entries_)
-    if (object(entry).node == group) chosen.entry = entry;
-  int faces = 0;
-  for (const auto& [path, block] : blocks) faces += block.rows * block.columns;
-  if (faces != mesh(chosen.entry).face_count())
-    fail(group, Message("one of its blocks is missing: use Update after Editing first"));
-  for (int i = 0; i < rows * columns; ++i)
-    chosen.rectangle.tops.push_back(mesh(chosen.entry).sides(Face{first + i})[0]);
+  const auto [place, faces, faces_of_all] = find_block(svg_, objects_, id);
+  const MeshEntry& entry = entries_[place];
+  if (faces_of_all != mesh(entry).face_count())
+    fail(object(entry), Message("one of its blocks is missing: use Update after Editing first"));
+  ChosenPatches chosen{entry, {faces.rows, faces.columns, {}}};
+  for (int i = 0; i < faces.rows * faces.columns; ++i)
+    chosen.rectangle.tops.push_back(mesh(entry).sides(Face{faces.first + i})[0]);
   return chosen;
 }
 
@@ -339,7 +296,7 @@ SvgMeshes::Rewritten SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edit
   });
   const auto& [written, frame] = measured;
   WriteOptions writing;
-  writing.remember_original = !entry.simplified || memory(entry);
+  writing.remember_original = !entry.simplified || memory_of(object(entry));
   write({{entry, written, counts_of(*original), frame, original}}, metric, writing);
   return {written.counts(), written.form.object_count(), written.error};
 }
@@ -347,15 +304,15 @@ SvgMeshes::Rewritten SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edit
 SvgMeshes::Place SvgMeshes::place(const MeshEntry& entry) const {
   const MeshObject& o = object(entry);
   Place place;
-  if (o.gradient) place.to_user = mesh_to_user(svg_, o);
-  place.to_page = to_pixels(svg_.root()) * to_document(o);
+  place.to_user = mesh_to_user(svg_, o);
+  place.to_page = to_page(svg_, o);
   place.seen = visible_area(entry);
-  place.fills_shape = o.gradient && o.role == PaintRole::fill && shape_outline(o.node).has_value();
+  place.fills_shape = gradmesh::fills_shape(o);
   return place;
 }
 
 void SvgMeshes::replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks) {
-  remove_hidden_originals(svg_);
+  remove_hidden_originals(changing());
   for (const auto& [entry, look] : looks) {
     if (const auto* picture = std::get_if<PlacedPicture>(&look))
       write_picture(svg_, object(entry), *picture);
@@ -363,6 +320,8 @@ void SvgMeshes::replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks)
       write_linear(svg_, object(entry), std::get<LinearColors>(look));
   }
   remove_meshes(svg_);
+  // Nothing that was read is known to be there still.
+  objects_.clear();
   list_meshes();
   mark_changed();
 }
@@ -374,20 +333,20 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
     tolerances.push_back(coons_tolerance(frame(entry, mesh, resolution)));
   // All are looked at before the first is changed.
   for (const auto& [entry, mesh] : meshes) check_restorable(svg_, object(entry));
+  std::vector<MeshEntry> written;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const MeshEntry& entry = meshes[i].first;
-    const std::string original = remembered_original(entry) ? *memory(entry) : "";
-    const MeshObject shape = restore_shape(svg_, object(entry));
-    const MeshObject written = write_mesh_gradient(svg_, shape, meshes[i].second, tolerances[i]);
-    if (!original.empty()) remember_original(svg_, written, tolerances[i], original);
+    const MeshEntry& entry = written.emplace_back(meshes[i].first);
+    const std::string original = remembered_original(entry) ? *memory_of(object(entry)) : "";
+    const MeshObject shape = restore_shape(changing(), object(entry));
+    const MeshObject one = write_mesh_gradient(svg_, shape, meshes[i].second, tolerances[i]);
+    if (!original.empty()) remember_original(svg_, one, tolerances[i], original);
   }
-  list_meshes();
+  list_meshes(written);
   mark_changed();
 }
 
 Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenForm& form) const {
-  const xmlNode* node = object(group).node;
-  const MeshCounts now = counts_of(form.surface), before = counts_before(node);
+  const MeshCounts now = counts_of(form.surface), before = counts_before(object(group));
   const std::shared_ptr<const Mesh> original = recalled(group);
   if (!original) return mesh_label(now, before);
   const SimplifyOptions usual;
@@ -399,7 +358,7 @@ Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenForm& form
 
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {
   struct Edited {
-    const MeshObject& group;
+    const MeshEntry& entry;
     const Mesh& mesh;
     WrittenForm form;
     std::string label;
@@ -422,16 +381,21 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
     WrittenForm form = naming(entry, [&] { return rules(entry, false)->form(mesh, frame); });
     reports.push_back({entry.id, counts_of(form.surface), form.object_count(), true});
     std::string label = updated_label(entry, form).in(translation());
-    std::string original = memory(entry) ? remember(mesh, find_overlaps(mesh, frame)) : "";
-    edited.push_back({object(entry), mesh, std::move(form), std::move(label),
-                      counts_before(object(entry).node), std::move(original)});
+    std::string original =
+        memory_of(object(entry)) ? remember(mesh, find_overlaps(mesh, frame)) : "";
+    edited.push_back({entry, mesh, std::move(form), std::move(label), counts_before(object(entry)),
+                      std::move(original)});
   }
   if (reports.empty())
     throw InputError("{0}: only meshes that were simplified before can be updated.", name());
 
-  for (const Edited& e : edited)
-    write_mesh(svg_, e.group, {e.mesh, *e.form.blocks, e.label, e.before, e.original, true});
-  list_meshes();
+  std::vector<MeshEntry> written;
+  for (const Edited& e : edited) {
+    write_group(changing(), object(e.entry),
+                {e.mesh, *e.form.blocks, e.label, e.before, e.original, true});
+    written.push_back(e.entry);
+  }
+  list_meshes(written);
   return reports;
 }
 

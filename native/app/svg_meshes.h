@@ -3,9 +3,7 @@
 #include <variant>
 
 #include "app/document.h"
-#include "form/linear_colors.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/write/write_picture.h"
+#include "formats/svg/picture/picture.h"
 #include "mesh/rectangle.h"
 
 namespace gradmesh {
@@ -35,6 +33,7 @@ class SvgMeshes : public Document {
   FramePadding padding() const override { return {}; }
   int objects(const MeshEntry& entry) const override;
   void check_conversion(const Format& to) const override;
+  SvgMeshes& as_svg(const Message&) override { return *this; }
 
   /// Returns the block whose path has this id. Throws InputError if the id names something else.
   ChosenPatches block(const std::string& id) const;
@@ -67,7 +66,7 @@ class SvgMeshes : public Document {
   /// What is to be shown instead of a mesh: a picture, or colours in the object's user space.
   using Look = std::variant<PlacedPicture, LinearColors>;
   /// Replaces meshes, each by what is to be shown instead, and removes what no other mesh of the
-  /// document needs (formats/svg/write/remove_meshes.h). All entries are listed anew.
+  /// document needs (formats/svg/picture/remove_meshes.h). All entries are listed anew.
   void replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks);
 
   /// Replaces groups of blocks by the objects that they were made of, each painted by one mesh
@@ -78,15 +77,13 @@ class SvgMeshes : public Document {
   Message describe(const MeshEntry& entry) const override;
   std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
   std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
-  bool is_one_gradient(const MeshEntry& entry) const override {
-    return object(entry).gradient != nullptr;
-  }
+  bool is_one_gradient(const MeshEntry& entry) const override { return !object(entry).is_group(); }
   std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   Message why_not(ColorModel model) const override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
-  std::string changed_bytes() const override { return svg_.serialize(); }
+  std::string changed_bytes() const override { return text(); }
 
  private:
   /// An entry's mesh once it has been read.
@@ -100,15 +97,17 @@ class SvgMeshes : public Document {
   };
 
   const MeshObject& object(const MeshEntry& entry) const { return objects_[entry.index]; }
+  /// Returns the document to be changed.
+  SvgTree& changing();
+  /// Returns the text of the document, which is made at the first call after a change.
+  const std::string& text() const;
   /// Returns the mesh, which is read at the first call.
   const ReadMesh& read(const MeshEntry& entry) const;
   /// Returns the mesh of a group as a person has left it, reconciled, with holes where blocks were
   /// removed.
   ReadMesh group_mesh(const MeshEntry& group) const;
-  /// Returns the mesh before it was first simplified, as the value of the attribute of the group or
-  /// the object; nothing if that remembers none.
-  std::optional<std::string> memory(const MeshEntry& entry) const;
-  /// Returns that mesh; null if none is remembered that can be read.
+  /// Returns recalled_mesh() of the entry's object, in the document of which the mesh is read; null
+  /// if there is none.
   std::shared_ptr<const Mesh> recalled(const MeshEntry& entry) const;
   /// Returns what a simplified mesh remembers from now on, as the value of the attribute.
   std::string new_memory(const ChangedMesh& mesh) const;
@@ -118,14 +117,17 @@ class SvgMeshes : public Document {
   /// Returns the label of a group that was edited: how far the mesh, as it will be written, is from
   /// the one that the group remembers.
   Message updated_label(const MeshEntry& group, const WrittenForm& form) const;
-  void list_meshes();
+  /// Lists the meshes and reads those that are not known. What was read of an object that is there
+  /// still is known, unless an entry of `written`, as it was before, has the object's id.
+  void list_meshes(const std::vector<MeshEntry>& written = {});
   /// Returns MeshEntry::refused, found by reading the mesh and placing it.
   std::optional<Message> refusal(const MeshEntry& entry) const;
   /// Returns the meshes that ids name, readable or not. Throws if an id names none that can be
   /// read.
   std::vector<MeshEntry> named(const std::vector<std::string>& ids) const;
 
-  SvgDocument svg_;
+  SvgTree svg_;
+  mutable std::optional<std::string> text_;
   std::vector<MeshObject> objects_;
   mutable std::vector<std::optional<ReadMesh>> read_;
 };

@@ -1,8 +1,7 @@
 #include "app/svg_rules.h"
 
 #include "base/error.h"
-#include "formats/svg/read/read_mesh.h"
-#include "formats/svg/write/write_mesh.h"
+#include "formats/svg/gradient/rows.h"
 #include "mesh/build.h"
 #include "raster/overlaps.h"
 
@@ -28,9 +27,9 @@ class BlockRules : public WritingRules {
   WrittenForm form(const Mesh& mesh, const Frame& frame) const override {
     const double tolerance = coons_tolerance(frame);
     BlockForm blocks = block_form(mesh, tolerance, find_overlaps(mesh, frame));
-    if (!has_step_) blocks.step = 0;
+    if (!has_step_) blocks.precision.step = 0;
     Mesh surface = readable_mesh(block_parts(mesh, blocks));
-    return {std::move(surface), std::move(blocks), tolerance};
+    return {std::move(surface), std::move(blocks)};
   }
   bool may_mask_opacity() const override { return true; }
 
@@ -43,9 +42,8 @@ class GradientRules : public WritingRules {
   explicit GradientRules(const Affine& to_gradient) : to_gradient_(to_gradient) {}
 
   WrittenForm form(const Mesh& mesh, const Frame& frame) const override {
-    const double tolerance = coons_tolerance(frame);
-    return {readable_mesh(gradient_parts(mesh, tolerance, to_gradient_), to_gradient_),
-            std::nullopt, tolerance};
+    const BlockForm one = gradient_form(mesh, coons_tolerance(frame), to_gradient_);
+    return {readable_mesh(block_parts(mesh, one), to_gradient_)};
   }
 
  private:

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <queue>
 #include <set>
 #include <utility>
 
 #include "form/block_outline.h"
-#include "form/rounding.h"
-#include "form/written_patch.h"
 
 namespace gradmesh {
 namespace {
@@ -315,12 +312,6 @@ bool needs_mask(const Mesh& mesh, const std::vector<Rectangle>& blocks,
   return false;
 }
 
-/// Returns a step that moves no point by more than a tenth of the tolerance.
-double step_for(double coons_tolerance) {
-  constexpr double share = 0.1;
-  return decimal_step(share * coons_tolerance * std::numbers::sqrt2);
-}
-
 }  // namespace
 
 BlockForm block_form(const Mesh& mesh, double coons_tolerance,
@@ -328,26 +319,30 @@ BlockForm block_form(const Mesh& mesh, double coons_tolerance,
   PaintOrder order(mesh, overlaps);
   BlockForm form;
   form.blocks = order.sorted(BlockFinder(mesh, order).run());
-  form.coons_tolerance = coons_tolerance;
-  form.step = step_for(coons_tolerance);
+  constexpr double share = 0.1;
+  form.precision = precision_for(coons_tolerance, share);
   form.masks_opacity = needs_mask(mesh, form.blocks, overlaps);
   return form;
 }
 
-Patch written_patch(const Mesh& mesh, Halfedge top, const BlockForm& form) {
-  const Patch patch = as_written(mesh.patch(top), form.coons_tolerance, form.masks_opacity);
-  return form.step > 0 ? rounded(patch, form.coons_tolerance, form.step) : patch;
+Precision gradient_precision(double coons_tolerance, const Affine& to_gradient) {
+  return precision_for(coons_tolerance, 1, to_gradient);
+}
+
+BlockForm gradient_form(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient) {
+  return {{find_grid(mesh).value()}, gradient_precision(coons_tolerance, to_gradient)};
 }
 
 MeshParts block_parts(const Mesh& mesh, const BlockForm& form) {
   MeshParts parts;
-  parts.color_model = ColorModel::bilinear;
+  parts.smooth = mesh.is_smooth();
   std::map<Halfedge, int> numbers;
   for (const Rectangle& block : form.blocks)
     for (const Halfedge top : block.tops) {
       for (int side = 0; side < 4; ++side)
         numbers[mesh.sides(top)[side]] = 4 * int(parts.patches.size()) + side;
-      parts.patches.push_back(written_patch(mesh, top, form));
+      parts.patches.push_back(
+          written_patch(mesh.patch(top), form.precision, form.masks_opacity));
     }
   const auto side_parts = [&](Halfedge side) {
     CurveSide result;

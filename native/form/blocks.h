@@ -2,21 +2,18 @@
 
 #include <vector>
 
+#include "form/written_patch.h"
 #include "mesh/mesh.h"
 #include "mesh/rectangle.h"
 
 namespace gradmesh {
 
-/// How a mesh is written as a group of blocks.
+/// How a mesh is written: as a group of blocks, or as one mesh gradient, which is one block.
 struct BlockForm {
   /// The blocks in the order in which they are painted: rectangles of patches without T-junctions
   /// or sharp colour edges inside, which is what one mesh gradient can hold.
   std::vector<Rectangle> blocks;
-  /// The value of coons_tolerance (raster/frame.h).
-  double coons_tolerance = 0;
-  /// The decimal step of which all coordinates are multiples (form/rounding.h); 0 where significant
-  /// digits are shorter.
-  double step = 0;
+  Precision precision = {};
   /// True if the opacities are in a mask over opaque blocks; otherwise the blocks hold them.
   bool masks_opacity = false;
 };
@@ -32,11 +29,14 @@ struct BlockForm {
 BlockForm block_form(const Mesh& mesh, double coons_tolerance,
                      const std::vector<Overlap>& overlaps = {});
 
-/// Returns the patch with this top as a reader of these blocks finds it.
-Patch written_patch(const Mesh& mesh, Halfedge top, const BlockForm& form);
+/// Returns the form of a grid (find_grid) as one mesh gradient, in the coordinates to which
+/// `to_gradient` maps. They have a step that moves no point by more than `coons_tolerance`.
+BlockForm gradient_form(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient);
+/// Returns the precision of that form.
+Precision gradient_precision(double coons_tolerance, const Affine& to_gradient);
 
-/// Returns the mesh as a reader of these blocks finds it: patches as they will be written, in the
-/// order in which they will be painted, and all curves.
+/// Returns the mesh as a reader finds it that is written in this form, in its own coordinates:
+/// patches as they will be written, in the order in which they will be painted, and all curves.
 MeshParts block_parts(const Mesh& mesh, const BlockForm& form);
 
 }  // namespace gradmesh

@@ -23,7 +23,8 @@ struct Reconciled {
 /// If nothing was edited, the parts are as read. Throws InputError as build_mesh.
 Reconciled reconcile(const MeshParts& read, const MeshParts& written);
 
-/// Does the same where it is not known how the mesh was written: the first copy counts as unmoved.
+/// Returns reconcile() of a mesh of which it is not known how it was written: of several copies the
+/// first counts as unmoved.
 Reconciled reconcile(const MeshParts& read);
 
 }  // namespace gradmesh

@@ -15,9 +15,6 @@ struct WrittenForm {
   /// The blocks of the group that the mesh becomes; if there are none, the mesh is written as a
   /// whole, in SVG as one mesh gradient.
   std::optional<BlockForm> blocks = std::nullopt;
-  /// The largest distance of an interior point from the Coons patch's at which `tensor` is not
-  /// written, in the unit of the positions.
-  double coons_tolerance = 0;
 
   /// Returns the number of objects that paint the mesh.
   int object_count() const { return blocks ? int(blocks->blocks.size()) : 1; }

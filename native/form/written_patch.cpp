@@ -27,6 +27,44 @@ double distance_from_coons(const BezierNet& net) {
   return most;
 }
 
+/// Returns the patch with all coordinates rounded to the step, straight sides as lines.
+Patch rounded(const Patch& patch, const Precision& precision) {
+  const double tolerance = precision.coons_tolerance;
+  const Affine& to_written = precision.to_written;
+  const auto round = [&](glm::dvec2 p) { return round_to_step(p, precision.step); };
+  std::array<Cubic<Value>, 4> sides;
+  for (int k = 0; k < 4; ++k) {
+    const Cubic<Value> side = patch.side(k);
+    const glm::dvec2 from = round(to_written.point(side.p0.position));
+    const glm::dvec2 to = round(to_written.point(side.p1.position));
+    Cubic<Value>& written = sides[std::size_t(k)] = side;
+    written.p0.position = from;
+    written.p1.position = to;
+    written.m0.position = written.m1.position = to - from;
+    if (is_straight(side, straight_tolerance(tolerance))) continue;
+    written.m0.position = 3.0 * (round(to_written.point(side.bezier1().position)) - from);
+    written.m1.position = 3.0 * (to - round(to_written.point(side.bezier2().position)));
+  }
+  Patch result = patch_from_sides(sides, {});
+  make_coons(result);
+  if (needs_tensor(patch, tolerance)) {
+    Patch placed = patch;
+    transform(placed, to_written);
+    const BezierNet wanted = bezier_net(placed);
+    BezierNet net = bezier_net(result);
+    for (const int i : {1, 2})
+      for (const int j : {1, 2}) {
+        const int corner_i = i == 1 ? 0 : 3, corner_j = j == 1 ? 0 : 3;
+        net[i][j].position = net[corner_i][corner_j].position +
+                             round(wanted[i][j].position - wanted[corner_i][corner_j].position);
+      }
+    result = patch_from_bezier(net);
+  }
+  transform(result, to_written.inverse());
+  make_color_bilinear(result);
+  return result;
+}
+
 }  // namespace
 
 bool needs_tensor(const Patch& patch, double tolerance) {
@@ -79,39 +117,16 @@ double straight_tolerance(double coons_tolerance) {
   return share * coons_tolerance;
 }
 
-Patch rounded(const Patch& patch, double tolerance, double step, const Affine& to_written) {
-  const auto round = [&](glm::dvec2 p) { return round_to_step(p, step); };
-  std::array<Cubic<Value>, 4> sides;
-  for (int k = 0; k < 4; ++k) {
-    const Cubic<Value> side = patch.side(k);
-    const glm::dvec2 from = round(to_written.point(side.p0.position));
-    const glm::dvec2 to = round(to_written.point(side.p1.position));
-    Cubic<Value>& written = sides[std::size_t(k)] = side;
-    written.p0.position = from;
-    written.p1.position = to;
-    written.m0.position = written.m1.position = to - from;
-    if (is_straight(side, straight_tolerance(tolerance))) continue;
-    written.m0.position = 3.0 * (round(to_written.point(side.bezier1().position)) - from);
-    written.m1.position = 3.0 * (to - round(to_written.point(side.bezier2().position)));
-  }
-  Patch result = patch_from_sides(sides, {});
-  make_coons(result);
-  if (needs_tensor(patch, tolerance)) {
-    Patch placed = patch;
-    transform(placed, to_written);
-    const BezierNet wanted = bezier_net(placed);
-    BezierNet net = bezier_net(result);
-    for (const int i : {1, 2})
-      for (const int j : {1, 2}) {
-        const int corner_i = i == 1 ? 0 : 3, corner_j = j == 1 ? 0 : 3;
-        net[i][j].position = net[corner_i][corner_j].position +
-                             round(wanted[i][j].position - wanted[corner_i][corner_j].position);
-      }
-    result = patch_from_bezier(net);
-  }
-  transform(result, to_written.inverse());
-  make_color_bilinear(result);
-  return result;
+Precision precision_for(double coons_tolerance, double share, const Affine& to_written) {
+  const glm::dmat2 back = to_written.inverse().linear;
+  const double most = 2 * share * coons_tolerance;
+  return {coons_tolerance, to_written,
+          decimal_step(most / std::hypot(glm::length(back[0]), glm::length(back[1])))};
+}
+
+Patch written_patch(const Patch& patch, const Precision& precision, bool masked_opacity) {
+  const Patch written = as_written(patch, precision.coons_tolerance, masked_opacity);
+  return precision.step > 0 ? rounded(written, precision) : written;
 }
 
 }  // namespace gradmesh

@@ -18,10 +18,25 @@ bool needs_tensor(const Patch& patch, double tolerance);
 /// side to be written as a line.
 double straight_tolerance(double coons_tolerance);
 
-/// Returns the patch as a reader finds it where all coordinates are written as multiples of `step`,
-/// straight sides as lines, and `tensor` as offsets from corners. `to_written` maps the patch's
-/// coordinates to those that are written; `tolerance` is as above.
-Patch rounded(const Patch& patch, double tolerance, double step, const Affine& to_written = {});
+/// How exactly the coordinates of a mesh are written.
+struct Precision {
+  /// How far an interior control point may be from the Coons patch's without `tensor` being
+  /// written, in the unit of the mesh's positions (raster/frame.h).
+  double coons_tolerance = 0;
+  /// The map from the mesh's coordinates to those that are written.
+  Affine to_written = {};
+  /// The decimal step of which the coordinates that are written are multiples (form/rounding.h); 0
+  /// where significant digits are shorter.
+  double step = 0;
+};
+
+/// Returns the precision with the largest step that moves no point of the mesh by more than `share`
+/// of the tolerance.
+Precision precision_for(double coons_tolerance, double share, const Affine& to_written = {});
+
+/// Returns the patch as a reader finds it where it is written as of as_written() and with this
+/// precision: straight sides as lines, and `tensor` as offsets from corners.
+Patch written_patch(const Patch& patch, const Precision& precision, bool masked_opacity = false);
 
 /// Returns the colour of 8 bits a channel whose luminance in a mask is nearest to an opacity, and
 /// of those the nearest to grey. Steps of a single channel are finer than those of greys, so the

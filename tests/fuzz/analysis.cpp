@@ -39,15 +39,10 @@ void check_analyses(std::string_view text) {
 }
 
 }  // namespace
-}  // namespace gradmesh::fuzz
 
 /// A file, or the value of its `analyses`.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text = gradmesh::fuzz::as_text(data, size);
-  if (text.starts_with('[')) {
-    gradmesh::fuzz::check_analyses(text);
-  } else {
-    gradmesh::fuzz::check_file(text);
-  }
-  return 0;
+void check(std::string_view text) {
+  text.starts_with('[') ? check_analyses(text) : check_file(text);
 }
+
+}  // namespace gradmesh::fuzz

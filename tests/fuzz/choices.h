@@ -1,24 +1,29 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace gradmesh::fuzz {
 
 /// Choices, front to back; all are 0 where the bytes have come to an end.
 class Choices {
  public:
-  Choices(const std::uint8_t* data, std::size_t size) : next_(data), end_(data + size) {}
+  explicit Choices(std::string_view bytes) : rest_(bytes) {}
 
-  bool at_end() const { return next_ == end_; }
+  bool at_end() const { return rest_.empty(); }
   /// 0..255.
-  unsigned byte() { return at_end() ? 0u : *next_++; }
+  unsigned byte() {
+    if (at_end()) return 0;
+    const auto byte = std::uint8_t(rest_.front());
+    rest_.remove_prefix(1);
+    return byte;
+  }
   unsigned below(std::size_t count) { return (byte() << 8 | byte()) % unsigned(count); }
   /// Above 0 and below 1.
   double share() { return (byte() + 0.5) / 256; }
 
  private:
-  const std::uint8_t *next_, *end_;
+  std::string_view rest_;
 };
 
 }  // namespace gradmesh::fuzz

@@ -2,7 +2,6 @@
 #include "target.h"
 
 namespace gradmesh::fuzz {
-namespace {
 
 void check(std::string_view text) {
   const auto color = parse_color(text);
@@ -11,10 +10,4 @@ void check(std::string_view text) {
       require((*color)[k] >= 0 && (*color)[k] <= 1, "the channel is between 0 and 1");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

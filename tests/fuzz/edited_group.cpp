@@ -6,9 +6,9 @@
 
 #include "branch_meshes.h"
 #include "choices.h"
-#include "formats/svg/read/curves.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/read_group.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/values/curves.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/build.h"
 #include "ops/split/without_faces.h"
@@ -211,15 +211,15 @@ std::pair<std::string, std::string> texts(const std::vector<Block>& blocks,
   return texts;
 }
 
-SvgDocument document(const Written& written, const std::vector<Block>& blocks,
-                     const std::vector<Block>* mask) {
+SvgTree document(const Written& written, const std::vector<Block>& blocks,
+                 const std::vector<Block>* mask) {
   const auto [gradients, paths] = texts(blocks, "b");
   std::string defs = gradients;
   if (mask) {
     const auto [lights, light_paths] = texts(*mask, "m");
     defs += lights + "<mask id='mask' gradmesh:opacity='1'>" + light_paths + "</mask>";
   }
-  return SvgDocument::parse(
+  return SvgTree::parse(
       "<svg xmlns='http://www.w3.org/2000/svg' xmlns:gradmesh='urn:gradmesh'><defs>" + defs +
           "</defs><g id='g' gradmesh:version='1' gradmesh:curves='" + written.curves + "'" +
           (mask ? " mask='url(#mask)'" : "") + ">" + paths + "</g></svg>",
@@ -227,7 +227,7 @@ SvgDocument document(const Written& written, const std::vector<Block>& blocks,
 }
 
 /// Returns the group as Update finds it: whether it was edited.
-bool update(const SvgDocument& document, const std::vector<PatchGrid>& written) {
+bool update(const SvgTree& document, const std::vector<PatchGrid>& written) {
   const xmlNode* const group = child_elements(document.root(), "g").front();
   const EditedBlocks blocks = read_edited_group(document, group, written);
   const Reconciled whole = reconcile(blocks);
@@ -261,15 +261,17 @@ const std::vector<PatchGrid>& remembered(const Written& written, Choices& choice
   }
 }
 
-void check(Choices& choices) {
+}  // namespace
+
+void check(std::string_view bytes) {
+  Choices choices(bytes);
   const Written& written = groups()[choices.below(groups().size())];
   const std::vector<PatchGrid>& known = remembered(written, choices);
   const bool has_mask = choices.byte() % 4 == 1, stays = choices.at_end();
   Edits edits(written, choices), lights(written, choices);
   while (!choices.at_end()) (has_mask && choices.byte() % 8 == 1 ? lights : edits).next();
   const auto read = [&] {
-    const SvgDocument edited =
-        document(written, edits.blocks(), has_mask ? &lights.blocks() : nullptr);
+    const SvgTree edited = document(written, edits.blocks(), has_mask ? &lights.blocks() : nullptr);
     const bool is_edited = update(edited, known);
     require(!stays || has_mask || &known != &written.blocks || !is_edited,
             "a group is as it was written");
@@ -280,11 +282,4 @@ void check(Choices& choices) {
     accepts(read);
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::Choices choices(data, size);
-  gradmesh::fuzz::check(choices);
-  return 0;
-}

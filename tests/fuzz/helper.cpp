@@ -166,14 +166,11 @@ class Session {
 };
 
 }  // namespace
-}  // namespace gradmesh::fuzz
 
 /// What the helper is sent, or messages without lengths, one a line.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text = gradmesh::fuzz::as_text(data, size);
+void check(std::string_view text) {
   const bool has_lengths = !text.empty() && text.front() >= '0' && text.front() <= '9';
-  gradmesh::fuzz::Session(
-      gradmesh::fuzz::read_messages(has_lengths ? text : gradmesh::fuzz::with_lengths(text)))
-      .run();
-  return 0;
+  Session(read_messages(has_lengths ? text : with_lengths(text))).run();
 }
+
+}  // namespace gradmesh::fuzz

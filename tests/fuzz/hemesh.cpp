@@ -1,13 +1,11 @@
 #include <optional>
 #include <string>
 
-#include "formats/hemesh/read_hemesh.h"
-#include "formats/hemesh/write_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 #include "mesh/build.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {
-namespace {
 
 void check(std::string_view text) {
   std::optional<Mesh> mesh;
@@ -24,10 +22,4 @@ void check(std::string_view text) {
       "what was written can be read");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

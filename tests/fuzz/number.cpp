@@ -1,10 +1,9 @@
 #include <cmath>
 #include <string>
 
-#include "formats/svg/read/document.h"
+#include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/length.h"
 #include "formats/svg/values/transform.h"
-#include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 #include "formats/text/scanner.h"
@@ -12,6 +11,13 @@
 
 namespace gradmesh::fuzz {
 namespace {
+
+/// Returns all of the text as one number.
+std::optional<double> parse_number(std::string_view text) {
+  Scanner scanner(text);
+  const auto value = scanner.number();
+  return scanner.at_end() ? value : std::nullopt;
+}
 
 void check_number(std::string_view text) {
   const auto number = parse_number(text);
@@ -30,7 +36,7 @@ void check_opacity(std::string_view text) {
 
 /// As an attribute, and as the size that percentages are taken of.
 void check_length(const std::string& text) {
-  static const SvgDocument document = SvgDocument::parse("<svg><rect/></svg>", input_name);
+  static const SvgTree document = SvgTree::parse("<svg><rect/></svg>", input_name);
   xmlNode* const svg = document.root();
   xmlNode* const rect = child_elements(svg).front();
   set_attribute(rect, "x", text);
@@ -45,6 +51,8 @@ void check_length(const std::string& text) {
   accepts([&] { read_length(rect, "y", LengthAxis::diagonal); });
 }
 
+}  // namespace
+
 void check(std::string_view text) {
   check_number(text);
   check_opacity(text);
@@ -52,10 +60,4 @@ void check(std::string_view text) {
   parse_transform(text);
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

@@ -6,7 +6,7 @@
 #include "branch_meshes.h"
 #include "choices.h"
 #include "form/blocks.h"
-#include "formats/svg/write/memory.h"
+#include "formats/svg/group/memory.h"
 #include "mesh/region.h"
 #include "mesh/subdivide.h"
 #include "ops/merge/merge.h"
@@ -143,7 +143,10 @@ void require_writable(const Mesh& mesh) {
       "what is written can be read");
 }
 
-void check(Choices choices) {
+}  // namespace
+
+void check(std::string_view bytes) {
+  Choices choices(bytes);
   const bool writes = choices.byte() % 8 == 0;
   const Mesh start = build_mesh(chosen_parts(choices));
   require_sound(start);
@@ -159,10 +162,4 @@ void check(Choices choices) {
   require(mesh == start, "all undone, the mesh is what it was");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check({data, size});
-  return 0;
-}

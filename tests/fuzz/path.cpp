@@ -5,7 +5,6 @@
 #include "target.h"
 
 namespace gradmesh::fuzz {
-namespace {
 
 void check(std::string_view data) {
   const auto box = path_box(data);
@@ -24,10 +23,4 @@ void check(std::string_view data) {
               "the outline lies in the box");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

@@ -12,6 +12,8 @@ namespace {
 char limits[] = "GRADMESH_LIMITS=resolution=64";
 [[maybe_unused]] const int limited = putenv(limits);
 
+}  // namespace
+
 void check(std::string_view bytes) {
   accepts([&] {
     SvgMeshes document(bytes, input_name);
@@ -39,10 +41,4 @@ void check(std::string_view bytes) {
   });
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <string>
 #include <vector>
 
 #include "files/atomic_file.h"
@@ -19,8 +18,7 @@ int main(int count, char** arguments) {
   std::ranges::sort(files);
   for (const auto& file : files) {
     std::cout << file.filename().string() << std::endl;  // seen even where the target ends us
-    const std::string bytes = gradmesh::read_bytes(file);
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    gradmesh::fuzz::check(gradmesh::read_bytes(file));
   }
   if (files.empty()) std::cerr << arguments[1] << " has no files.\n";
   return files.empty();

@@ -1,9 +1,8 @@
 #include <string>
 
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/objects.h"
+#include "formats/svg/tree/objects.h"
+#include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/style.h"
-#include "formats/svg/xml/edit.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/scanner.h"
 #include "target.h"
@@ -24,9 +23,12 @@ void check_order(const Declarations& declarations) {
   require(parse_declarations(reversed) == declarations, "the order does not count");
 }
 
+}  // namespace
+
 /// The text as a style sheet, and as the style of one element.
-void check(const std::string& text) {
-  static const SvgDocument document = SvgDocument::parse(
+void check(std::string_view bytes) {
+  const std::string text(bytes);
+  static const SvgTree document = SvgTree::parse(
       "<svg><style/><g class=\"a b\"><path id=\"p\" class=\"a\" fill=\"red\"/></g></svg>",
       input_name);
   xmlNode* const style = child_elements(document.root(), "style").front();
@@ -49,10 +51,4 @@ void check(const std::string& text) {
   styles.inherited(path, "stop-color");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(std::string(gradmesh::fuzz::as_text(data, size)));
-  return 0;
-}

@@ -1,10 +1,9 @@
 #include <string>
 
 #include "form/reconcile.h"
-#include "formats/svg/read/curves.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/xml/edit.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/tree/own.h"
+#include "formats/svg/values/curves.h"
 #include "formats/svg/xml/node.h"
 #include "mesh/build.h"
 #include "target.h"
@@ -13,7 +12,7 @@ namespace gradmesh::fuzz {
 namespace {
 
 /// A group of one block of two patches above two of one each, which a few T-junctions can join.
-SvgDocument blocks() {
+SvgTree blocks() {
   const std::string square =
       "<stop path='l 20,0' stop-color='red'/><stop path='l 0,10'/><stop path='l -20,0'/>";
   const auto gradient = [&](const std::string& id, const std::string& place,
@@ -23,7 +22,7 @@ SvgDocument blocks() {
            "</meshrow></meshgradient>";
   };
   const std::string beside = "<meshpatch>" + square + "</meshpatch>";
-  return SvgDocument::parse(
+  return SvgTree::parse(
       "<svg xmlns='http://www.w3.org/2000/svg' xmlns:gradmesh='urn:gradmesh'><defs>" +
           gradient("a", "x='0' y='0'", beside) + gradient("b", "x='0' y='10'", "") +
           gradient("c", "x='20' y='10'", "") +
@@ -33,11 +32,14 @@ SvgDocument blocks() {
       input_name);
 }
 
+}  // namespace
+
 /// The text as the group's `curves`.
-void check(const std::string& text) {
-  static const SvgDocument document = blocks();
+void check(std::string_view bytes) {
+  const std::string text(bytes);
+  static const SvgTree document = blocks();
   xmlNode* const group = child_elements(document.root(), "g").front();
-  set_attribute(group, "curves", text, gradmesh_namespace, "gradmesh");
+  set_own_attribute(group, "curves", text);
   accepts([&] {
     const MeshParts parts = read_mesh_group(document, group);
     const Mesh mesh = build_mesh(parts);
@@ -56,10 +58,4 @@ void check(const std::string& text) {
   });
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(std::string(gradmesh::fuzz::as_text(data, size)));
-  return 0;
-}

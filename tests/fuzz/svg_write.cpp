@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/read/read_mesh.h"
-#include "formats/svg/read/restore_shape.h"
-#include "formats/svg/write/memory.h"
-#include "formats/svg/write/write_group.h"
-#include "formats/svg/write/write_mesh.h"
+#include "formats/svg/gradient/mesh_gradient.h"
+#include "formats/svg/gradient/rows.h"
+#include "formats/svg/group/memory.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/group/shape.h"
+#include "formats/svg/group/write_group.h"
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "ops/merge/merge.h"
@@ -19,14 +19,14 @@ namespace {
 
 constexpr double tolerance = 0.01;
 
-Mesh read(const SvgDocument& document, const MeshObject& object) {
+Mesh read(const SvgTree& document, const MeshObject& object) {
   return build_mesh(object.gradient ? read_mesh(document, object)
                                     : read_mesh_group(document, object.node));
 }
 
 /// The first mesh that can be read, that no other object shares its id with, so that it is found
 /// again, and that is not smooth: such are never written in blocks.
-std::optional<std::pair<MeshObject, Mesh>> first_mesh(SvgDocument& document) {
+std::optional<std::pair<MeshObject, Mesh>> first_mesh(SvgTree& document) {
   std::optional<std::pair<MeshObject, Mesh>> found;
   const std::vector<MeshObject> objects = mesh_objects(document);
   for (const MeshObject& object : objects) {
@@ -42,9 +42,9 @@ std::optional<std::pair<MeshObject, Mesh>> first_mesh(SvgDocument& document) {
 
 /// The object, named by its id and what the mesh paints, in the document as a program finds it that
 /// opens what is written.
-std::pair<SvgDocument, MeshObject> reopened(const SvgDocument& document, const std::string& id,
-                                            PaintRole role) {
-  SvgDocument again = SvgDocument::parse(document.serialize(), input_name);
+std::pair<SvgTree, MeshObject> reopened(const SvgTree& document, const std::string& id,
+                                        PaintRole role) {
+  SvgTree again = SvgTree::parse(document.serialize(), input_name);
   const auto objects = mesh_objects(again);
   const auto found = std::ranges::find_if(
       objects, [&](const MeshObject& object) { return object.id == id && object.role == role; });
@@ -63,7 +63,7 @@ void merge_some(Mesh& mesh) {
 }
 
 /// Simplifies the mesh and writes it as blocks; false where it is too large by then.
-bool write_blocks(SvgDocument& document, const MeshObject& object, Mesh mesh) {
+bool write_blocks(SvgTree& document, const MeshObject& object, Mesh mesh) {
   const std::string original = remember(mesh);
   const MeshCounts before = counts_of(mesh);
   merge_some(mesh);
@@ -73,13 +73,13 @@ bool write_blocks(SvgDocument& document, const MeshObject& object, Mesh mesh) {
   require_sound(expected);
   // Documents refuse the others before they write.
   if (!std::ranges::all_of(parts.patches, is_within_limits)) return false;
-  write_mesh(document, object, {mesh, form, "label", before, original});
+  write_group(document, object, {mesh, form, "label", before, original});
 
   const auto [again, group] = reopened(document, object.id, object.role);
-  const MeshCounts told = counts_before(group.node);
-  require(
-      is_mesh_group(group.node) && told.patches == before.patches && told.handles == before.handles,
-      "it is a group");
+  require(group.is_group(), "it is a group");
+  const MeshCounts told = counts_before(group);
+  require(told.patches == before.patches && told.handles == before.handles,
+          "it says how many there were");
   const Mesh written = read(again, group);
   require_sound(written);
   require(written.face_count() == expected.face_count(), "no patch is lost");
@@ -87,7 +87,7 @@ bool write_blocks(SvgDocument& document, const MeshObject& object, Mesh mesh) {
 }
 
 /// Makes one mesh gradient of the group's mesh again, where it is a rectangle.
-void write_one(SvgDocument& document, const std::string& id, PaintRole role) {
+void write_one(SvgTree& document, const std::string& id, PaintRole role) {
   auto [again, group] = reopened(document, id, role);
   const Mesh mesh = read(again, group);
   if (!find_grid(mesh) ||
@@ -99,11 +99,13 @@ void write_one(SvgDocument& document, const std::string& id, PaintRole role) {
   require(read(last, object).face_count() == mesh.face_count(), "no patch is lost");
 }
 
+}  // namespace
+
 void check(std::string_view bytes) {
-  std::optional<SvgDocument> document;
+  std::optional<SvgTree> document;
   std::optional<std::pair<MeshObject, Mesh>> first;
   if (!accepts([&] {
-        document = SvgDocument::parse(bytes, input_name);
+        document = SvgTree::parse(bytes, input_name);
         first = first_mesh(*document);
       }) ||
       !first)
@@ -116,10 +118,4 @@ void check(std::string_view bytes) {
       "what was written can be read");
 }
 
-}  // namespace
 }  // namespace gradmesh::fuzz
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  gradmesh::fuzz::check(gradmesh::fuzz::as_text(data, size));
-  return 0;
-}

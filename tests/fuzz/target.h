@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -11,19 +9,16 @@
 #include "mesh/mesh.h"
 #include "mesh/validate.h"
 
-/// A fuzz target is a function of bytes that returns, whatever they are: the answer to bad input is
-/// an InputError, which the target takes; everything else ends the program. libFuzzer calls it with
-/// bytes of its own making (preset `fuzz`), the tests of every other build with those of corpus/.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace gradmesh::fuzz {
+
+/// The fuzz target, which each program defines. It returns, whatever the bytes are: the answer to
+/// bad input is an InputError, which the target takes; everything else ends the program. libFuzzer
+/// calls it with bytes of its own making (preset `fuzz`), the tests of every other build with those
+/// of corpus/.
+void check(std::string_view bytes);
 
 /// The file's name in messages.
 inline constexpr const char* input_name = "input";
-
-inline std::string_view as_text(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
-}
 
 /// Ends the program where `holds` is false, so that the input is kept.
 inline void require(bool holds, const char* what) {

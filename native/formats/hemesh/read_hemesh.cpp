@@ -1,4 +1,4 @@
-#include "formats/hemesh/read_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 
 #include <algorithm>
 #include <cmath>

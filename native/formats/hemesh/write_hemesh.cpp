@@ -1,4 +1,4 @@
-#include "formats/hemesh/write_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 
 #include <algorithm>
 #include <cassert>

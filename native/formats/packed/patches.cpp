@@ -11,7 +11,6 @@
 #include "formats/packed/expectation.h"
 #include "formats/packed/range_coder.h"
 #include "formats/packed/scale.h"
-#include "formats/packed/spread.h"
 
 namespace gradmesh {
 namespace {

@@ -13,7 +13,7 @@ namespace gradmesh {
 struct PackedMesh {
   /// The value of Mesh::is_smooth().
   bool smooth = false;
-  /// The curves with more than one rectangle along them (formats/svg/read/curves.h).
+  /// The curves with more than one rectangle along them (formats/svg/values/curves.h).
   std::string curves = {};
   std::vector<PatchGrid> grids = {};
 };

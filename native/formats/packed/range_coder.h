@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -31,7 +32,7 @@ class RangeCoder {
   /// Writes the bit and returns it, or returns the next bit whatever `bit` is; any after the last.
   /// `chance` learns of it.
   bool code(bool bit, Chance& chance);
-  /// Does the same for a bit of which nothing is known.
+  /// Writes or reads a bit of which nothing is known.
   bool code(bool bit);
 
   /// Returns the bytes that were written. Nothing can be written after that.
@@ -55,6 +56,20 @@ class RangeCoder {
   std::uint32_t place_ = 0;
   std::string_view rest_;
   bool is_read_ = false, has_sufficed_ = true;
+};
+
+/// How whole numbers of one kind are spread around zero, as those tell that were coded before: how
+/// many bits they have, and what the highest of these are.
+class Spread {
+ public:
+  /// Writes the number and returns it, or returns the next number whatever `number` is.
+  std::int64_t code(RangeCoder& coder, std::int64_t number);
+
+ private:
+  static constexpr unsigned most_bits = 63, known_bits = 3;
+  /// For each number of bits whether there are more, and the highest bits after the first.
+  std::array<Chance, most_bits> more_{};
+  std::array<std::array<Chance, 1 << known_bits>, most_bits + 1> highest_{};
 };
 
 }  // namespace gradmesh

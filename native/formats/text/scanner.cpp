@@ -94,12 +94,6 @@ std::optional<bool> Scanner::flag() {
   return std::nullopt;
 }
 
-std::optional<double> parse_number(std::string_view text) {
-  Scanner scanner(text);
-  const auto value = scanner.number();
-  return scanner.at_end() ? value : std::nullopt;
-}
-
 std::optional<double> parse_opacity(std::string_view text) {
   const auto value = Scanner(text).number();
   return value ? std::optional(std::clamp(*value, 0.0, 1.0)) : std::nullopt;

@@ -44,8 +44,6 @@ std::string_view trimmed(std::string_view text);
 /// Returns the text with ASCII letters in lower case, as CSS compares its keywords.
 std::string lower(std::string_view text);
 
-/// Returns all of `text` as one number in the sense of Scanner::number.
-std::optional<double> parse_number(std::string_view text);
 /// Returns an opacity as Inkscape 1.2 reads it: the number that the text begins with, clamped to
 /// [0, 1]. Inkscape knows no percentages here: 50% is read as 50, and so as 1.
 std::optional<double> parse_opacity(std::string_view text);

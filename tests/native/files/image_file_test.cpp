@@ -5,9 +5,9 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <functional>
+#include <iterator>
 
-#include "base/error.h"
+#include "complaint.h"
 #include "files/atomic_file.h"
 #include "files/base64.h"
 
@@ -16,16 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using test::complaint;
 using Samples = std::vector<std::uint8_t>;
 
-class ImageFile : public testing::Test {
+/// A folder of its own for each test, removed afterwards.
+class Folder : public testing::Test {
  protected:
-  ImageFile()
-      : folder(fs::temp_directory_path() / ("gradmesh_image_" + std::to_string(::getpid()))) {
+  Folder() : folder(fs::temp_directory_path() / ("gradmesh_files_" + std::to_string(::getpid()))) {
     fs::create_directories(folder);
   }
-  ~ImageFile() override { fs::remove_all(folder); }
+  ~Folder() override { fs::remove_all(folder); }
 
+  std::ptrdiff_t entries() const {
+    return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+  }
   /// The samples of a PNG file of one row, in base64 without the beginning, which all have.
   Samples read(const std::string& png) const {
     write_bytes(folder / "row.png", *base64_bytes("iVBORw0KGgoAAAANSUhEUgAAAA" + png));
@@ -34,15 +38,8 @@ class ImageFile : public testing::Test {
 
   fs::path folder;
 };
-
-std::string complaint(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+class ImageFile : public Folder {};
+class AtomicFile : public Folder {};
 
 TEST_F(ImageFile, round_trip) {
   Image image(5, 3);
@@ -107,6 +104,41 @@ TEST(Base64, gives_the_examples_of_the_standard) {
     EXPECT_EQ(base64_bytes(base64(bytes)), bytes);
   for (const char* text : {"Zg=", "Zg", "Z===", "Zg==Zg==", "Zm9%", "Zm 9v"})
     EXPECT_EQ(base64_bytes(text), std::nullopt) << text;
+}
+
+TEST_F(AtomicFile, is_written_as_a_whole_or_not_at_all) {
+  const fs::path path = folder / "drawing.svg", nowhere = folder / "missing" / "drawing.svg";
+  for (const std::string bytes : {"before", "after"}) {
+    write_bytes(path, bytes);
+    EXPECT_EQ(read_bytes(path), bytes);
+    EXPECT_EQ(entries(), 1);
+  }
+  EXPECT_EQ(complaint([&] { write_bytes(nowhere, "a"); }),
+            nowhere.string() + " cannot be written: No such file or directory.");
+  EXPECT_EQ(complaint([&] { write_bytes(folder, "a"); }),
+            folder.string() + " cannot be written: it is not a regular file.");
+  EXPECT_EQ(complaint([&] { read_bytes(nowhere); }),
+            nowhere.string() + " cannot be read: No such file or directory.");
+  // Why is in the system's words.
+  EXPECT_TRUE(
+      complaint([&] { read_bytes(folder); }).starts_with(folder.string() + " cannot be read: "));
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(AtomicFile, keeps_permissions_and_links) {
+#ifdef _WIN32
+  GTEST_SKIP() << "There are no such permissions, and not everybody may make links.";
+#endif
+  const fs::path path = folder / "drawing.svg", link = folder / "link.svg";
+  write_bytes(path, "before");
+  constexpr fs::perms some = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
+  fs::permissions(path, some);
+  fs::create_symlink(path, link);
+  write_bytes(link, "after");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(read_bytes(path), "after");
+  EXPECT_EQ(fs::status(path).permissions(), some);
+  EXPECT_EQ(entries(), 2);
 }
 
 }  // namespace

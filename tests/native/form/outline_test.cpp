@@ -7,8 +7,8 @@
 #include "app/document.h"
 #include "branch_meshes.h"
 #include "form/block_outline.h"
-#include "formats/svg/write/mesh_outline.h"
-#include "formats/svg/write/write_new.h"
+#include "formats/svg/group/write_group.h"
+#include "formats/svg/values/mesh_outline.h"
 #include "mesh/boundary.h"
 #include "mesh/subdivide.h"
 #include "random_meshes.h"
@@ -117,8 +117,7 @@ TEST(MeshOutline, parts_that_lie_over_one_another_turn_the_same_way) {
 /// The new document of a bilinear mesh, as it reads back.
 std::unique_ptr<Document> written(const Mesh& mesh) {
   const BlockForm form = block_form(mesh, 1e-6);
-  const SvgDocument svg =
-      new_svg({20, 20}, outline_path(mesh), {mesh, form, "label", counts_of(mesh)});
+  const SvgTree svg = new_svg({20, 20}, outline_path(mesh), {mesh, form, "label", counts_of(mesh)});
   return Document::parse(svg.serialize(), "new.svg");
 }
 

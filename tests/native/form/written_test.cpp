@@ -7,6 +7,7 @@
 
 #include "app/document.h"
 #include "base/error.h"
+#include "corners.h"
 #include "form/blocks.h"
 #include "form/written_patch.h"
 #include "mesh/build.h"
@@ -123,14 +124,9 @@ Mesh random_mesh(unsigned seed, bool translucent, bool wild) {
       seed, 10);
   MeshParts parts = block_parts(changed, block_form(changed, 0));
   if (translucent)
-    for (Patch& patch : parts.patches)
-      for (const int i : {0, 3})
-        for (const int j : {0, 3}) {
-          Value& corner = patch.c[i][j];
-          corner.color.a = 0.6 + 0.4 * std::sin(corner.position.x / 70 + seed) *
-                                     std::cos(corner.position.y / 60);
-        }
-  for (Patch& patch : parts.patches) make_color_bilinear(patch);
+    test::change_corners(parts, [&](Value& v) {
+      v.color.a = 0.6 + 0.4 * std::sin(v.position.x / 70 + seed) * std::cos(v.position.y / 60);
+    });
   return build_mesh(parts);
 }
 

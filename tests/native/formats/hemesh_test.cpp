@@ -5,9 +5,8 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "formats/hemesh/hemesh.h"
 #include "formats/hemesh/hemesh_file.h"
-#include "formats/hemesh/read_hemesh.h"
-#include "formats/hemesh/write_hemesh.h"
 #include "mesh/validate.h"
 #include "meshes.h"
 #include "random_meshes.h"

@@ -3,21 +3,22 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "corners.h"
 #include "files/base64.h"
 #include "files/zip.h"
 #include "form/handles.h"
 #include "form/reconcile.h"
 #include "form/written_patch.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/write/memory.h"
-#include "formats/svg/write/write_group.h"
-#include "formats/svg/xml/node.h"
+#include "formats/svg/group/memory.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/group/write_group.h"
+#include "formats/svg/tree/own.h"
 #include "mesh/boundary.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "random_meshes.h"
 #include "same_mesh.h"
+#include "svg_documents.h"
 
 namespace gradmesh {
 namespace {
@@ -48,11 +49,7 @@ MeshParts random_grid(unsigned seed, ColorModel model = ColorModel::bilinear) {
 /// A mesh with T-junctions whose colours are no bytes and partly transparent.
 Mesh random_mesh(unsigned seed) {
   MeshParts parts = random_grid(seed);
-  for (Patch& patch : parts.patches) {
-    for (const int i : {0, 3})
-      for (const int j : {0, 3}) patch.c[i][j].color.a = patch.c[i][j].color.r;
-    make_color_bilinear(patch);
-  }
+  test::change_corners(parts, [](Value& v) { v.color.a = v.color.r; });
   return test::changed_mesh(parts, seed, 20);
 }
 
@@ -68,14 +65,18 @@ std::vector<Patch> in_blocks(const Mesh& mesh, const std::vector<Rectangle>& blo
 /// units or so that is remembered.
 double rounding(double width) { return 9 * 9 * width / (1 << 18); }
 
-/// What older versions have written: a document with a group.
+/// A document with the mesh in blocks of this tolerance.
+SvgTree group_of(const Mesh& mesh, double tolerance) {
+  SvgTree document =
+      test::svg_tree("<path id='p' d='M0,0 H9 V9 Z' fill='url(#m)'/><meshgradient id='m'/>");
+  write_group(document, mesh_objects(document).at(0),
+              {mesh, block_form(mesh, tolerance), "", {49, 16}});
+  return document;
+}
+
+/// What gradmesh 0.1 has written: a document with a group.
 std::string older_memory(const Mesh& mesh, const std::string& end = "") {
-  SvgDocument document = SvgDocument::parse(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\"><defs/><path id=\"p\" d=\"M0,0 H9 V9 Z\" "
-      "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
-      "d.svg");
-  write_mesh(document, mesh_objects(document).at(0), {mesh, block_form(mesh, 0), "", 16});
-  return base64(zip(document.serialize() + end));
+  return base64(zip(group_of(mesh, 0).serialize() + end));
 }
 
 TEST(Memory, keeps_a_mesh_but_for_rounding) {
@@ -105,12 +106,8 @@ TEST(Memory, keeps_a_grid_in_its_order) {
 TEST(Memory, keeps_straight_sides_coons_patches_and_8_bits) {
   std::mt19937 random(3);
   MeshParts grid = test::grid_parts({.rows = 3, .columns = 3}, random);
-  for (Patch& patch : grid.patches) {
-    for (const int i : {0, 3})
-      for (const int j : {0, 3})
-        patch.c[i][j].color = glm::round(255.0 * patch.c[i][j].color) / 255.0;
-    patch = as_written(patch, 1e9);
-  }
+  test::change_corners(grid, [](Value& v) { v.color = glm::round(255.0 * v.color) / 255.0; });
+  for (Patch& patch : grid.patches) patch = as_written(patch, 1e9);
   grid.smooth = true;
   const auto parts = recall(remember(build_mesh(grid)));
   ASSERT_TRUE(parts);
@@ -164,15 +161,9 @@ TEST(Memory, keeps_bicubic_colours) {
 /// What the document says that was written, and what the group remembers of it.
 TEST(Memory, of_what_was_written_is_finer_than_what_counts_as_an_edit) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    SvgDocument document = SvgDocument::parse(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\"><path id=\"p\" d=\"M0,0 H9 V9 Z\" "
-        "fill=\"url(#m)\"/><meshgradient id=\"m\"/></svg>",
-        "d.svg");
-    const Mesh mesh = random_mesh(seed);
-    write_mesh(document, mesh_objects(document).at(0),
-               {mesh, block_form(mesh, 0.01), "", {49, 16}});
+    SvgTree document = group_of(random_mesh(seed), 0.01);
     const xmlNode* group = mesh_objects(document).at(0).node;
-    const auto blocks = recall_blocks(*attribute(group, "written", gradmesh_namespace));
+    const auto blocks = recall_blocks(*own_attribute(group, "written"));
     ASSERT_TRUE(blocks);
     const MeshParts read = read_mesh_group(document, group);
     MeshParts written = parts_of(*blocks);
@@ -198,8 +189,8 @@ TEST(Memory, remembers_nothing_where_it_is_damaged) {
       EXPECT_EQ(recall(changed).has_value(), changed == memory) << digit << " at " << i;
     }
   // Sound, but no mesh.
-  for (const char* text : {"", "<svg", "<html/>", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>",
-                           "<svg xmlns=\"http://www.w3.org/2000/svg\"><g/></svg>", "HEMESH 1"})
+  for (const char* text : {"", "<svg", "<html/>", "<svg xmlns='http://www.w3.org/2000/svg'/>",
+                           "<svg xmlns='http://www.w3.org/2000/svg'><g/></svg>", "HEMESH 1"})
     EXPECT_FALSE(recall(base64(zip(text)))) << text;
 }
 
@@ -222,11 +213,7 @@ TEST(Memory, of_many_equal_patches_is_kept) {
     const int rows = is_bicubic ? 30 : 140;
     std::mt19937 random(1);
     MeshParts white = test::grid_parts({.rows = rows, .columns = rows}, random);
-    for (Patch& patch : white.patches) {
-      for (const int i : {0, 3})
-        for (const int j : {0, 3}) patch.c[i][j].color = glm::dvec4(1);
-      make_color_bilinear(patch);
-    }
+    test::change_corners(white, [](Value& v) { v.color = glm::dvec4(1); });
     const auto parts = recall(remember(build_mesh(is_bicubic ? as_bicubic(white) : white)));
     ASSERT_TRUE(parts);
     EXPECT_EQ(parts->patches.size(), white.patches.size());

@@ -2,12 +2,12 @@
 
 #include <random>
 
-#include "files/base85.h"
+#include "corners.h"
+#include "files/base64.h"
 #include "formats/packed/expectation.h"
 #include "formats/packed/patches.h"
 #include "formats/packed/range_coder.h"
 #include "formats/packed/scale.h"
-#include "formats/packed/spread.h"
 #include "random_meshes.h"
 
 namespace gradmesh {
@@ -29,11 +29,8 @@ PackedMesh random_grid(double step, glm::dvec2 place = {}) {
     for (auto& row : net)
       for (Value& value : row) value.position = glm::round(value.position / step) * step;
     patch = patch_from_bezier(net);
-    for (const int i : {0, 3})
-      for (const int j : {0, 3})
-        patch.c[i][j].color = glm::round(patch.c[i][j].color * 1000.0) / 1000.0;
-    make_color_bilinear(patch);
   }
+  test::change_corners(parts, [](Value& v) { v.color = glm::round(v.color * 1000.0) / 1000.0; });
   return {.grids = {{3, 4, parts.patches}}};
 }
 

@@ -6,8 +6,7 @@
 #include <iterator>
 #include <ostream>
 
-#include "formats/hemesh/read_hemesh.h"
-#include "formats/hemesh/write_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 #include "mesh/validate.h"
 #include "random_meshes.h"
 #include "same_mesh.h"

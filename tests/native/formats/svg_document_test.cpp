@@ -1,39 +1,29 @@
-#include "formats/svg/read/document.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <functional>
 
-#include "base/error.h"
 #include "files/atomic_file.h"
-#include "formats/svg/read/objects.h"
-#include "formats/svg/read/read_mesh.h"
+#include "svg_documents.h"
 
 namespace gradmesh {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string head = "<svg xmlns=\"http://www.w3.org/2000/svg\">";
 const std::string row =
-    "<meshrow><meshpatch><stop path=\"l 1,0\"/><stop path=\"l 0,1\"/><stop path=\"l -1,0\"/>"
-    "<stop path=\"l\"/></meshpatch></meshrow>";
-const std::string gradients = "<meshgradient id=\"m\">" + row +
-                              "</meshgradient><meshgradient id=\"n\">" + row +
-                              "</meshgradient><linearGradient id=\"flat\"/>";
+    "<meshrow><meshpatch><stop path='l 1,0'/><stop path='l 0,1'/><stop path='l -1,0'/><stop "
+    "path='l'/></meshpatch></meshrow>";
+const std::string gradients = "<meshgradient id='m'>" + row +
+                              "</meshgradient><meshgradient id='n'>" + row +
+                              "</meshgradient><linearGradient id='flat'/>";
 
-SvgDocument parse(const std::string& text) { return SvgDocument::parse(text, "drawing.svg"); }
+SvgTree parse(const std::string& text) { return SvgTree::parse(text, test::drawing_name); }
 
-SvgDocument parse_body(const std::string& body) {
-  return parse(head + gradients + body + "</svg>");
-}
+SvgTree parse_body(const std::string& body) { return parse(head + gradients + body + "</svg>"); }
 
 /// `id fill=GRADIENT` of every object found, in order.
 std::string listing(const std::string& body) {
-  SvgDocument document = parse_body(body);
+  SvgTree document = parse_body(body);
   std::string text;
   for (const MeshObject& object : mesh_objects(document)) {
     const char* role = object.role == PaintRole::fill ? " fill" : " stroke";
@@ -43,14 +33,10 @@ std::string listing(const std::string& body) {
   return text;
 }
 
+/// Returns the sentence that `action` ends in, while libxml2 says nothing itself.
 std::string complaint(const std::function<void()>& action) {
   testing::internal::CaptureStderr();
-  std::string message = "nothing was thrown";
-  try {
-    action();
-  } catch (const InputError& error) {
-    message = error.what();
-  }
+  std::string message = test::complaint(action);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   return message;
 }
@@ -59,54 +45,35 @@ std::string parse_complaint(const std::string& text) {
   return complaint([&] { parse(text); });
 }
 
-/// A folder of its own for each test, removed afterwards.
-class SvgFile : public testing::Test {
- protected:
-  SvgFile() : folder(fs::temp_directory_path() / ("gradmesh_svg_" + std::to_string(::getpid()))) {
-    fs::create_directories(folder);
-  }
-  ~SvgFile() override { fs::remove_all(folder); }
-
-  std::size_t entries() const {
-    return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-  }
-
-  fs::path folder;
-};
-
 TEST(SvgObjects, paint_comes_from_style_attribute_or_group) {
-  EXPECT_EQ(listing("<path id=\"a\" fill=\"url(#m)\" stroke=\"url(#n)\"/>"),
-            "a fill=m; a stroke=n; ");
-  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#m)\" style=\"fill:url(#n)\"/>"), "a fill=n; ");
-  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#m)\" style=\"fill:red\"/>"), "");
-  EXPECT_EQ(listing("<g fill=\"url(#m)\"><g><circle id=\"a\"/><circle id=\"b\" fill=\"none\"/>"
-                    "<circle id=\"c\" fill=\"inherit\"/></g><text id=\"d\">x</text></g>"
-                    "<circle id=\"e\"/>"),
+  EXPECT_EQ(listing("<path id='a' fill='url(#m)' stroke='url(#n)'/>"), "a fill=m; a stroke=n; ");
+  EXPECT_EQ(listing("<rect id='a' fill='url(#m)' style='fill:url(#n)'/>"), "a fill=n; ");
+  EXPECT_EQ(listing("<rect id='a' fill='url(#m)' style='fill:red'/>"), "");
+  EXPECT_EQ(listing("<g fill='url(#m)'><g><circle id='a'/><circle id='b' fill='none'/><circle "
+                    "id='c' fill='inherit'/></g><text id='d'>x</text></g><circle id='e'/>"),
             "a fill=m; c fill=m; d fill=m; ");
-  EXPECT_EQ(listing("<g fill=\"url(#m)\" stroke=\"url(#n)\"><line id=\"a\"/></g>"), "a stroke=n; ");
-  EXPECT_EQ(listing("<rect id=\"a\" fill=\"url(#flat)\"/><rect id=\"b\" fill=\"url(#none)\"/>"),
-            "");
+  EXPECT_EQ(listing("<g fill='url(#m)' stroke='url(#n)'><line id='a'/></g>"), "a stroke=n; ");
+  EXPECT_EQ(listing("<rect id='a' fill='url(#flat)'/><rect id='b' fill='url(#none)'/>"), "");
 }
 
 TEST(SvgObjects, writings_of_the_paint) {
   for (const std::string paint :
        {"url(#m)", "url( '#m' )", "url(#m) #abc", "url(#m) none", "URL(&quot;#m&quot;) red"})
-    EXPECT_EQ(listing("<rect id=\"a\" fill=\"" + paint + "\"/>"), "a fill=m; ") << paint;
-  EXPECT_EQ(
-      listing("<rect id=\"a\" style=\"; ;stroke:none;FILL : url(&quot;#m&quot;) !important;\"/>"),
-      "a fill=m; ");
+    EXPECT_EQ(listing("<rect id='a' fill=\"" + paint + "\"/>"), "a fill=m; ") << paint;
+  EXPECT_EQ(listing("<rect id='a' style='; ;stroke:none;FILL : url(&quot;#m&quot;) !important;'/>"),
+            "a fill=m; ");
 }
 
 TEST(SvgObjects, simple_style_rules) {
   const auto with = [](const std::string& css) {
-    return listing("<style>" + css + "</style><rect id=\"a\" class=\"x y\" fill=\"none\"/>");
+    return listing("<style>" + css + "</style><rect id='a' class='x y' fill='none'/>");
   };
   EXPECT_EQ(with("rect{fill:url(#m)}"), "a fill=m; ");
   EXPECT_EQ(with("path, .y ,#b{fill:url(#m);}"), "a fill=m; ");
   EXPECT_EQ(with("#a{fill:url(#m)} .y{fill:red} rect{fill:blue}"), "a fill=m; ");
   EXPECT_EQ(with(".y{fill:url(#n)} .x{fill:url(#m)}"), "a fill=m; ");
-  EXPECT_EQ(with("<![CDATA[ /* } */ @import 'a;b'; @media print { rect{fill:red} } "
-                 "rect { stroke: none; fill: url(\"#m\") } ]]>"),
+  EXPECT_EQ(with("<![CDATA[ /* } */ @import 'a;b'; @media print { rect{fill:red} } rect { stroke: "
+                 "none; fill: url(\"#m\") } ]]>"),
             "a fill=m; ");
   EXPECT_EQ(with("rect{fill:url(#m)"), "a fill=m; ");
   // Anything more is passed over.
@@ -115,13 +82,13 @@ TEST(SvgObjects, simple_style_rules) {
 
 TEST(SvgObjects, definitions_are_not_listed) {
   for (const std::string element : {"defs", "clipPath", "mask", "symbol", "pattern", "marker"})
-    EXPECT_EQ(
-        listing("<" + element + "><g><rect id=\"a\" fill=\"url(#m)\"/></g></" + element + ">"), "");
-  EXPECT_EQ(listing("<x:rect xmlns:x=\"urn:other\" id=\"a\" fill=\"url(#m)\"/>"), "");
+    EXPECT_EQ(listing("<" + element + "><g><rect id='a' fill='url(#m)'/></g></" + element + ">"),
+              "");
+  EXPECT_EQ(listing("<x:rect xmlns:x='urn:other' id='a' fill='url(#m)'/>"), "");
 }
 
 TEST(SvgObjects, missing_ids_are_written) {
-  SvgDocument document =
+  SvgTree document =
       parse_body("<rect id=\"rect1\"/><rect fill=\"url(#m)\"/><rect id=\"\" fill=\"url(#m)\"/>");
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 2u);
@@ -132,22 +99,22 @@ TEST(SvgObjects, missing_ids_are_written) {
 }
 
 TEST(SvgObjects, transform_to_document) {
-  SvgDocument document = parse_body(
-      "<g transform=\"translate(100 0) scale(2)\"><g transform=\"rotate(90)\">"
-      "<path id=\"a\" fill=\"url(#m)\" transform=\"translate(1,2)\"/></g></g>");
+  SvgTree document = parse_body(
+      "<g transform='translate(100 0) scale(2)'><g transform='rotate(90)'><path id='a' "
+      "fill='url(#m)' transform='translate(1,2)'/></g></g>");
   const Affine map = to_document(mesh_objects(document).at(0));
   // (3, 4) -> (4, 6) -> (-6, 4) -> (88, 8)
   const glm::dvec2 p = map.point({3, 4});
   EXPECT_NEAR(p.x, 88, 1e-12);
   EXPECT_NEAR(p.y, 8, 1e-12);
 
-  SvgDocument bad = parse_body("\n<g transform=\"scale(\"><path id=\"a\" fill=\"url(#m)\"/></g>");
+  SvgTree bad = parse_body("\n<g transform='scale('><path id='a' fill='url(#m)'/></g>");
   const auto objects = mesh_objects(bad);
   EXPECT_EQ(complaint([&] { to_document(objects.at(0)); }),
             "drawing.svg: g in line 2: its transform \"scale(\" is malformed.");
 }
 
-TEST(SvgDocument, unreadable_documents_give_the_reason) {
+TEST(SvgTree, unreadable_documents_give_the_reason) {
   const std::string start = "drawing.svg is not a readable SVG document: ";
   EXPECT_EQ(parse_complaint(""), start + "it is empty.");
   EXPECT_EQ(parse_complaint("plain text"), start + "Start tag expected, '<' not found (line 1).");
@@ -158,7 +125,7 @@ TEST(SvgDocument, unreadable_documents_give_the_reason) {
   EXPECT_EQ(parse_complaint("<html/>"), start + "its outermost element is not <svg>.");
 }
 
-TEST(SvgDocument, depth_is_limited) {
+TEST(SvgTree, depth_is_limited) {
   std::string deep = head, end = "</svg>";
   for (int i = 0; i < 100000; ++i) {
     deep += "<g>";
@@ -179,7 +146,7 @@ TEST(SvgDocument, depth_is_limited) {
   EXPECT_TRUE(parse(just.substr(0, last) + just_end).root());
 }
 
-TEST(SvgDocument, keeps_what_it_does_not_know) {
+TEST(SvgTree, keeps_what_it_does_not_know) {
   const std::string text =
       "<?xml version=\"1.0\" encoding=\"ISO-8859-1\" standalone=\"no\"?>\n"
       "<!DOCTYPE svg [\n<!ENTITY note \"plain\">\n]>\n"
@@ -193,7 +160,7 @@ TEST(SvgDocument, keeps_what_it_does_not_know) {
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + head + "\xc3\xa9</svg>\n");
 }
 
-TEST(SvgDocument, can_be_read_again_whatever_its_encoding) {
+TEST(SvgTree, can_be_read_again_whatever_its_encoding) {
 #ifdef _WIN32
   GTEST_SKIP() << "libxml2 is built without iconv there.";
 #endif
@@ -206,10 +173,10 @@ TEST(SvgDocument, can_be_read_again_whatever_its_encoding) {
   }
 }
 
-TEST(SvgDocument, entities_are_taken_only_where_harmless) {
+TEST(SvgTree, entities_are_taken_only_where_harmless) {
   const auto first_color = [](const std::string& entities, const std::string& paint) {
-    SvgDocument document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
-                                 "<rect id=\"a\" style=\"" + paint + "\"/></svg>");
+    SvgTree document = parse("<!DOCTYPE svg [" + entities + "]>" + head + gradients +
+                             "<rect id='a' style=\"" + paint + "\"/></svg>");
     return mesh_objects(document).size();
   };
   EXPECT_EQ(first_color("<!ENTITY st \"fill:url(#m)\">", "&st;"), 1u);
@@ -218,7 +185,7 @@ TEST(SvgDocument, entities_are_taken_only_where_harmless) {
       "drawing.svg: rect \"a\": the entity \"b\" is not a short plain text.");
 }
 
-TEST(SvgDocument, entity_bomb_is_not_expanded) {
+TEST(SvgTree, entity_bomb_is_not_expanded) {
   std::string entities = "<!ENTITY e0 \"0123456789\">";
   for (int i = 1; i < 12; ++i) {
     std::string ten;
@@ -227,21 +194,22 @@ TEST(SvgDocument, entity_bomb_is_not_expanded) {
   }
   const std::string start = "<!DOCTYPE svg [" + entities + "]>" + head + gradients;
   // Whether libxml2 refuses it or we do, it ends in a sentence and not in 10^12 characters.
-  for (const std::string body : {"<rect id=\"a\" style=\"&e11;\"/>",
-                                 "<rect id=\"&e11;\" fill=\"url(#m)\"/>", "<style>&e11;</style>"})
+  for (const std::string body : {"<rect id='a' style='&e11;'/>",
+                                 "<rect id='&e11;' fill='url(#m)'/>", "<style>&e11;</style>"})
     EXPECT_TRUE(complaint([&] {
-                  SvgDocument document = parse(start + body + "</svg>");
+                  SvgTree document = parse(start + body + "</svg>");
                   mesh_objects(document);
                 }).starts_with("drawing.svg"))
         << body;
 }
 
-TEST_F(SvgFile, external_entities_are_not_loaded) {
-  write_bytes(folder / "secret.txt", "fill:url(#m)");
-  const std::string uri = "file://" + (folder / "secret.txt").string();
+TEST(SvgTree, external_entities_are_not_loaded) {
+  const std::string secret = testing::TempDir() + "gradmesh_secret_" + std::to_string(::getpid());
+  write_bytes(secret, "fill:url(#m)");
+  const std::string uri = "file://" + secret;
   const std::string in_text = "<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
                               gradients + "<text id=\"a\">&x;</text></svg>";
-  SvgDocument document = parse(in_text);
+  SvgTree document = parse(in_text);
   EXPECT_TRUE(mesh_objects(document).empty());
   EXPECT_EQ(document.serialize().find("fill:url"), std::string::npos);
   EXPECT_NE(document.serialize().find("<text id=\"a\">&x;</text>"), std::string::npos);
@@ -250,45 +218,7 @@ TEST_F(SvgFile, external_entities_are_not_loaded) {
   EXPECT_EQ(parse_complaint("<!DOCTYPE svg [<!ENTITY x SYSTEM \"" + uri + "\">]>" + head +
                             "<style id=\"s\">&x;</style></svg>"),
             "drawing.svg: style \"s\": the entity \"x\" is not a short plain text.");
-}
-
-TEST_F(SvgFile, writes_whole_file_or_nothing) {
-  const fs::path path = folder / "drawing.svg";
-  write_bytes(path, head + "<rect/></svg>");
-  SvgDocument document = SvgDocument::read_file(path);
-  document.write_file(path);
-  EXPECT_EQ(read_bytes(path), document.serialize());
-  EXPECT_EQ(entries(), 1u);
-
-  const fs::path nowhere = folder / "missing" / "drawing.svg";
-  EXPECT_EQ(complaint([&] { document.write_file(nowhere); }),
-            nowhere.string() + " cannot be written: No such file or directory.");
-  EXPECT_EQ(complaint([&] { document.write_file(folder); }),
-            folder.string() + " cannot be written: it is not a regular file.");
-  EXPECT_EQ(complaint([&] { SvgDocument::read_file(nowhere); }),
-            nowhere.string() + " cannot be read: No such file or directory.");
-  // Why is in the system's words.
-  EXPECT_TRUE(complaint([&] {
-                SvgDocument::read_file(folder);
-              }).starts_with(folder.string() + " cannot be read: "));
-  EXPECT_EQ(entries(), 1u);
-}
-
-TEST_F(SvgFile, keeps_permissions_and_links) {
-#ifdef _WIN32
-  GTEST_SKIP() << "There are no such permissions, and not everybody may make links.";
-#endif
-  const fs::path path = folder / "drawing.svg", link = folder / "link.svg";
-  write_bytes(path, head + "<rect/></svg>");
-  constexpr fs::perms some = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
-  fs::permissions(path, some);
-  fs::create_symlink(path, link);
-  const SvgDocument document = SvgDocument::read_file(path);
-  document.write_file(link);
-  EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_EQ(read_bytes(path), document.serialize());
-  EXPECT_EQ(fs::status(path).permissions(), some);
-  EXPECT_EQ(entries(), 2u);
+  std::filesystem::remove(secret);
 }
 
 }  // namespace

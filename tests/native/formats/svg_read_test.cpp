@@ -1,57 +1,39 @@
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "base/error.h"
-#include "formats/svg/read/document.h"
-#include "formats/svg/read/objects.h"
-#include "formats/svg/read/read_mesh.h"
+#include "formats/svg/gradient/mesh_gradient.h"
+#include "meshes.h"
+#include "svg_documents.h"
 
 namespace gradmesh {
 namespace {
 
-SvgDocument parse(const std::string& body) {
-  return SvgDocument::parse(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
-      "width=\"200\" height=\"100\">" +
-          body + "</svg>",
-      "drawing.svg");
-}
-
 /// A rectangle (10, 20)..(110, 70) filled with the meshgradient `m1`.
-SvgDocument parse_mesh(const std::string& gradient) {
-  return parse("<defs>" + gradient +
-               "</defs><rect id=\"r\" x=\"10\" y=\"20\" width=\"100\" height=\"50\" "
-               "fill=\"url(#m1)\"/>");
+SvgTree parse_mesh(const std::string& gradient) {
+  return test::svg_tree(
+      "<defs>" + gradient +
+      "</defs><rect id='r' x='10' y='20' width='100' height='50' fill='url(#m1)'/>");
 }
 
-MeshParts read_only_mesh(SvgDocument& document) {
+MeshParts read_only_mesh(SvgTree& document) {
   const auto objects = mesh_objects(document);
   EXPECT_EQ(objects.size(), 1u);
   return read_mesh(document, objects.at(0));
 }
 
 MeshParts read_gradient(const std::string& gradient) {
-  SvgDocument document = parse_mesh(gradient);
+  SvgTree document = parse_mesh(gradient);
   return read_only_mesh(document);
 }
 
-std::string complaint(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using test::complaint;
 
 std::string complaint(const std::string& gradient) {
   return complaint([&] { read_gradient(gradient); });
 }
 
 std::string mesh(const std::string& rows, const std::string& attributes = "") {
-  return "<meshgradient id=\"m1\" x=\"10\" y=\"20\" gradientUnits=\"userSpaceOnUse\" " +
-         attributes + ">" + rows + "</meshgradient>";
+  return "<meshgradient id='m1' x='10' y='20' gradientUnits='userSpaceOnUse' " + attributes + ">" +
+         rows + "</meshgradient>";
 }
 
 std::string row(const std::string& patches) { return "<meshrow>" + patches + "</meshrow>"; }
@@ -69,19 +51,10 @@ const std::string square =
 const std::string next_square = patch(stop("l 10,0") + stop("l 0,10") + stop("l -10,0"));
 const std::string square_below = patch(stop("l 0,10") + stop("l -10,0") + stop("l 0,-10"));
 
-void expect_near(const Value& a, const Value& b, double tolerance) {
-  for (int i = 0; i < 2; ++i) EXPECT_NEAR(a.position[i], b.position[i], tolerance);
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(a.color[i], b.color[i], tolerance);
-}
-
 void expect_near(const std::vector<Patch>& a, const std::vector<Patch>& b, double tolerance) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) {
-        SCOPED_TRACE("patch " + std::to_string(k) + ", entry " + std::to_string(4 * i + j));
-        expect_near(a[k].c[i][j], b[k].c[i][j], tolerance);
-      }
+    EXPECT_LE(test::difference(a[k], b[k]), tolerance) << "patch " << k;
 }
 
 // A 2x3 grid whose 7x10 Bezier points and 3x4 corner colours follow formulas, so that no two are
@@ -156,10 +129,10 @@ std::string write_grid(const Writing& form) {
         const std::string alpha = std::to_string(color.a);
         stops += "<stop path=\"" + path + "\" ";
         // The style wins over the attribute beside it.
-        stops += form.color_in_style
-                     ? "stop-color=\"lime\" style=\"stop-color:" + rgb + ";stop-opacity:" + alpha +
-                           "\"/>"
-                     : "stop-color=\"" + rgb + "\" stop-opacity=\"" + alpha + "\"/>";
+        stops +=
+            form.color_in_style
+                ? "stop-color='lime' style=\"stop-color:" + rgb + ";stop-opacity:" + alpha + "\"/>"
+                : "stop-color=\"" + rgb + "\" stop-opacity=\"" + alpha + "\"/>";
       }
       std::string tensor;
       const int ti[4] = {1, 1, 2, 2}, tj[4] = {1, 2, 2, 1};
@@ -171,7 +144,7 @@ std::string write_grid(const Writing& form) {
   }
   const std::string start = "x=\"" + std::to_string(grid_point(0, 0).x) + "\" y=\"" +
                             std::to_string(grid_point(0, 0).y) + "\"";
-  return "<meshgradient id=\"m1\" " + start + " gradientUnits=\"userSpaceOnUse\">" + text +
+  return "<meshgradient id='m1' " + start + " gradientUnits='userSpaceOnUse'>" + text +
          "</meshgradient>";
 }
 
@@ -239,24 +212,25 @@ TEST(SvgMesh, bounding_box_units) {
                                   stop("l-50,0", "blue") + stop("l0-50"));
   const auto expected = read_gradient(mesh(row(units))).patches;
   // The default units, and percentages of the box.
-  for (const std::string attributes : {"", "x=\"0%\" gradientUnits=\"objectBoundingBox\""})
-    expect_near(read_gradient("<meshgradient id=\"m1\" " + attributes + ">" + row(fractions) +
+  for (const std::string attributes : {"", "x='0%' gradientUnits='objectBoundingBox'"})
+    expect_near(read_gradient("<meshgradient id='m1' " + attributes + ">" + row(fractions) +
                               "</meshgradient>")
                     .patches,
                 expected, 1e-12);
   // The same through a transform inside the box's units.
-  expect_near(read_gradient("<meshgradient id=\"m1\" x=\"-1\" y=\"-4\" "
-                            "gradientTransform=\"scale(.5 .25)translate(1 4)\">" +
-                            row(patch(stop("l 1,0", "red") + stop("l 0,4", "lime") +
-                                      stop("l-1,0", "blue") + stop("l"))) +
-                            "</meshgradient>")
-                  .patches,
-              expected, 1e-12);
+  expect_near(
+      read_gradient(
+          "<meshgradient id='m1' x='-1' y='-4' gradientTransform='scale(.5 .25)translate(1 4)'>" +
+          row(patch(stop("l 1,0", "red") + stop("l 0,4", "lime") + stop("l-1,0", "blue") +
+                    stop("l"))) +
+          "</meshgradient>")
+          .patches,
+      expected, 1e-12);
 }
 
 TEST(SvgMesh, lengths_of_the_start) {
   const auto start = [](const std::string& xy) {
-    return read_gradient("<meshgradient id=\"m1\" gradientUnits=\"userSpaceOnUse\" " + xy + ">" +
+    return read_gradient("<meshgradient id='m1' gradientUnits='userSpaceOnUse' " + xy + ">" +
                          row(square) + "</meshgradient>")
         .patches.at(0)
         .corner(0)
@@ -264,47 +238,48 @@ TEST(SvgMesh, lengths_of_the_start) {
   };
   EXPECT_EQ(start(""), glm::dvec2(0, 0));
   // As Inkscape paints it: not of the page.
-  EXPECT_EQ(start("x=\"25%\" y=\"25%\""), glm::dvec2(0.25, 0.25));
-  EXPECT_EQ(start("x=\"1in\" y=\"3px\""), glm::dvec2(96, 3));
+  EXPECT_EQ(start("x='25%' y='25%'"), glm::dvec2(0.25, 0.25));
+  EXPECT_EQ(start("x='1in' y='3px'"), glm::dvec2(96, 3));
 }
 
 TEST(SvgMesh, smooth_meshes_stay_in_the_coordinates_of_their_gradient) {
-  const std::string attributes = "gradientTransform=\"matrix(2,0,0,5,7,1)\" type=\"bicubic\"";
-  SvgDocument document = parse_mesh(mesh(row(square), attributes));
+  const std::string attributes = "gradientTransform='matrix(2,0,0,5,7,1)' type='bicubic'";
+  SvgTree document = parse_mesh(mesh(row(square), attributes));
   const MeshParts smooth = read_only_mesh(document);
   EXPECT_TRUE(smooth.smooth);
   EXPECT_EQ(smooth.patches, read_gradient(mesh(row(square))).patches);
   const MeshObject object = mesh_objects(document).at(0);
   EXPECT_EQ(mesh_to_user(document, object).point({10, 20}), glm::dvec2(27, 101));
   // Not inherited by href either.
-  EXPECT_FALSE(read_only_mesh(*std::make_unique<SvgDocument>(parse_mesh(
-                                  "<meshgradient id=\"base\" type=\"bicubic\">" + row(square) +
-                                  "</meshgradient><meshgradient id=\"m1\" href=\"#base\"/>")))
+  EXPECT_FALSE(read_only_mesh(*std::make_unique<SvgTree>(parse_mesh(
+                                  "<meshgradient id='base' type='bicubic'>" + row(square) +
+                                  "</meshgradient><meshgradient id='m1' href='#base'/>")))
                    .smooth);
 }
 
 TEST(SvgMesh, href_gives_rows_and_units) {
   const std::string base =
-      "<meshgradient id=\"base\" x=\"5\" y=\"5\" "
-      "gradientUnits=\"userSpaceOnUse\" gradientTransform=\"scale(7)\">" +
+      "<meshgradient id='base' x='5' y='5' gradientUnits='userSpaceOnUse' "
+      "gradientTransform='scale(7)'>" +
       row(square + next_square) + "</meshgradient>";
   const auto expected = read_gradient(mesh(row(square + next_square))).patches;
   for (const std::string link :
-       {"href=\"#base\"", "xlink:href=\"#base\"", "href=\"#between\" xlink:href=\"#m1\""})
-    EXPECT_EQ(read_gradient(base + "<meshgradient id=\"between\" href=\"#base\"/>" +
-                            "<meshgradient id=\"m1\" x=\"10\" y=\"20\" " + link + "/>")
+       {"href='#base'", "xlink:href='#base'", "href='#between' xlink:href='#m1'"})
+    EXPECT_EQ(read_gradient(base + "<meshgradient id='between' href='#base'/>" +
+                            "<meshgradient id='m1' x='10' y='20' " + link + "/>")
                   .patches,
               expected);
   // As Inkscape 1.2 paints it: x, y and gradientTransform are not inherited.
-  expect_near(read_gradient(base + "<meshgradient id=\"m1\" xlink:href=\"#base\" "
-                                   "gradientTransform=\"translate(10 20)\"/>")
-                  .patches,
-              expected, 1e-12);
+  expect_near(
+      read_gradient(
+          base + "<meshgradient id='m1' xlink:href='#base' gradientTransform='translate(10 20)'/>")
+          .patches,
+      expected, 1e-12);
 }
 
 TEST(SvgMesh, stop_colors) {
   const auto color = [](const std::string& attributes, const std::string& around = "") {
-    const std::string first = "<stop path=\"l 10,0\" " + attributes + "/>";
+    const std::string first = "<stop path='l 10,0' " + attributes + "/>";
     return read_gradient("<g " + around + ">" +
                          mesh(row(patch(first + stop("l 0,10") + stop("l -10,0") + stop("l")))) +
                          "</g>")
@@ -313,16 +288,16 @@ TEST(SvgMesh, stop_colors) {
         .color;
   };
   EXPECT_EQ(color(""), glm::dvec4(0, 0, 0, 1));
-  EXPECT_EQ(color("stop-color=\"red\" stop-opacity=\"0.5\""), glm::dvec4(1, 0, 0, 0.5));
-  EXPECT_EQ(color("stop-color=\"red\" style=\"stop-color:blue\""), glm::dvec4(0, 0, 1, 1));
-  EXPECT_EQ(color("stop-color=\"currentColor\" color=\"lime\""), glm::dvec4(0, 1, 0, 1));
+  EXPECT_EQ(color("stop-color='red' stop-opacity='0.5'"), glm::dvec4(1, 0, 0, 0.5));
+  EXPECT_EQ(color("stop-color='red' style='stop-color:blue'"), glm::dvec4(0, 0, 1, 1));
+  EXPECT_EQ(color("stop-color='currentColor' color='lime'"), glm::dvec4(0, 1, 0, 1));
   // Stops inherit nothing in Inkscape.
-  EXPECT_EQ(color("stop-color=\"currentColor\"", "color=\"lime\""), glm::dvec4(0, 0, 0, 1));
-  EXPECT_EQ(color("stop-color=\"inherit\"", "stop-color=\"red\""), glm::dvec4(0, 0, 0, 1));
+  EXPECT_EQ(color("stop-color='currentColor'", "color='lime'"), glm::dvec4(0, 0, 0, 1));
+  EXPECT_EQ(color("stop-color='inherit'", "stop-color='red'"), glm::dvec4(0, 0, 0, 1));
   // What is no colour and no opacity is as if it were not there.
-  EXPECT_EQ(color("stop-color=\"puce\" stop-opacity=\"none\""), glm::dvec4(0, 0, 0, 1));
-  EXPECT_EQ(color("stop-color=\"red\" style=\"stop-color:puce\""), glm::dvec4(1, 0, 0, 1));
-  EXPECT_EQ(color("style=\"stop-color:red;stop-color:none\""), glm::dvec4(1, 0, 0, 1));
+  EXPECT_EQ(color("stop-color='puce' stop-opacity='none'"), glm::dvec4(0, 0, 0, 1));
+  EXPECT_EQ(color("stop-color='red' style='stop-color:puce'"), glm::dvec4(1, 0, 0, 1));
+  EXPECT_EQ(color("style='stop-color:red;stop-color:none'"), glm::dvec4(1, 0, 0, 1));
 }
 
 TEST(SvgMesh, earlier_names) {
@@ -347,9 +322,9 @@ TEST(SvgMesh, stops_more_or_less_than_needed) {
   // The last stop of a row's first patch: a line to a corner without a colour.
   const auto open = read_gradient(
       mesh(row(patch(stop("l 10,0", "red") + stop("l 0,10", "red") + stop("l -10,0", "red")))));
-  const auto whole = read_gradient(
-      mesh(row(patch(stop("l 10,0", "red") + stop("l 0,10", "red") + stop("l -10,0", "red") +
-                     "<stop path=\"l\" stop-opacity=\"0\"/>"))));
+  const auto whole =
+      read_gradient(mesh(row(patch(stop("l 10,0", "red") + stop("l 0,10", "red") +
+                                   stop("l -10,0", "red") + "<stop path='l' stop-opacity='0'/>"))));
   EXPECT_EQ(open.patches, whole.patches);
   // A left side that the patch before has given already is given anew.
   const auto twice =
@@ -386,13 +361,13 @@ TEST(SvgMesh, bad_meshes_are_named) {
     EXPECT_EQ(complaint(broken_stop(path)), path_complaint(path));
   EXPECT_EQ(complaint(mesh(row(patch(stop("l 0,0") + stop("l 0,0") + stop("l 0,0") + stop("l"))))),
             m + "row 1, patch 1 is degenerate: all its points coincide.");
-  EXPECT_EQ(complaint(mesh(row(square), "gradientTransform=\"turn(3)\"")),
+  EXPECT_EQ(complaint(mesh(row(square), "gradientTransform='turn(3)'")),
             m + "its gradientTransform \"turn(3)\" is malformed.");
-  EXPECT_EQ(complaint(mesh(row(square), "gradientTransform=\"scale(3 0)\"")),
+  EXPECT_EQ(complaint(mesh(row(square), "gradientTransform='scale(3 0)'")),
             m + "its gradientTransform flattens the mesh to a line.");
-  EXPECT_EQ(complaint(mesh(row(square), "gradientTransform=\"scale(1e8)\"")),
+  EXPECT_EQ(complaint(mesh(row(square), "gradientTransform='scale(1e8)'")),
             m + "row 1, patch 1 reaches beyond 5e8 user units.");
-  EXPECT_EQ(complaint("<meshgradient id=\"m1\" x=\"1furlong\">" + row(square) + "</meshgradient>"),
+  EXPECT_EQ(complaint("<meshgradient id='m1' x='1furlong'>" + row(square) + "</meshgradient>"),
             m + "its x \"1furlong\" is not a known length.");
 }
 
@@ -400,12 +375,12 @@ TEST(SvgMesh, bad_links_are_named) {
   const auto link = [](const std::string& id, const std::string& target) {
     return "<meshgradient id=\"" + id + "\" href=\"" + target + "\"/>";
   };
-  EXPECT_EQ(complaint(link("m1", "#nowhere")),
-            "drawing.svg: meshgradient \"m1\": its href \"#nowhere\" leads nowhere in this "
-            "document.");
-  EXPECT_EQ(complaint(link("m1", "other.svg#m")),
-            "drawing.svg: meshgradient \"m1\": its href \"other.svg#m\" leads nowhere in this "
-            "document.");
+  EXPECT_EQ(
+      complaint(link("m1", "#nowhere")),
+      "drawing.svg: meshgradient \"m1\": its href \"#nowhere\" leads nowhere in this document.");
+  EXPECT_EQ(
+      complaint(link("m1", "other.svg#m")),
+      "drawing.svg: meshgradient \"m1\": its href \"other.svg#m\" leads nowhere in this document.");
   EXPECT_EQ(complaint(link("m1", "#r")),
             "drawing.svg: meshgradient \"m1\": its href \"#r\" does not lead to a gradient.");
   EXPECT_EQ(complaint(link("m1", "#m2") + link("m2", "#m3") + link("m3", "#m2")),
@@ -415,20 +390,20 @@ TEST(SvgMesh, bad_links_are_named) {
 TEST(SvgMesh, bounding_box_must_be_known) {
   const auto with = [](const std::string& shape) {
     return complaint([&] {
-      SvgDocument document =
-          parse("<meshgradient id=\"m1\">" + row(square) + "</meshgradient>" + shape);
+      SvgTree document =
+          test::svg_tree("<meshgradient id='m1'>" + row(square) + "</meshgradient>" + shape);
       read_only_mesh(document);
     });
   };
-  EXPECT_EQ(with("<text id=\"t\" fill=\"url(#m1)\">A</text>"),
+  EXPECT_EQ(with("<text id='t' fill='url(#m1)'>A</text>"),
             "drawing.svg: text \"t\": its mesh is placed by its bounding box (objectBoundingBox), "
             "which is known for shapes only.");
-  EXPECT_EQ(with("<path id=\"p\" fill=\"url(#m1)\" d=\"M 0 0 H 9\"/>"),
+  EXPECT_EQ(with("<path id='p' fill='url(#m1)' d='M 0 0 H 9'/>"),
             "drawing.svg: path \"p\": its mesh is placed by its bounding box (objectBoundingBox), "
             "which has no width or no height.");
-  EXPECT_EQ(with("<path id=\"p\" fill=\"url(#m1)\" d=\"M 0 0 H\"/>"),
+  EXPECT_EQ(with("<path id='p' fill='url(#m1)' d='M 0 0 H'/>"),
             "drawing.svg: path \"p\": its path data \"M 0 0 H\" are malformed.");
-  EXPECT_EQ(with("<polygon id=\"g\" fill=\"url(#m1)\" points=\"1 2 3\"/>"),
+  EXPECT_EQ(with("<polygon id='g' fill='url(#m1)' points='1 2 3'/>"),
             "drawing.svg: polygon \"g\": its points \"1 2 3\" are malformed.");
 }
 

@@ -6,18 +6,19 @@
 #include <set>
 
 #include "app/document.h"
-#include "base/error.h"
+#include "corners.h"
 #include "form/block_outline.h"
 #include "form/rounding.h"
 #include "form/written_patch.h"
-#include "formats/svg/read/read_group.h"
-#include "formats/svg/read/read_mesh.h"
-#include "formats/svg/write/write_group.h"
-#include "formats/svg/xml/node.h"
+#include "formats/svg/gradient/mesh_gradient.h"
+#include "formats/svg/group/mesh_group.h"
+#include "formats/svg/group/write_group.h"
+#include "formats/svg/tree/own.h"
 #include "mesh/build.h"
 #include "mesh/validate.h"
 #include "random_meshes.h"
 #include "same_mesh.h"
+#include "svg_documents.h"
 
 namespace gradmesh {
 namespace {
@@ -25,23 +26,21 @@ namespace {
 using test::difference;
 using test::grid_mesh;
 
-constexpr const char* head =
-    "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-    "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"400\" height=\"400\">";
-constexpr const char* gradient =
-    "<defs><meshgradient id=\"m\" x=\"0\" y=\"0\" gradientUnits=\"userSpaceOnUse\"><meshrow>"
-    "<meshpatch><stop path=\"l 100,0\" stop-color=\"#f00\"/><stop path=\"l 0,100\" "
-    "stop-color=\"#0f0\"/><stop path=\"l -100,0\" stop-color=\"#00f\"/><stop path=\"l\" "
-    "stop-color=\"#fff\"/></meshpatch></meshrow></meshgradient></defs>";
+using test::complaint;
+using test::elements_called;
 
-SvgDocument document_of(const std::string& body) {
-  return SvgDocument::parse(head + std::string(gradient) + body + "</svg>", "drawing.svg");
-}
+const std::string gradient =
+    "<defs><meshgradient id='m' x='0' y='0' "
+    "gradientUnits='userSpaceOnUse'><meshrow><meshpatch><stop path='l 100,0' "
+    "stop-color='#f00'/><stop path='l 0,100' stop-color='#0f0'/><stop path='l -100,0' "
+    "stop-color='#00f'/><stop path='l' "
+    "stop-color='#fff'/></meshpatch></meshrow></meshgradient></defs>";
+const std::string filled = "<rect id='p' width='400' height='400' fill='url(#m)'/>";
 
 constexpr double tolerance = 0.001;
 
-void write(SvgDocument& document, const MeshObject& object, const Mesh& mesh) {
-  write_mesh(document, object, {mesh, block_form(mesh, tolerance), "label", {24, 9}});
+void write(SvgTree& document, const MeshObject& object, const Mesh& mesh) {
+  write_group(document, object, {mesh, block_form(mesh, tolerance), "label", {24, 9}});
 }
 
 /// What a run measures of a mesh that is written so.
@@ -49,10 +48,17 @@ Mesh as_measured(const Mesh& mesh) {
   return build_mesh(block_parts(mesh, block_form(mesh, tolerance)));
 }
 
-std::string after_writing(const std::string& body, const Mesh& mesh, int which = 0) {
-  SvgDocument document = document_of(body);
-  write(document, mesh_objects(document).at(which), mesh);
-  return document.serialize();
+/// The document with this content in which the mesh was written in the place of its first mesh, as
+/// it is read again.
+SvgTree after_writing(const std::string& body, const Mesh& mesh) {
+  SvgTree document = test::svg_tree(gradient + body);
+  write(document, mesh_objects(document).at(0), mesh);
+  return SvgTree::parse(document.serialize(), "d.svg");
+}
+
+/// The element that an attribute such as clip-path names.
+xmlNode* held_by(const SvgTree& document, const xmlNode* node, const char* name) {
+  return referenced(document, attribute(node, name));
 }
 
 /// A mesh of random merges and splits, as a document may hold it: colours of 8 bits.
@@ -110,10 +116,8 @@ TEST(SvgWrite, read_back_it_is_the_same_mesh) {
   int junctions = 0, nested = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Mesh mesh = random_mesh(seed);
-    const std::string text = after_writing(
-        "<path id=\"p\" d=\"M0,0 H400 V400 Z\" "
-        "fill=\"url(#m)\"/>",
-        mesh);
+    const std::string text =
+        after_writing("<path id='p' d='M0,0 H400 V400 Z' fill='url(#m)'/>", mesh).serialize();
     const std::unique_ptr<Document> document = Document::parse(text, "drawing.svg");
     ASSERT_EQ(document->meshes().size(), 1u);
     const Mesh back = document->mesh(document->meshes()[0]);
@@ -137,11 +141,11 @@ TEST(SvgWrite, no_point_is_rounded_by_more_than_a_tenth_of_the_tolerance) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Mesh mesh = random_mesh(seed);
     const BlockForm form = block_form(mesh, tolerance);
-    EXPECT_EQ(form.step, 1e-4);
+    EXPECT_EQ(form.precision.step, 1e-4);
     for (const Rectangle& block : form.blocks)
       for (const Halfedge top : block.tops) {
         const BezierNet net = bezier_net(mesh.patch(top)),
-                        written = bezier_net(written_patch(mesh, top, form));
+                        written = bezier_net(written_patch(mesh.patch(top), form.precision));
         for (const int k : {0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4}) {
           const glm::dvec2 p = written[std::size_t(k / 4)][std::size_t(k % 4)].position;
           EXPECT_LE(glm::distance(p, net[std::size_t(k / 4)][std::size_t(k % 4)].position),
@@ -153,18 +157,13 @@ TEST(SvgWrite, no_point_is_rounded_by_more_than_a_tenth_of_the_tolerance) {
 
 TEST(SvgWrite, shared_points_are_the_very_same_text) {
   const Mesh mesh = random_mesh(4);
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", mesh),
-      "d.svg");
+  SvgTree document = after_writing(filled, mesh);
   // All corners of all blocks, as they are written: as many different ones as there are points.
   std::set<std::string> corners;
-  for (xmlNode* g : child_elements(child_elements(document.root(), "defs").at(0), "meshgradient"))
-    for (xmlNode* row : child_elements(g))
-      for (xmlNode* patch : child_elements(row))
-        for (xmlNode* stop : child_elements(patch)) {
-          const std::string path = attribute(stop, "path").value();
-          corners.insert(path.substr(path.find_last_of(" LC") + 1));
-        }
+  for (const xmlNode* stop : elements_called(document.root(), "stop")) {
+    const std::string path = attribute(stop, "path").value();
+    corners.insert(path.substr(path.find_last_of(" LC") + 1));
+  }
   EXPECT_EQ(corners.size(), std::size_t(std::ranges::distance(mesh.points())));
 }
 
@@ -181,12 +180,11 @@ TEST(SvgWrite, halves_of_a_step_are_rounded_alike_where_the_last_bits_differ) {
 }
 
 TEST(SvgWrite, takes_the_place_of_the_object) {
-  const std::string text = after_writing(
-      "<g id=\"outer\"><circle id=\"below\" r=\"5\"/>"
-      "<path id=\"p\" transform=\"rotate(30)\" style=\"fill:url(#m);fill-opacity:0.5;opacity:0.7\" "
-      "d=\"M0,0 H400 V400 Z\"><title>Pear</title></path><circle id=\"above\" r=\"5\"/></g>",
+  SvgTree document = after_writing(
+      "<g id='outer'><circle id='below' r='5'/><path id='p' transform='rotate(30)' "
+      "style='fill:url(#m);fill-opacity:0.5;opacity:0.7' d='M0,0 H400 V400 "
+      "Z'><title>Pear</title></path><circle id='above' r='5'/></g>",
       grid_mesh({.rows = 2, .columns = 2}));
-  SvgDocument document = SvgDocument::parse(text, "d.svg");
   const auto children = child_elements(document.find("outer"));
   ASSERT_EQ(children.size(), 3u);
   xmlNode* group = children[1];
@@ -198,11 +196,10 @@ TEST(SvgWrite, takes_the_place_of_the_object) {
   EXPECT_EQ(style.at("opacity"), "0.35");
   EXPECT_FALSE(style.contains("fill-opacity"));
   EXPECT_FALSE(style.contains("fill"));
-  EXPECT_EQ(attribute(group, "label", "http://www.inkscape.org/namespaces/inkscape"), "label");
+  EXPECT_EQ(attribute(group, "label", inkscape_namespace), "label");
   ASSERT_EQ(child_elements(group, "title").size(), 1u);
   // Clipped by the shape, which keeps its geometry and nothing else.
-  const std::string clip = attribute(group, "clip-path").value();
-  xmlNode* shape = child_elements(document.find(clip.substr(5, clip.size() - 6))).at(0);
+  xmlNode* shape = child_elements(held_by(document, group, "clip-path")).at(0);
   EXPECT_EQ(attribute(shape, "d"), "M0,0 H400 V400 Z");
   EXPECT_FALSE(attribute(shape, "transform") || attribute(shape, "id"));
   // The gradient served nobody else.
@@ -210,12 +207,10 @@ TEST(SvgWrite, takes_the_place_of_the_object) {
 }
 
 TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
-  SvgDocument document = SvgDocument::parse(
-      after_writing(
-          "<rect xmlns=\"http://www.w3.org/2000/svg\" xmlns:n=\"urn:notes\" n:say=\"ripe\" "
-          "id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
-          grid_mesh()),
-      "d.svg");
+  SvgTree document = after_writing(
+      "<rect xmlns='http://www.w3.org/2000/svg' xmlns:n='urn:notes' n:say='ripe' id='p' "
+      "width='400' height='400' fill='url(#m)'/>",
+      grid_mesh());
   xmlNode* group = document.find("p");
   EXPECT_EQ(svg_name(group), "g");
   EXPECT_EQ(attribute(group, "say", "urn:notes"), "ripe");
@@ -223,30 +218,24 @@ TEST(SvgWrite, needs_no_namespace_that_the_object_declares) {
 }
 
 TEST(SvgWrite, gives_no_meaning_to_prefixes_that_the_document_does_not_declare) {
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<g id=\"g\" gradmesh:version=\"1\"><rect id=\"p\" width=\"400\" "
-                    "height=\"400\" fill=\"url(#m)\"/></g>",
-                    grid_mesh()),
-      "d.svg");
+  SvgTree document = after_writing(
+      "<g id='g' gradmesh:version='1'><rect id='p' width='400' height='400' fill='url(#m)'/></g>",
+      grid_mesh());
   EXPECT_FALSE(is_mesh_group(document.find("g")));
   EXPECT_TRUE(is_mesh_group(document.find("p")));
 }
 
 TEST(SvgWrite, does_not_use_a_prefix_that_is_none) {
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<g xmlns:a:b=\"urn:gradmesh\"><rect id=\"p\" width=\"400\" height=\"400\" "
-                    "fill=\"url(#m)\"/></g>",
-                    grid_mesh()),
-      "d.svg");
+  SvgTree document = after_writing(
+      "<g xmlns:a:b='urn:gradmesh'><rect id='p' width='400' height='400' fill='url(#m)'/></g>",
+      grid_mesh());
   ASSERT_TRUE(is_mesh_group(document.find("p")));
   EXPECT_EQ(read_mesh_group(document, document.find("p")).patches.size(), 9u);
 }
 
 TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<rect id=\"a)b 'c\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>",
-                    grid_mesh()),
-      "d.svg");
+  SvgTree document =
+      after_writing("<rect id=\"a)b 'c\" width='400' height='400' fill='url(#m)'/>", grid_mesh());
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 1u);
   EXPECT_EQ(objects[0].id, "a)b 'c");
@@ -255,12 +244,11 @@ TEST(SvgWrite, names_its_own_by_ids_that_a_url_can_hold) {
 }
 
 TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" class=\"c\" clip-path=\"url(#k)\" "
-                    "style=\"fill:url(#m);stroke:#00f;stroke-width:4;filter:url(#f)\"/>"
-                    "<style>.c { opacity: 0.5 }</style>",
-                    grid_mesh()),
-      "d.svg");
+  SvgTree document = after_writing(
+      "<rect id='p' width='400' height='400' class='c' clip-path='url(#k)' "
+      "style='fill:url(#m);stroke:#00f;stroke-width:4;filter:url(#f)'/><style>.c { opacity: 0.5 "
+      "}</style>",
+      grid_mesh());
   xmlNode* outer = document.find("p");
   EXPECT_EQ(attribute(outer, "clip-path"), "url(#k)");
   EXPECT_EQ(document.styles().declared(outer, "filter"), "url(#f)");
@@ -278,14 +266,12 @@ TEST(SvgWrite, keeps_the_stroke_above_and_effects_around) {
 }
 
 TEST(SvgWrite, masks_a_stroke_in_white) {
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<g stroke-width=\"30\"><path id=\"p\" d=\"M50,50 L300,300\" fill=\"none\" "
-                    "stroke=\"url(#m)\" stroke-linecap=\"round\"/></g>",
-                    grid_mesh()),
-      "d.svg");
+  SvgTree document = after_writing(
+      "<g stroke-width='30'><path id='p' d='M50,50 L300,300' fill='none' stroke='url(#m)' "
+      "stroke-linecap='round'/></g>",
+      grid_mesh());
   xmlNode* group = document.find("p");
-  const std::string mask = attribute(group, "mask").value();
-  xmlNode* shape = child_elements(document.find(mask.substr(5, mask.size() - 6))).at(0);
+  xmlNode* shape = child_elements(held_by(document, group, "mask")).at(0);
   EXPECT_EQ(document.styles().declared(shape, "stroke"), "#ffffff");
   EXPECT_EQ(document.styles().declared(shape, "stroke-width"), "30");
   EXPECT_EQ(document.styles().declared(shape, "stroke-linecap"), "round");
@@ -294,11 +280,8 @@ TEST(SvgWrite, masks_a_stroke_in_white) {
 }
 
 TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
-  const std::string other = "<rect id=\"q\" width=\"9\" height=\"9\" fill=\"url(#m)\"/>";
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>" + other,
-                    grid_mesh()),
-      "d.svg");
+  const std::string other = "<rect id='q' width='9' height='9' fill='url(#m)'/>";
+  SvgTree document = after_writing(filled + other, grid_mesh());
   ASSERT_NE(document.find("m"), nullptr);
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 2u);
@@ -309,30 +292,22 @@ TEST(SvgWrite, leaves_other_users_of_the_gradient_alone) {
 TEST(SvgWrite, opacities_are_a_mask_of_greys) {
   std::mt19937 random(3);
   MeshParts parts = test::grid_parts({.rows = 3, .columns = 3, .color_noise = 0.2}, random);
-  for (Patch& patch : parts.patches) {
-    for (const int i : {0, 3})
-      for (const int j : {0, 3})
-        patch.c[i][j].color.a = patch.c[i][j].position.x < 150 ? 1 : 102 / 255.0;
-    patch = as_written(patch, 0);
-  }
+  test::change_corners(parts, [](Value& v) { v.color.a = v.position.x < 150 ? 1 : 102 / 255.0; });
+  for (Patch& patch : parts.patches) patch = as_written(patch, 0);
   Mesh mesh = build_mesh(parts);
   Journal journal(mesh);
   merge(journal, test::between(mesh, Face{3}, Face{4}));
   for (const char* paint : {"fill", "stroke"}) {
-    const std::string body = "<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:none;" +
+    const std::string body = "<rect id='p' width='400' height='400' style=\"fill:none;" +
                              std::string(paint) + ":url(#m)\"/>";
-    SvgDocument document = SvgDocument::parse(after_writing(body, mesh), "d.svg");
+    SvgTree document = after_writing(body, mesh);
     for (int round = 0; round < 2; ++round) {
       const auto objects = mesh_objects(document);
       ASSERT_EQ(objects.size(), 1u);
       EXPECT_EQ(objects[0].id, "p");
       // Where two blocks paint one pixel, an opaque one leaves no trace.
-      for (const xmlNode* g :
-           child_elements(child_elements(document.root(), "defs").at(0), "meshgradient"))
-        for (const xmlNode* row : child_elements(g))
-          for (const xmlNode* patch : child_elements(row))
-            for (const xmlNode* stop : child_elements(patch))
-              EXPECT_EQ(attribute(stop, "stop-opacity"), std::nullopt);
+      for (const xmlNode* stop : elements_called(document.root(), "stop"))
+        EXPECT_EQ(attribute(stop, "stop-opacity"), std::nullopt);
       const Mesh back = build_mesh(read_mesh_group(document, objects[0].node));
       EXPECT_EQ(match(as_measured(mesh), back, 1e-8).size(), std::size_t(mesh.face_count()));
       write(document, objects[0], mesh);
@@ -340,18 +315,14 @@ TEST(SvgWrite, opacities_are_a_mask_of_greys) {
     // Opaque now: the mask goes.
     write(document, mesh_objects(document)[0], grid_mesh());
     EXPECT_EQ(opacity_mask(document, mesh_objects(document)[0].node), nullptr);
-    EXPECT_EQ(child_elements(child_elements(document.root(), "defs").at(0), "meshgradient").size(),
-              1u);
-    EXPECT_EQ(child_elements(child_elements(document.root(), "defs").at(0), "mask").size(),
-              std::string(paint) == "stroke" ? 1u : 0u);
+    EXPECT_EQ(elements_called(document.root(), "meshgradient").size(), 1u);
+    EXPECT_EQ(elements_called(document.root(), "mask").size(), *paint == 's' ? 1u : 0u);
   }
 }
 
 TEST(SvgWrite, keeps_the_fallback_colour) {
-  SvgDocument document = SvgDocument::parse(
-      after_writing("<rect id=\"p\" width=\"400\" height=\"400\" style=\"fill:url(#m) #abc\"/>",
-                    random_mesh(1)),
-      "d.svg");
+  SvgTree document = after_writing(
+      "<rect id='p' width='400' height='400' style='fill:url(#m) #abc'/>", random_mesh(1));
   for (int round = 0; round < 2; ++round) {
     const auto blocks = child_elements(document.find("p"));
     EXPECT_FALSE(blocks.empty());
@@ -362,25 +333,22 @@ TEST(SvgWrite, keeps_the_fallback_colour) {
 }
 
 TEST(SvgWrite, renews_a_group_and_leaves_nothing_behind) {
-  const std::string first = after_writing(
-      "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
-  SvgDocument document = SvgDocument::parse(first, "d.svg");
+  SvgTree document = after_writing(filled, random_mesh(1));
   const Mesh other = grid_mesh({.rows = 1, .columns = 2});
   write(document, mesh_objects(document).at(0), other);
-  const auto gradients =
-      child_elements(child_elements(document.root(), "defs").at(0), "meshgradient");
-  EXPECT_EQ(gradients.size(), 1u);
+  EXPECT_EQ(elements_called(document.root(), "meshgradient").size(), 1u);
   EXPECT_EQ(child_elements(document.find("p")).size(), 1u);
-  EXPECT_EQ(counts_before(document.find("p")).handles, 24);
-  EXPECT_EQ(counts_before(document.find("p")).patches, 9);
+  const MeshCounts before = counts_before(mesh_objects(document).at(0));
+  EXPECT_EQ(before.handles, 24);
+  EXPECT_EQ(before.patches, 9);
   EXPECT_EQ(read_mesh_group(document, document.find("p")).patches.size(), 2u);
 }
 
 TEST(SvgWrite, both_paints_of_one_object) {
   const std::string body =
-      "<rect id=\"p\" width=\"100\" height=\"100\" stroke-width=\"9\" "
-      "style=\"fill:url(#m);stroke:url(#m)\"/>";
-  SvgDocument document = document_of(body);
+      "<rect id='p' width='100' height='100' stroke-width='9' "
+      "style='fill:url(#m);stroke:url(#m)'/>";
+  SvgTree document = test::svg_tree(gradient + body);
   const auto objects = mesh_objects(document);
   ASSERT_EQ(objects.size(), 2u);
   for (const MeshObject& o : objects) write(document, o, grid_mesh());
@@ -401,8 +369,8 @@ TEST(SvgWrite, both_paints_of_one_object) {
 
 TEST(SvgGroup, whose_object_has_lost_its_id_gets_one_that_stays) {
   const std::string body =
-      "<rect id=\"p\" width=\"100\" height=\"100\" style=\"fill:url(#m);stroke:#00f\"/>";
-  SvgDocument document = SvgDocument::parse(after_writing(body, grid_mesh()), "d.svg");
+      "<rect id='p' width='100' height='100' style='fill:url(#m);stroke:#00f'/>";
+  SvgTree document = after_writing(body, grid_mesh());
   xmlNode* outer = document.find("p");
   ASSERT_FALSE(is_mesh_group(outer));
   xmlUnsetProp(outer, BAD_CAST "id");
@@ -412,35 +380,22 @@ TEST(SvgGroup, whose_object_has_lost_its_id_gets_one_that_stays) {
 }
 
 TEST(SvgGroup, says_what_is_missing) {
-  const std::string good = after_writing(
-      "<rect id=\"p\" width=\"400\" height=\"400\" fill=\"url(#m)\"/>", random_mesh(1));
-  const auto complaint = [&](const auto& spoil) -> std::string {
-    SvgDocument document = SvgDocument::parse(good, "d.svg");
+  const SvgTree good = after_writing(filled, random_mesh(1));
+  const auto complaint_of = [&](const std::function<void(xmlNode*)>& spoil) {
+    const SvgTree document = SvgTree::parse(good.serialize(), "d.svg");
     spoil(document.find("p"));
-    try {
-      build_mesh(read_mesh_group(document, document.find("p")));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return complaint([&] { build_mesh(read_mesh_group(document, document.find("p"))); });
   };
-  const auto own = [](xmlNode* node, const char* name, const char* value) {
-    xmlNs* ns = xmlSearchNsByHref(node->doc, node, BAD_CAST "urn:gradmesh");
-    xmlSetNsProp(node, ns, BAD_CAST name, BAD_CAST value);
-  };
-  EXPECT_EQ(complaint([](xmlNode* g) {
-              xmlNode* block = child_elements(g)[1];
-              xmlUnlinkNode(block);
-              xmlFreeNode(block);
-            }),
+  EXPECT_EQ(complaint_of([](xmlNode* g) { remove_node(child_elements(g)[1]); }),
             "d.svg: g \"p\": one of its blocks is missing: undo what removed it.");
-  EXPECT_EQ(complaint([&](xmlNode* g) { own(child_elements(g)[1], "face", "0"); }),
+  EXPECT_EQ(complaint_of([](xmlNode* g) { set_own_attribute(child_elements(g)[1], "face", "0"); }),
             "d.svg: g \"p\": one of its blocks is there twice.");
-  EXPECT_EQ(complaint([&](xmlNode* g) { own(g, "curves", "1 | x"); }),
+  EXPECT_EQ(complaint_of([](xmlNode* g) { set_own_attribute(g, "curves", "1 | x"); }),
             "d.svg: g \"p\": its gradmesh:curves cannot be read.");
-  EXPECT_NE(complaint([&](xmlNode* g) { own(g, "curves", "1 | 1"); }), "");
-  EXPECT_NE(complaint([&](xmlNode* g) {
-              xmlSetProp(child_elements(g)[0], BAD_CAST "transform", BAD_CAST "scale(1e8)");
+  EXPECT_NE(complaint_of([](xmlNode* g) { set_own_attribute(g, "curves", "1 | 1"); }),
+            "nothing was thrown");
+  EXPECT_NE(complaint_of([](xmlNode* g) {
+              set_attribute(child_elements(g)[0], "transform", "scale(1e8)");
             }).find("it reaches beyond 5e8 user units."),
             std::string::npos);
 }

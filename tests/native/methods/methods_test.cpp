@@ -11,7 +11,7 @@
 #include "app/document.h"
 #include "base/error.h"
 #include "branch_meshes.h"
-#include "formats/hemesh/read_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 #include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
 #include "mesh/validate.h"

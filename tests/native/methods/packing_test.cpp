@@ -13,7 +13,7 @@
 
 #include "base/parallel.h"
 #include "base/progress.h"
-#include "formats/hemesh/read_hemesh.h"
+#include "formats/hemesh/hemesh.h"
 #include "mesh/build.h"
 #include "methods/regions.h"
 #include "problems.h"

@@ -41,7 +41,7 @@ RANK = {
 INNER = {
     "formats": {
         "text": 0, "json": 1, "hemesh": 1, "packed": 1,
-        "svg/xml": 1, "svg/values": 2, "svg/read": 3, "svg/write": 4,
+        "svg/xml": 1, "svg/values": 2, "svg/tree": 3, "svg/gradient": 4, "svg/group": 5, "svg/picture": 6,
     },
     "ops": {"merge": 1, "split": 2},
 }
@@ -99,6 +99,12 @@ def test_includes_go_downwards(path):
 def test_metrics_know_no_meshes():
     for path in (NATIVE / "metric").iterdir():
         assert not any(i.startswith(("mesh/", "geom/")) for i in includes(path) if path.suffix != ".txt")
+
+
+def test_only_formats_know_the_nodes_of_documents():
+    for path in SOURCES:
+        if path.relative_to(NATIVE).parts[0] != "formats":
+            assert not re.search(r"\bxml[A-Z]\w+|formats/svg/xml/", path.read_text()), path
 
 
 def test_targets_link_downwards():

@@ -13,7 +13,7 @@ namespace gradmesh {
 /// size is not known here. Throws InputError at attributes that cannot be read.
 std::optional<Box> shape_box(const xmlNode* shape);
 
-/// Returns the outline of the shape's geometry, under the same conditions; lines have none.
+/// Returns the outline of the shape's geometry, if shape_box() returns a box; lines have none.
 std::optional<Outline> shape_outline(const xmlNode* shape);
 
 }  // namespace gradmesh

@@ -1,5 +1,8 @@
 #include "formats/svg/xml/node.h"
 
+#include <algorithm>
+#include <ranges>
+
 #include "base/error.h"
 #include "formats/text/excerpt.h"
 
@@ -10,11 +13,8 @@ namespace {
 // a larger one in every attribute is an attack.
 constexpr std::size_t longest_entity = 10000;
 
-std::string_view view(const xmlChar* text) {
-  return text ? std::string_view(reinterpret_cast<const char*>(text)) : std::string_view();
-}
-
 const xmlChar* chars(const char* text) { return reinterpret_cast<const xmlChar*>(text); }
+const xmlChar* chars(const std::string& text) { return chars(text.c_str()); }
 
 std::string_view entity_text(const xmlNode* reference, const xmlNode* owner) {
   const xmlEntity* entity = xmlGetDocEntity(reference->doc, reference->name);
@@ -28,6 +28,32 @@ std::string_view entity_text(const xmlNode* reference, const xmlNode* owner) {
     fail(owner,
          Message("the entity {0} is not a short plain text", excerpt(view(reference->name))));
   return content;
+}
+
+/// Returns true if an element or attribute has the prefix although no namespace was declared for
+/// it: a declaration further up would change its meaning.
+bool has_undeclared(const xmlNode* root, const std::string& prefix) {
+  const auto has_prefix = [&](const auto* named) {
+    return !named->ns && view(named->name).starts_with(prefix + ":");
+  };
+  return std::ranges::any_of(elements_from(root), [&](const xmlNode* node) {
+    return has_prefix(node) || std::ranges::any_of(attributes(node), has_prefix);
+  });
+}
+
+xmlNs* declare_namespace(xmlNode* node, std::string_view space, const std::string& prefix) {
+  const std::string uri(space);
+  // A prefix with a colon is none, although libxml2 lets it pass.
+  if (xmlNs* known = xmlSearchNsByHref(node->doc, node, chars(uri));
+      known && known->prefix && !xmlStrchr(known->prefix, ':'))
+    return known;
+  xmlNode* root = xmlDocGetRootElement(node->doc);
+  for (int n = 0;; ++n) {
+    const std::string name = n == 0 ? prefix : prefix + std::to_string(n);
+    xmlNs* const found = xmlSearchNs(node->doc, node, chars(name));
+    if (found && xmlStrEqual(found->href, chars(uri))) return found;
+    if (!found && !has_undeclared(root, name)) return xmlNewNs(root, chars(uri), chars(name));
+  }
 }
 
 }  // namespace
@@ -50,6 +76,26 @@ std::vector<xmlNode*> child_elements(const xmlNode* node, std::string_view name)
   return elements;
 }
 
+std::vector<xmlNode*> elements_from(const xmlNode* node) {
+  std::vector<xmlNode*> elements;
+  const auto add = [&](const auto& self, xmlNode* element) -> void {
+    elements.push_back(element);
+    for (xmlNode* child : child_elements(element)) self(self, child);
+  };
+  add(add, const_cast<xmlNode*>(node));
+  return elements;
+}
+
+std::vector<xmlAttr*> attributes(const xmlNode* node) {
+  std::vector<xmlAttr*> list;
+  for (xmlAttr* a = node->properties; a; a = a->next) list.push_back(a);
+  return list;
+}
+
+std::string_view view(const xmlChar* text) {
+  return text ? std::string_view(reinterpret_cast<const char*>(text)) : std::string_view();
+}
+
 std::string text_of(const xmlNode* children, const xmlNode* owner) {
   std::string text;
   for (const xmlNode* child = children; child; child = child->next) {
@@ -64,16 +110,20 @@ std::string text_of(const xmlNode* children, const xmlNode* owner) {
 std::optional<std::string> attribute(const xmlNode* node, const char* name,
                                      std::string_view space) {
   const std::string uri(space);
-  const xmlAttr* found = space.empty() ? xmlHasNsProp(node, chars(name), nullptr)
-                                       : xmlHasNsProp(node, chars(name), chars(uri.c_str()));
+  const xmlAttr* found = xmlHasNsProp(node, chars(name), space.empty() ? nullptr : chars(uri));
   // A default from the document's own DTD is returned as a declaration, which has no value here.
   if (!found || found->type != XML_ATTRIBUTE_NODE) return std::nullopt;
   return text_of(found->children, node);
 }
 
+std::string href(const xmlNode* node) {
+  if (auto value = attribute(node, "href")) return *value;
+  return attribute(node, "href", xlink_namespace).value_or("");
+}
+
 Message describe(const xmlNode* node) {
   std::string name(view(node->name));
-  for (const xmlAttr* a = node->properties; a; a = a->next)
+  for (const xmlAttr* a : attributes(node))
     if (!a->ns && view(a->name) == "id" && a->children && a->children->type == XML_TEXT_NODE)
       return Message("{0} {1}", name, excerpt(view(a->children->content)));
   return Message("{0} in line {1}", name, xmlGetLineNo(const_cast<xmlNode*>(node)));
@@ -82,6 +132,50 @@ Message describe(const xmlNode* node) {
 void fail(const xmlNode* node, const Message& reason) {
   const std::string_view file = node->doc ? view(node->doc->URL) : std::string_view();
   throw InputError("{0}: {1}: {2}.", std::string(file), describe(node), reason);
+}
+
+xmlNode* add_child(xmlNode* parent, const char* name) {
+  return xmlNewChild(parent, parent->ns, chars(name), nullptr);
+}
+
+xmlNode* add_copy(xmlNode* parent, const xmlNode* node) {
+  xmlNode* copy = xmlDocCopyNode(const_cast<xmlNode*>(node), parent->doc, 1);
+  xmlAddChild(parent, copy);
+  // It was made apart from the document, so that it declares every namespace itself; those that
+  // the document knows anyway are removed (XML_DOM_RECONNS_REMOVEREDUND, which no header names).
+  xmlDOMWrapReconcileNamespaces(nullptr, copy, 1);
+  return copy;
+}
+
+void set_attribute(xmlNode* node, const char* name, const std::string& value) {
+  xmlSetNsProp(node, nullptr, chars(name), chars(value));
+}
+
+void set_attribute(xmlNode* node, const char* name, const std::string& value,
+                   std::string_view space, const char* prefix) {
+  xmlSetNsProp(node, declare_namespace(node, space, prefix), chars(name), chars(value));
+}
+
+void set_name(xmlNode* node, const char* name) { xmlNodeSetName(node, chars(name)); }
+
+void remove_attribute(xmlNode* node, const char* name) {
+  xmlUnsetNsProp(node, nullptr, chars(name));
+}
+
+void remove_attribute(xmlNode* node, const char* name, std::string_view space) {
+  if (xmlNs* known = xmlSearchNsByHref(node->doc, node, chars(std::string(space))))
+    xmlUnsetNsProp(node, known, chars(name));
+}
+
+void remove_node(xmlNode* node) {
+  xmlUnlinkNode(node);
+  xmlFreeNode(node);
+}
+
+void remove_elements(xmlNode* root, const std::function<bool(const xmlNode*)>& is_unwanted) {
+  // From the inside out, as an element takes those inside it along.
+  for (xmlNode* node : elements_from(root) | std::views::reverse)
+    if (node != root && is_unwanted(node)) remove_node(node);
 }
 
 }  // namespace gradmesh

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <string>
+#include <vector>
+
+#include "formats/svg/tree/objects.h"
+#include "formats/svg/tree/svg_tree.h"
+#include "mesh/mesh.h"
+#include "mesh/parts.h"
+
+namespace gradmesh {
+
+/// Returns the patches of a <meshgradient> in its own coordinates (of x, y and the paths, before
+/// gradientTransform), with bilinear colours whatever its type is. As in Inkscape 1.2 the element
+/// that `href` leads to gives only its rows and gradientUnits; x, y, type and gradientTransform are
+/// the element's own (SVG 2 would inherit them). Throws InputError at all that Inkscape could not
+/// paint.
+PatchGrid gradient_patches(const SvgTree& tree, const xmlNode* gradient);
+/// Returns gradient_patches(), and throws InputError at type="bicubic" too.
+PatchGrid read_mesh_gradient(const SvgTree& tree, const xmlNode* gradient);
+
+/// Returns true if the meshgradient has smooth colours (type="bicubic").
+bool is_smooth(const xmlNode* gradient);
+
+/// Returns the object's mesh in its user space, with gradientTransform and gradientUnits applied. A
+/// smooth mesh (type="bicubic") stays in the coordinates of its meshgradient, where Inkscape
+/// measures the distances on which its colours depend. Throws InputError as read_mesh_gradient does
+/// but for that type, and if the units are the object's bounding box and that is not known or has
+/// no width or height.
+MeshParts read_mesh(const SvgTree& tree, const MeshObject& object);
+/// Returns the patches of read_mesh() in their rows and columns.
+PatchGrid read_mesh_patches(const SvgTree& tree, const MeshObject& object);
+
+/// Return the maps from the coordinates of the object's mesh to the object's user space, which is
+/// the identity for a group of blocks, and to the coordinates of the object's meshgradient. Throw
+/// as read_mesh does.
+Affine mesh_to_user(const SvgTree& tree, const MeshObject& object);
+Affine mesh_to_gradient(const SvgTree& tree, const MeshObject& object);
+
+/// Returns the mesh gradients with rows that paint none of the objects, no block and no part of a
+/// text, and that give their rows to no gradient that does. `objects` must be all objects of the
+/// document.
+std::vector<const xmlNode*> unused_mesh_gradients(const SvgTree& tree,
+                                                  const std::vector<MeshObject>& objects);
+
+/// A mesh gradient that paints nothing.
+struct UnusedGradient {
+  std::string id;
+  int patches = 0;
+};
+/// Returns what unused_mesh_gradients() returns as values.
+std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
+                                             const std::vector<MeshObject>& objects);
+
+/// Gives an object that a mesh gradient paints a new gradient, with fewer rows and columns: the
+/// object is otherwise unchanged, and the new gradient has the old one's units, transform and type.
+/// The old gradient is removed if nothing else uses it. The mesh is a grid (find_grid), bilinear,
+/// in the coordinates of read_mesh, with one colour at each point, and is written in its
+/// gradient_form(). The object's memory (formats/svg/gradient/written_gradient.h) is removed.
+/// Returns the object with its new gradient.
+MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
+                               double coons_tolerance);
+
+}  // namespace gradmesh

@@ -1,0 +1,119 @@
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "form/handles.h"
+#include "form/rounding.h"
+#include "formats/svg/gradient/rows.h"
+#include "formats/svg/values/color.h"
+#include "formats/svg/values/mesh_names.h"
+#include "formats/svg/xml/node.h"
+
+namespace gradmesh {
+namespace {
+
+class RowsWriter {
+ public:
+  RowsWriter(const Mesh& mesh, const Rectangle& block, const GradientFormat& format)
+      : mesh_(mesh),
+        block_(block),
+        format_(format),
+        step_(format.precision.step),
+        straight_within_(step_ > 0 ? straight_tolerance(format.precision.coons_tolerance)
+                                   : rounding_share * format.precision.coons_tolerance) {}
+
+  void write(xmlNode* gradient) {
+    const Halfedge first = block_.top(0, 0);
+    const glm::dvec2 start = mesh_.position(mesh_.origin(first));
+    const glm::dvec2 placed = format_.precision.to_written.point(start);
+    set_attribute(gradient, "x", coordinate(placed.x));
+    set_attribute(gradient, "y", coordinate(placed.y));
+    for (int row = 0; row < block_.rows; ++row) {
+      xmlNode* meshrow = add_child(gradient, mesh_row_name);
+      for (int column = 0; column < block_.columns; ++column)
+        write_patch(add_child(meshrow, mesh_patch_name), row, column);
+    }
+  }
+
+ private:
+  /// Writes a patch. Leaves out the sides and colours that the patches above and to the left have
+  /// given already.
+  void write_patch(xmlNode* node, int row, int column) {
+    const Halfedge top = block_.top(row, column);
+    const Patch patch = mesh_.patch(top);
+    for (int side = row == 0 ? 0 : 1; side < (column == 0 ? 4 : 3); ++side) {
+      xmlNode* stop = add_child(node, "stop");
+      const Cubic<Value> curve = mesh_.side_of(mesh_.sides(top)[side]);
+      set_attribute(stop, "path", path(curve));
+      const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
+      if (!given) write_color(stop, curve.p0.color);
+    }
+    if (needs_tensor(patch, format_.precision.coons_tolerance)) write_tensor(node, patch);
+  }
+
+  /// Returns the path data of a side from its start on. A line shows no handles in the mesh tool.
+  std::string path(const Cubic<Value>& curve) const {
+    const auto to = [&](const Value& v) {
+      const glm::dvec2 start = format_.is_relative ? placed(curve.p0.position) : glm::dvec2(0.0);
+      return pair(placed(v.position) - start);
+    };
+    const std::string end = to(curve.p1);
+    if (is_straight(curve, straight_within_)) return (format_.is_relative ? 'l' : 'L') + end;
+    return (format_.is_relative ? 'c' : 'C') + to(curve.bezier1()) + " " + to(curve.bezier2()) +
+           " " + end;
+  }
+
+  void write_tensor(xmlNode* node, const Patch& patch) const {
+    const BezierNet net = bezier_net(patch);
+    const auto from_corner = [&](int i, int j, int corner_i, int corner_j) {
+      const glm::dvec2 offset = net[i][j].position - net[corner_i][corner_j].position;
+      return pair(format_.precision.to_written.vector(offset));
+    };
+    set_attribute(node, "tensor",
+                  from_corner(1, 1, 0, 0) + " " + from_corner(1, 2, 0, 3) + " " +
+                      from_corner(2, 2, 3, 3) + " " + from_corner(2, 1, 3, 0));
+  }
+
+  void write_color(xmlNode* stop, const glm::dvec4& color) const {
+    const glm::dvec4 limited = glm::clamp(color, 0.0, 1.0);
+    const bool opaque = format_.channel != MeshChannel::both;
+    const glm::dvec3 shown =
+        format_.channel == MeshChannel::opacity ? mask_color(limited.a) : glm::dvec3(limited);
+    const std::string opacity = opaque ? "1" : format_number(limited.a);
+    if (format_.in_style) {
+      set_attribute(stop, "style", "stop-color:" + color_text(shown) + ";stop-opacity:" + opacity);
+    } else {
+      set_attribute(stop, "stop-color", color_text(shown));
+      if (opacity != "1") set_attribute(stop, "stop-opacity", opacity);
+    }
+  }
+
+  /// Returns a point of the mesh where it is written.
+  glm::dvec2 placed(glm::dvec2 p) const {
+    const glm::dvec2 there = format_.precision.to_written.point(p);
+    return step_ > 0 ? round_to_step(there, step_) : there;
+  }
+
+  std::string coordinate(double x) const {
+    if (step_ > 0) return format_multiple(x, step_);
+    return std::abs(x) < format_.rounding.zero ? "0" : format_number(x, format_.rounding.digits);
+  }
+  std::string pair(glm::dvec2 p) const { return coordinate(p.x) + "," + coordinate(p.y); }
+
+  const Mesh& mesh_;
+  const Rectangle& block_;
+  const GradientFormat& format_;
+  /// What counts as a rounding of absolute coordinates, as a share of the tolerance.
+  static constexpr double rounding_share = 1e-3;
+  const double step_;
+  /// In the unit of the mesh's positions.
+  const double straight_within_;
+};
+
+}  // namespace
+
+void write_rows(xmlNode* gradient, const Mesh& mesh, const Rectangle& block,
+                const GradientFormat& format) {
+  RowsWriter(mesh, block, format).write(gradient);
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,63 @@
+#include "formats/svg/values/mesh_outline.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "form/block_outline.h"
+#include "formats/text/number.h"
+#include "mesh/boundary.h"
+
+namespace gradmesh {
+namespace {
+
+using Loop = std::vector<Cubic<Value>>;
+
+double doubled_area_of(const Loop& loop) {
+  constexpr int steps = 8;
+  std::vector<glm::dvec2> polygon;
+  for (const Cubic<Value>& curve : loop)
+    for (int i = 0; i < steps; ++i) polygon.push_back(curve.at(double(i) / steps).position);
+  return doubled_area(polygon);
+}
+
+Loop reversed(const Loop& loop) {
+  Loop result;
+  std::transform(loop.rbegin(), loop.rend(), std::back_inserter(result),
+                 [](const Cubic<Value>& curve) { return curve.reversed(); });
+  return result;
+}
+
+std::string path_data(const Loop& loop) {
+  std::string d = "M " + format_point(loop.front().p0.position);
+  for (const Cubic<Value>& curve : loop)
+    d += " C " + format_point(curve.bezier1().position) + " " +
+         format_point(curve.bezier2().position) + " " + format_point(curve.p1.position);
+  return d + " Z";
+}
+
+}  // namespace
+
+std::string outline_path(const Mesh& mesh) {
+  const std::vector<int> component = face_components(mesh);
+  std::map<int, std::vector<Loop>> outlines;
+  for (const std::vector<Halfedge>& leaves : boundary_loops(mesh)) {
+    Loop loop;
+    for (const Halfedge h : leaves) loop.push_back(mesh.side_of(h));
+    outlines[component[mesh.face(leaves.front()).value]].push_back(std::move(loop));
+  }
+  // Faces of one component go round the same way, those of another perhaps not; where the two lie
+  // over one another their turns must not cancel.
+  std::string d;
+  for (const auto& [number, loops] : outlines) {
+    double area = 0;
+    for (const Loop& loop : loops) area += doubled_area_of(loop);
+    for (const Loop& loop : loops) {
+      if (!d.empty()) d += ' ';
+      d += path_data(area < 0 ? reversed(loop) : loop);
+    }
+  }
+  return d;
+}
+
+}  // namespace gradmesh
