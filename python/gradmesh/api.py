@@ -263,9 +263,9 @@ def _known(given: Mapping[str, Any]) -> dict[str, Any]:
     known = {*options(), *_OTHER_OPTIONS} if given else set()
     for name in given.keys() - known:
         raise TypeError(f"simplify() has no option '{name}'; there are: {', '.join(sorted(known))}")
-    if not 0 <= given.get("seed", 0) < 2**64:
+    if not 0 <= (given.get("seed") or 0) < 2**64:
         raise ValueError("the seed must be between 0 and 2^64 - 1.")
-    edges = list(given.get("edges", ()))
+    edges = list(given.get("edges") or ())
     if any(abs(edge) >= 2**31 for edge in edges):
         raise ValueError("the numbers of half-edges are below 2^31.")
     return {**given, "edges": edges}
