@@ -45,10 +45,15 @@ class Report:
             "outcome": self.outcome or "fault",
             "message": "\n".join(self.messages) or (f"{type(fault).__name__}: {fault}" if fault else ""),
             "meshes": [
-                *({**dataclasses.asdict(result), "refused": None} for result in self.meshes),
+                *({**members(result), "refused": None} for result in self.meshes),
                 *({"id": mesh.id, "refused": str(mesh.refused)} for mesh in self.refused),
             ],
         }
+
+
+def members(result):
+    """Returns the record as a dictionary, without the options of the run."""
+    return {name: value for name, value in dataclasses.asdict(result).items() if name != "run"}
 
 
 def action():

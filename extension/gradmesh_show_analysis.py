@@ -29,8 +29,8 @@ class ShowAnalysis(GradmeshEffect):
         super().add_arguments(pars)
         pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
         pars.add_argument("--show", default="errors")
-        pars.add_argument("--epsilon", type=float, default=0.01)
-        pars.add_argument("--metric", default="flip")
+        pars.add_argument("--epsilon", type=float)
+        pars.add_argument("--metric")
 
     def effect(self):
         for name in self.selected_meshes():

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Simplify: takes needless handles and patches out of gradient meshes."""
 
-import re
-
 from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences, say
 from gradmesh_cache import analysis_cache
 from gradmesh_inkex import AbortExtension, Boolean
@@ -12,22 +10,46 @@ from gradmesh_report import report
 from gradmesh_text import _
 from gradmesh_window import LongWork
 
-# The largest error of each amount that the dialog offers by name. Of FLIP a person sees 0.01 hardly
-# and 0.05 at once; half of that is as visible in SSIM (paper, section 5).
-EPSILON = {"gentle": 0.005, "balanced": 0.01, "strong": 0.02}
-SSIM_SHARE = 0.5
-# Beside that, the largest error of any 32 x 32 pixels, so that no eye or highlight is given up for
-# calm areas elsewhere: highlights go at 0.2 to 0.5, thin ones in part from 0.12, corners of a mouth
-# lose their colour at 0.18, and at 0.1 what has changed is found only beside the original.
-MAX_LOCAL_ERROR = {"gentle": 0.05, "balanced": 0.1, "strong": 0.1}
-# What is counted by the amounts that are a number or a share.
+#: The method by which a mesh becomes what the dialog offers.
+METHODS = {"simplest": "simplest", "one-mesh": "plain", "lines": "lines", "blocks": "best", "gqe": "gqe"}
+#: What is counted by the amounts that are a number or a share.
 COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patch-share": "patches"}
 
-# The method of blocks that the dialog begins with, which leaves few handles unless it is patches that
-# are to be few; another one there is asked for by the person.
-BLOCKS = "best"
-# The method that takes handles out of one mesh gradient and merges nothing.
-PLAIN = "plain"
+#: Why nothing changed, by how a run ended: where all meshes were to lose handles, and otherwise.
+NO_HANDLE_WENT = {
+    "budget": _(
+        "{meshes}: in {seconds} seconds no handle could be taken out, so the document stays as "
+        "it was."
+    ),
+    "cancelled": _(
+        "{meshes}: stopped before any handle was taken out, so the document stays as it was."
+    ),
+    "target": _(
+        "{meshes}: there is no more than that, or no handle can be taken out, so the document "
+        "stays as it was."
+    ),
+    "epsilon": _(
+        "{meshes}: no handle can be taken out within an error of {epsilon:g}, so the document stays "
+        "as it was."
+    ),
+}
+NOTHING_WAS_MERGED = {
+    "budget": _(
+        "{meshes}: in {seconds} seconds no patches could be merged, so the document stays as "
+        "it was."
+    ),
+    "cancelled": _(
+        "{meshes}: stopped before any patches were merged, so the document stays as it was."
+    ),
+    "target": _(
+        "{meshes}: there is no more than that, or no patches can be merged, so the document "
+        "stays as it was."
+    ),
+    "epsilon": _(
+        "{meshes}: nothing can be made simpler within an error of {epsilon:g}, so the document "
+        "stays as it was."
+    ),
+}
 
 
 class Simplify(GradmeshEffect):
@@ -36,26 +58,23 @@ class Simplify(GradmeshEffect):
     def add_arguments(self, pars):
         super().add_arguments(pars)
         pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
-        # The core checks the values: Inkscape passes on any choice that its preferences hold.
+        # The core checks the values, as Inkscape passes on any choice that its preferences hold, and
+        # has defaults for what is not named here.
         pars.add_argument("--amount", default="balanced")
-        pars.add_argument("--epsilon", type=float, default=0.01)
+        pars.add_argument("--epsilon", type=float)
         pars.add_argument("--handles", type=int, default=100)
         pars.add_argument("--patches", type=int, default=50)
         pars.add_argument("--share", type=float, default=50)
         pars.add_argument("--result", default="simplest")
-        pars.add_argument("--keep_original", type=Boolean, default=False)
-        pars.add_argument("--remember_original", type=Boolean, default=True)
-        pars.add_argument("--method", default="best")
-        pars.add_argument("--omega", type=float, default=0.75)
-        pars.add_argument("--kappa", type=float, default=0.05)
-        pars.add_argument("--seed", type=int, default=0)
-        pars.add_argument("--edges", default="")
-        pars.add_argument("--metric", default="flip")
+        pars.add_argument("--omega", type=float)
+        pars.add_argument("--keep_original", type=Boolean)
+        pars.add_argument("--remember_original", type=Boolean)
+        pars.add_argument("--metric")
         pars.add_argument("--max_local_error", type=float, default=0)
-        pars.add_argument("--resolution", type=int, default=700)
-        pars.add_argument("--visible_only", type=Boolean, default=True)
+        pars.add_argument("--resolution", type=int)
+        pars.add_argument("--visible_only", type=Boolean)
         pars.add_argument("--time_budget", type=int, default=60)
-        pars.add_argument("--preview", type=Boolean, default=False)
+        pars.add_argument("--preview", type=Boolean)
 
     def effect(self):
         ids = self.selected_meshes() if self.options.ids else self.all_meshes()
@@ -89,57 +108,29 @@ class Simplify(GradmeshEffect):
     def core_options(self):
         """What the dialog says, in the words of gradmesh.simplify()."""
         options = self.options
-        chosen = {
-            name: getattr(options, name)
-            for name in (
-                "method metric resolution seed omega kappa time_budget preview visible_only "
-                "keep_original remember_original"
-            ).split()
-        }
-        if options.result not in ("simplest", "one-mesh", "blocks"):
-            raise ValueError(
-                f"results are simplest, one-mesh or blocks, not '{options.result}'"
-            )
-        if options.result == "one-mesh":
-            chosen["method"] = PLAIN
-        elif options.result == "simplest" and chosen["method"] == BLOCKS:
-            chosen["method"] = "simplest"
-        # The dialog keeps what was typed there for another run.
-        chosen["edges"] = self.edges() if chosen["method"] == "manual" else ()
-        how_much = self.how_much()
-        if chosen["method"] == BLOCKS and "patches" not in how_much:
-            how_much.setdefault("count", "handles")
-        return {**chosen, **how_much}
-
-    def edges(self):
-        """The edges to be merged by hand."""
-        if self.options.amount in COUNTED:
-            raise ValueError(
-                _("the method Manual merges the edges that are named, not as many as it takes")
-            )
-        edges = halfedges(self.options.edges)
-        if not edges:
-            raise ValueError(_("the method Manual needs the edges to merge"))
-        return edges
+        if options.result not in METHODS:
+            raise ValueError(f"results are {', '.join(METHODS)}, not '{options.result}'")
+        names = (
+            "metric resolution omega time_budget preview visible_only keep_original remember_original"
+        )
+        chosen = {name: getattr(options, name) for name in names.split()}
+        chosen.update(self.how_much(), method=METHODS[options.result])
+        # Blocks that a person is to edit have few handles, unless it is patches that are to be few.
+        if options.result == "blocks" and "patches" not in chosen:
+            chosen.setdefault("count", "handles")
+        return chosen
 
     def how_much(self):
-        amount = self.options.amount
-        if amount in EPSILON:
-            share = SSIM_SHARE if self.options.metric == "ssim" else 1
-            return {
-                "epsilon": EPSILON[amount] * share,
-                "max_local_error": MAX_LOCAL_ERROR[amount] * share,
-            }
-        bound = {"max_local_error": self.options.max_local_error or None}
-        if amount == "custom":
-            return {"epsilon": self.options.epsilon, **bound}
-        if amount not in COUNTED:
-            amounts = ", ".join([*EPSILON, "custom", *COUNTED])
-            raise ValueError(f"how much is one of {amounts}, not '{amount}'")
-        count = COUNTED[amount]
-        if amount == count:
-            return {count: getattr(self.options, count), **bound}
-        return {"ratio": self.options.share / 100, "count": count, **bound}
+        options = self.options
+        bound = {"max_local_error": options.max_local_error or None}
+        if options.amount == "custom":
+            return {"epsilon": options.epsilon, **bound}
+        if options.amount not in COUNTED:
+            return {"amount": options.amount}
+        count = COUNTED[options.amount]
+        if options.amount == count:
+            return {count: getattr(options, count), **bound}
+        return {"ratio": options.share / 100, "count": count, **bound}
 
     def simplify(self, ids, options, tell):
         with analysis_cache() as cache:
@@ -148,55 +139,14 @@ class Simplify(GradmeshEffect):
             )
 
     def why_nothing_changed(self, results):
+        are_plain = all(result.method == "plain" for result in results)
         stopped = {result.stopped for result in results}
-        if all(result.method == PLAIN for result in results):
-            text = self.why_no_handle_went(stopped)
-        else:
-            text = self.why_nothing_was_merged(stopped)
-        return text.format(
+        ends = [end for end in ("budget", "cancelled") if end in stopped]
+        ends.append("target" if self.options.amount in COUNTED else "epsilon")
+        return (NO_HANDLE_WENT if are_plain else NOTHING_WAS_MERGED)[ends[0]].format(
             meshes=", ".join(result.id for result in results),
             seconds=self.options.time_budget,
-            epsilon=self.how_much().get("epsilon"),
-        )
-
-    def why_no_handle_went(self, stopped):
-        if "budget" in stopped:
-            return _(
-                "{meshes}: in {seconds} seconds no handle could be taken out, so the document stays as "
-                "it was."
-            )
-        if "cancelled" in stopped:
-            return _(
-                "{meshes}: stopped before any handle was taken out, so the document stays as it was."
-            )
-        if "epsilon" not in self.how_much():
-            return _(
-                "{meshes}: there is no more than that, or no handle can be taken out, so the document "
-                "stays as it was."
-            )
-        return _(
-            "{meshes}: no handle can be taken out within an error of {epsilon:g}, so the document stays "
-            "as it was."
-        )
-
-    def why_nothing_was_merged(self, stopped):
-        if "budget" in stopped:
-            return _(
-                "{meshes}: in {seconds} seconds no patches could be merged, so the document stays as "
-                "it was."
-            )
-        if "cancelled" in stopped:
-            return _(
-                "{meshes}: stopped before any patches were merged, so the document stays as it was."
-            )
-        if "epsilon" not in self.how_much():
-            return _(
-                "{meshes}: there is no more than that, or no patches can be merged, so the document "
-                "stays as it was."
-            )
-        return _(
-            "{meshes}: nothing can be made simpler within an error of {epsilon:g}, so the document "
-            "stays as it was."
+            epsilon=results[0].run["epsilon"],
         )
 
     def what_would_change(self, result):
@@ -209,33 +159,19 @@ class Simplify(GradmeshEffect):
             handles_before=result.handles_before,
             after=result.patches_after,
             before=result.patches_before,
-            metric=self.options.metric.upper(),
+            metric=result.run["metric"].upper(),
             error=result.error,
         )
         if result.objects > 1:
             text += " " + _("They would be {objects} objects.").format(objects=result.objects)
-        epsilon = self.how_much().get("epsilon", 1)
-        if result.error > epsilon:
+        epsilon, bound = result.run["epsilon"], result.run["max_local_error"]
+        if self.options.amount not in COUNTED and result.error > epsilon:
             text += " " + _("That is above the largest error, {epsilon:g}.").format(epsilon=epsilon)
-        bound = self.how_much()["max_local_error"]
         if bound is not None and result.local_error > bound:
             text += " " + _("In a small part it is {error:.4f}, above {bound:g}.").format(
                 error=result.local_error, bound=bound
             )
         return text
-
-
-def halfedges(text):
-    """The numbers in a list such as "12, 40"; ValueError where something else is in it."""
-    numbers = text.replace(",", " ").split()
-    for number in numbers:
-        if not re.fullmatch("[0-9]{1,9}", number):
-            raise ValueError(
-                _("half-edges are whole numbers with commas between them, not '{text}'").format(
-                    text=number
-                )
-            )
-    return list(map(int, numbers))
 
 
 if __name__ == "__main__":

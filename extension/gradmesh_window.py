@@ -27,7 +27,7 @@ class LongWork:
         self._work = work
         self._ended = threading.Event()
         self._stop = False
-        self._seen = (0, 0, 0, 0.0, 0)
+        self._now = None
         self._result = self._failure = None
 
     def run(self):
@@ -50,8 +50,8 @@ class LongWork:
         finally:
             self._ended.set()
 
-    def _progress(self, *seen):
-        self._seen = seen
+    def _progress(self, now):
+        self._now = now
         return not self._stop
 
     @property
@@ -61,17 +61,17 @@ class LongWork:
     @property
     def share(self):
         """How much is done, 0 to 1."""
-        done, total, *_others = self._seen
-        return min(done / total, 1) if total else 0
+        return min(self._now.done / self._now.total, 1) if self._now and self._now.total else 0
 
     @property
     def words(self):
         if self._stop:
             return _("Stopping: the best so far is kept …")
-        _done, _total, patches, _error, handles = self._seen
-        if handles:
-            return _("{handles} handles so far").format(handles=handles)
-        return _("{patches} patches so far").format(patches=patches) if patches else _("Preparing …")
+        if self._now and self._now.handles:
+            return _("{handles} handles so far").format(handles=self._now.handles)
+        if self._now and self._now.patches:
+            return _("{patches} patches so far").format(patches=self._now.patches)
+        return _("Preparing …")
 
     def stop(self):
         self._stop = True

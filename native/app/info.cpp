@@ -13,30 +13,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
-  ordered_json role = nullptr;
-  if (entry.role) role = *entry.role == PaintRole::fill ? "fill" : "stroke";
-  if (entry.refused)
-    return {{"id", entry.id},
-            {"role", role},
-            {"simplified", entry.simplified},
-            {"refused", entry.refused->english()}};
-  const Mesh mesh = document.mesh(entry);
-  const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
-  return {{"id", entry.id},
-          {"role", role},
-          {"simplified", entry.simplified},
-          {"remembers", document.remembers(entry)},
-          {"color_model", name(mesh.color_model())},
-          {"smooth", mesh.is_smooth()},
-          {"handles", count_handles(mesh)},
-          {"patches", mesh.face_count()},
-          {"objects", document.objects(entry)},
-          {"points", std::ranges::distance(mesh.points())},
-          {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)},
-          {"elements", elements_json(mesh)}};
-}
-
 /// Appends a value as text: objects and arrays down to `depth` with a line for each member, deeper
 /// ones in one line.
 void append_text(const ordered_json& value, int depth, const std::string& indent,
@@ -59,10 +35,68 @@ void append_text(const ordered_json& value, int depth, const std::string& indent
 
 }  // namespace
 
+ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
+  ordered_json role = nullptr;
+  if (entry.role) role = *entry.role == PaintRole::fill ? "fill" : "stroke";
+  ordered_json json = {{"id", entry.id}, {"role", role}, {"simplified", entry.simplified}};
+  if (entry.refused) return json;
+  const Mesh& mesh = document.mesh(entry);
+  const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
+  json.update({{"remembers", document.remembers(entry)},
+               {"color_model", name(mesh.color_model())},
+               {"smooth", mesh.is_smooth()},
+               {"handles", count_handles(mesh)},
+               {"patches", mesh.face_count()},
+               {"objects", document.objects(entry)},
+               {"points", std::ranges::distance(mesh.points())},
+               {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)}});
+  return json;
+}
+
+ordered_json result_json(const Document& document, const MeshReport& report,
+                         const SimplifyOptions& options, const std::string& original) {
+  const SimplifyResult& result = report.result;
+  const auto& seconds = result.seconds;
+  const auto or_null = [](const auto& value) {
+    return value ? ordered_json(*value) : ordered_json();
+  };
+  return {{"id", report.id},
+          {"method", result.method},
+          {"color_model", name(options.color_model.value_or(document.color_model()))},
+          {"metric", name(options.metric)},
+          {"epsilon", options.epsilon},
+          {"max_local_error", or_null(options.max_local_error)},
+          {"original", original.empty() ? ordered_json() : ordered_json(original)},
+          {"resolution", options.resolution},
+          {"seed", options.seed},
+          {"omega", options.omega},
+          {"kappa", options.kappa},
+          {"handles_before", result.handles_before},
+          {"handles_after", result.handles_after},
+          {"patches_before", result.patches_before},
+          {"patches_after", result.patches_after},
+          {"objects", result.objects},
+          {"error", result.error},
+          {"local_error", result.local_error},
+          {"evaluations", result.evaluations},
+          {"renderer", result.renderer},
+          {"seconds",
+           {{"total", seconds.total},
+            {"rasterize", seconds.rasterize},
+            {"select", seconds.select}}},
+          {"stopped", report.refused ? "refused" : name(result.stopped)}};
+}
+
 ordered_json info_json(const Document& document) {
   ordered_json meshes = ordered_json::array(), unused = ordered_json::array();
-  for (const MeshEntry& entry : document.meshes())
-    if (!entry.kept) meshes.push_back(mesh_json(document, entry));
+  for (const MeshEntry& entry : document.meshes()) {
+    if (entry.kept) continue;
+    ordered_json& mesh = meshes.emplace_back(mesh_json(document, entry));
+    if (entry.refused)
+      mesh["refused"] = entry.refused->english();
+    else
+      mesh["elements"] = elements_json(document.mesh(entry));
+  }
   for (const UnusedMesh& mesh : document.unused())
     unused.push_back({{"id", mesh.id}, {"patches", mesh.patches}});
   // Says that there is none.

@@ -3,19 +3,31 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/document.h"
+#include "app/runs.h"
 
 namespace gradmesh {
 
+/// Returns what is told of a mesh but for its elements: {"id", "role": "fill", "stroke" or null,
+/// "simplified", "remembers", "color_model", "smooth", "handles", "patches", "objects", "points",
+/// "t_junctions"}, with counts from "handles", as of count_handles, on. Only the first three if the
+/// mesh cannot be read.
+nlohmann::ordered_json mesh_json(const Document& document, const MeshEntry& entry);
+
+/// Returns what is told of a run on one mesh of a document: {"id", "method", "color_model",
+/// "metric", "epsilon", "max_local_error" or null, "original" or null, "resolution", "seed",
+/// "omega", "kappa", "handles_before", "handles_after", "patches_before", "patches_after",
+/// "objects", "error", "local_error", "evaluations", "renderer", "seconds": {"total", "rasterize",
+/// "select"}, "stopped"}. `original` names the document that was measured against; empty
+/// if none was named.
+nlohmann::ordered_json result_json(const Document& document, const MeshReport& report,
+                                   const SimplifyOptions& options, const std::string& original);
+
 /// Returns the contents of a document:
 ///   {"file", "kind": "svg" or another format's name,
-///    "meshes": [{"id", "role": "fill", "stroke" or null, "simplified", "color_model",
-///                "handles", "patches", "objects", "points", "t_junctions", "elements"}],
+///    "meshes": [those of mesh_json, with "elements" as of elements_json
+///               (formats/json/elements.h) or, if the mesh cannot be read, "refused", the reason],
 ///    "unused": [{"id", "patches"}]}
-/// where a mesh that cannot be read has "refused", the reason, in the place of all from
-/// "color_model" on, and "unused" are mesh gradients that paint nothing; with counts in "handles",
-/// as of count_handles, to "t_junctions", and "elements" as of elements_json
-/// (formats/json/elements.h).
+/// where "unused" are mesh gradients that paint nothing.
 nlohmann::ordered_json info_json(const Document& document);
 
 /// Returns the same as text, with one element on each line.

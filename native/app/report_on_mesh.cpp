@@ -6,7 +6,6 @@
 
 #include "app/common_frames.h"
 #include "base/utf8_path.h"
-#include "files/atomic_file.h"
 #include "raster/hidden.h"
 
 namespace gradmesh {
@@ -15,13 +14,13 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Returns what a report of `simplify` says of one mesh. Throws InputError if it says nothing.
-ordered_json read_run(const std::filesystem::path& path, const std::string& id) {
-  const ordered_json report = ordered_json::parse(read_bytes(path), nullptr, false);
+ordered_json read_run(const ReportOptions& options, const std::string& id) {
+  const ordered_json report = ordered_json::parse(options.run, nullptr, false);
   if (!report.is_object() || !report.contains("meshes") || !report["meshes"].is_array())
-    throw InputError("{0}: this is no report of gradmesh simplify.", path.string());
+    throw InputError("{0}: this is no report of gradmesh simplify.", options.run_name);
   for (const ordered_json& mesh : report["meshes"])
     if (mesh.is_object() && mesh.value("id", "") == id) return mesh;
-  throw InputError("{0}: this report says nothing of the mesh {1}.", path.string(), id);
+  throw InputError("{0}: this report says nothing of the mesh {1}.", options.run_name, id);
 }
 
 /// Sets `value` to that of the run if there is one.
@@ -44,9 +43,9 @@ RunOptions pricing_options(const ordered_json& run, const ReportOptions& given) 
       options.color_model = color_model_named(run["color_model"].get<std::string>());
     options.metric = metric_named(metric);
   } catch (const ordered_json::exception&) {
-    throw InputError("{0}: this is no report of gradmesh simplify.", given.run.string());
+    throw InputError("{0}: this is no report of gradmesh simplify.", given.run_name);
   } catch (const std::invalid_argument& error) {
-    throw InputError("{0}: {1}", given.run.string(), error.what());
+    throw InputError("{0}: {1}", given.run_name, error.what());
   }
   return options;
 }
@@ -74,7 +73,7 @@ std::filesystem::path path_of(const Document& document) { return utf8_path(docum
 Report report_on_mesh(const Document& before, const MeshEntry& entry, const Document& after,
                       const MeshEntry& entry_after, const ReportOptions& options) {
   Report report;
-  if (!options.run.empty()) report.run = read_run(options.run, entry.id);
+  if (!options.run.empty()) report.run = read_run(options, entry.id);
   AnalysisFiles files(options.analyses);
   const RunOptions run = pricing_options(report.run, options);
   const Problem problem = priced_problem_of(before, entry, run, files);

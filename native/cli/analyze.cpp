@@ -11,7 +11,7 @@ namespace {
 
 struct AnalyzeArguments {
   std::filesystem::path in, original;
-  std::string metric = "flip", renderer = name(Renderer::automatic);
+  std::string renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
   AnalysisPaths analyses;
@@ -19,7 +19,6 @@ struct AnalyzeArguments {
 };
 
 void run_analyze(AnalyzeArguments& a) {
-  a.options.metric = metric_named(a.metric);
   take_renderer(a.renderer, a.options);
   const std::unique_ptr<Document> document = Document::read_file(a.in);
   const std::unique_ptr<Document> original = take_original(a.original, *document);
@@ -41,16 +40,10 @@ void add_analyze(CLI::App& program) {
   add_path(command, "IN", a->in, any_document())->required();
   add_path(command, "-o,--output", a->analyses.save, "Where to write the analysis")->required();
   add_original_option(command, a->original);
-  command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
-      ->take_all()
-      ->expected(1);
-  add_color_model_option(command, a->options.color_model);
-  add_metric_option(command, a->metric);
-  add_epsilon_option(command, a->options.epsilon);
-  add_resolution_option(command, a->options.resolution);
+  add_ids(command, a->ids);
+  add_options(command, a->options, {"color_model", "metric", "epsilon", "resolution", "threads"});
   add_path(command, "--load-analysis", a->analyses.load,
            "Take prices from this file, which an earlier run has saved");
-  add_threads_option(command, a->options.threads);
   add_renderer_option(command, a->renderer);
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a] { run_analyze(*a); });

@@ -1,34 +1,84 @@
 #include "cli/common_options.h"
 
+#include <algorithm>
 #include <iostream>
+#include <limits>
 
 #include "app/devices.h"
-#include "base/limits.h"
 #include "base/utf8_path.h"
 
 namespace gradmesh {
 namespace {
 
-std::vector<std::string> metric_names() {
-  std::vector<std::string> names;
-  for (const MetricEntry& entry : all_metrics()) names.emplace_back(entry.name);
-  return names;
+/// Returns what says on the command line what the range of a T is, and refuses other values.
+template <class T>
+CLI::Validator within(const OptionEntry::Range& range) {
+  if (range.most < std::numeric_limits<double>::infinity())
+    return CLI::Range(T(range.least), T(range.most));
+  return CLI::NonNegativeNumber;
 }
+
+/// Adds an option as its type asks for.
+struct Adding {
+  CLI::App& command;
+  SimplifyOptions& options;
+  const OptionEntry& entry;
+  const std::string flag, help;
+
+  template <class T>
+  CLI::Option* operator()(T SimplifyOptions::*member) const {
+    CLI::Option* option = command.add_option(flag, options.*member, help);
+    if (entry.range) option->check(within<T>(*entry.range));
+    return option->capture_default_str();
+  }
+  template <class T>
+  CLI::Option* operator()(std::optional<T> SimplifyOptions::*member) const {
+    CLI::Option* option = command.add_option(flag, options.*member, help);
+    return entry.range ? option->check(within<T>(*entry.range)) : option;
+  }
+  CLI::Option* operator()(std::uint64_t SimplifyOptions::*member) const {
+    return command.add_option(flag, options.*member, help)
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+  }
+  CLI::Option* operator()(std::vector<int> SimplifyOptions::*member) const {
+    return command.add_option(flag, options.*member, help)->delimiter(',');
+  }
+  CLI::Option* operator()(bool SimplifyOptions::*member) const {
+    // Only what is seen counts unless a person says otherwise, so there is no need to ask for it.
+    return command.add_flag("!--whole-mesh", options.*member,
+                            "SVG: what outlines, clip paths and masks hide of the mesh counts too");
+  }
+  CLI::Option* operator()(const NamedValue& value) const {
+    const auto set = [&options = options, value](const std::string& name) {
+      value.set(options, name);
+    };
+    return command.add_option_function<std::string>(flag, set, help)
+        ->check(CLI::IsMember(value.names()))
+        ->default_str(value.get(options));
+  }
+};
 
 }  // namespace
 
 std::string any_document() { return formats_in_words(&Format::document); }
 
-void add_metric_option(CLI::App& command, std::string& metric) {
-  command.add_option("--metric", metric, "How pictures are compared")
-      ->check(CLI::IsMember(metric_names()))
-      ->capture_default_str();
+std::string flag_of(const std::string& option) {
+  std::string flag = "--" + option;
+  std::ranges::replace(flag, '_', '-');
+  return flag;
 }
 
-void add_resolution_option(CLI::App& command, int& resolution) {
-  command.add_option("--resolution", resolution, "Pixels along the longer side")
-      ->check(CLI::Range(16, int(limits().resolution)))
-      ->capture_default_str();
+void add_options(CLI::App& command, SimplifyOptions& options,
+                 const std::vector<std::string>& names) {
+  for (const OptionEntry& entry : all_options()) {
+    if (std::ranges::find(names, entry.name) == names.end()) continue;
+    std::string heeding;
+    for (const std::string& method : methods_with(entry.name))
+      heeding.append(heeding.empty() ? "" : ", ").append(method);
+    const std::string help = heeding.empty() ? entry.help : heeding + ": " + entry.help;
+    std::visit(Adding{command, options, entry, flag_of(entry.name), help}, entry.value);
+  }
 }
 
 CLI::Option* add_path(CLI::App& command, const std::string& names, std::filesystem::path& path,
@@ -49,38 +99,14 @@ std::unique_ptr<Document> take_original(const std::filesystem::path& original, D
   return other;
 }
 
-void add_epsilon_option(CLI::App& command, double& epsilon) {
-  command.add_option("--epsilon", epsilon, "Largest error allowed")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+void add_ids(CLI::App& command, std::vector<std::string>& ids) {
+  command.add_option("--id", ids, "Only this object, or all meshes inside it; may be repeated")
+      ->take_all()
+      ->expected(1);
 }
 
-void add_kappa_option(CLI::App& command, double& kappa) {
-  command
-      .add_option("--kappa", kappa,
-                  "motorcycle: share of epsilon above which an edge bounds the parts")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-}
-
-void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model) {
-  command
-      .add_option_function<std::string>(
-          "--color-model", [&model](const std::string& name) { model = color_model_named(name); },
-          "How colours are held between corners; by default bicubic in .hemesh files, where SVG "
-          "is involved bilinear")
-      ->check(CLI::IsMember({"bilinear", "bicubic"}));
-}
-
-void add_whole_mesh_option(CLI::App& command, bool& visible_only) {
-  command.add_flag("!--whole-mesh", visible_only,
-                   "SVG: what outlines, clip paths and masks hide of the mesh counts too");
-}
-
-void add_threads_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "0: all cores")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+void add_id(CLI::App& command, std::string& id) {
+  command.add_option("--id", id, "Which mesh, where there are several");
 }
 
 void add_renderer_option(CLI::App& command, std::string& renderer) {

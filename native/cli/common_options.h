@@ -12,16 +12,16 @@ namespace gradmesh {
 /// Returns what help calls a document of any format: "SVG document or .hemesh file".
 std::string any_document();
 
-/// Options that several subcommands share; the variable holds the default and must outlive
-/// parsing.
-void add_metric_option(CLI::App& command, std::string& metric);
-void add_resolution_option(CLI::App& command, int& resolution);
-void add_epsilon_option(CLI::App& command, double& epsilon);
-void add_kappa_option(CLI::App& command, double& kappa);
-void add_color_model_option(CLI::App& command, std::optional<ColorModel>& model);
-/// `--whole-mesh` makes `visible_only` false.
-void add_whole_mesh_option(CLI::App& command, bool& visible_only);
-void add_threads_option(CLI::App& command, int& threads);
+/// Returns the name of an option of a run on the command line, such as "--max-local-error".
+std::string flag_of(const std::string& option);
+/// Adds the options of a run with these names (simplify/options.h) to a subcommand. The members of
+/// `options` hold the defaults and must outlive parsing.
+void add_options(CLI::App& command, SimplifyOptions& options,
+                 const std::vector<std::string>& names);
+/// Adds --id, which may be repeated.
+void add_ids(CLI::App& command, std::vector<std::string>& ids);
+/// Adds --id of one mesh.
+void add_id(CLI::App& command, std::string& id);
 /// Adds --renderer.
 void add_renderer_option(CLI::App& command, std::string& renderer);
 /// Sets the device of the renderer in the options, and says on stderr if there is none or if it

@@ -12,8 +12,7 @@ namespace {
 
 struct CompareArguments {
   std::filesystem::path a, b;
-  std::string metric = "flip";
-  int resolution = 700;
+  SimplifyOptions options;
 };
 
 /// The only mesh of a document.
@@ -55,10 +54,10 @@ Pair pictures(const std::filesystem::path& a, const std::filesystem::path& b, in
 }
 
 void run_compare(const CompareArguments& args) {
-  const auto [first, second] = pictures(args.a, args.b, args.resolution);
+  const auto [first, second] = pictures(args.a, args.b, args.options.resolution);
   if (first.width != second.width || first.height != second.height)
     throw InputError("{0} and {1} are not of one size.", args.a.string(), args.b.string());
-  std::printf("%.6f\n", mean(make_metric(metric_named(args.metric), first)->map(second)));
+  std::printf("%.6f\n", mean(make_metric(args.options.metric, first)->map(second)));
 }
 
 }  // namespace
@@ -70,8 +69,7 @@ void add_compare(CLI::App& program) {
       "Print the error between two pictures: images of one size, or documents of one mesh each");
   add_path(command, "A", a->a, "Image, " + any_document() + "; the reference")->required();
   add_path(command, "B", a->b, "Image, " + any_document())->required();
-  add_metric_option(command, a->metric);
-  add_resolution_option(command, a->resolution);
+  add_options(command, a->options, {"metric", "resolution"});
   command.callback([a] { run_compare(*a); });
 }
 

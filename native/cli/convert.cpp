@@ -11,7 +11,8 @@ namespace {
 
 struct ConvertArguments {
   std::filesystem::path in, out;
-  std::string id, metric = "flip";
+  std::string id;
+  SimplifyOptions measure;
   ConvertOptions options;
 };
 
@@ -20,7 +21,8 @@ void run_convert(ConvertArguments& a) {
   if (!format)
     throw std::invalid_argument(a.out.string() + " must end in " +
                                 formats_in_words(&Format::extension) + ".");
-  a.options.metric = metric_named(a.metric);
+  a.options.metric = a.measure.metric;
+  a.options.resolution = a.measure.resolution;
   const std::unique_ptr<Document> from = Document::read_file(a.in);
   const MeshEntry entry = one_mesh(*from, a.id);
   const Conversion to = convert(*from, entry, *format, a.options);
@@ -43,7 +45,7 @@ void add_convert(CLI::App& program) {
   add_path(command, "OUT", a->out,
            "Its extension, " + formats_in_words(&Format::extension) + ", says what it becomes")
       ->required();
-  command.add_option("--id", a->id, "Which mesh, where there are several");
+  add_id(command, a->id);
   CLI::Option* subdivide =
       command.add_option("--subdivide", a->options.subdivide, "Split every patch into N x N")
           ->check(CLI::Range(1, 32));
@@ -53,8 +55,7 @@ void add_convert(CLI::App& program) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()
       ->excludes(subdivide);
-  add_metric_option(command, a->metric);
-  add_resolution_option(command, a->options.resolution);
+  add_options(command, a->measure, {"metric", "resolution"});
   command.callback([a, &command] {
     a->options.must_keep_epsilon = command.count("--epsilon") > 0;
     run_convert(*a);

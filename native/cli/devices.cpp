@@ -10,7 +10,6 @@ namespace {
 
 struct DevicesArguments {
   std::filesystem::path in;
-  std::string metric = "flip";
   std::vector<std::string> ids;
   RunOptions options;
 };
@@ -45,7 +44,7 @@ void print_choice(const DevicesArguments& a, const std::vector<DeviceInfo>& devi
     const Mesh mesh = document->mesh(entry);
     const RendererChoice choice =
         choose_renderer(device, mesh, document->frame(entry, mesh, a.options.resolution),
-                        metric_named(a.metric), a.options.threads);
+                        a.options.metric, a.options.threads);
     std::printf("%s: auto takes %s: %s.\n", entry.id.c_str(),
                 choice.takes_device ? device->info().name.c_str() : "software",
                 choice.reason.english().c_str());
@@ -66,12 +65,8 @@ void add_devices(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "devices", "List the graphics processors that EGL offers, and which --renderer auto takes");
   add_path(command, "IN", a->in, "Tell it for the meshes of this " + any_document());
-  command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
-      ->take_all()
-      ->expected(1);
-  add_metric_option(command, a->metric);
-  add_resolution_option(command, a->options.resolution);
-  add_threads_option(command, a->options.threads);
+  add_ids(command, a->ids);
+  add_options(command, a->options, {"metric", "resolution", "threads"});
   command.callback([a] { run_devices(*a); });
 }
 

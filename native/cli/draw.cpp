@@ -10,7 +10,7 @@ namespace {
 
 struct DrawArguments {
   std::filesystem::path in, out;
-  std::string id, show, metric = "flip", region;
+  std::string id, show, region;
   DrawOptions options;
   AnalysisPaths analyses;
   bool no_picture = false, quiet = false;
@@ -28,7 +28,6 @@ void run_draw(DrawArguments& a) {
     throw std::invalid_argument("--patch and --region go with --show regions only.");
   a.options.show = show_named(a.show);
   a.options.picture = !a.no_picture;
-  a.options.simplify.metric = metric_named(a.metric);
   if (!a.region.empty()) a.options.region = a.region == "all" ? 0 : std::stoi(a.region);
   const std::unique_ptr<Document> document = Document::read_file(a.in);
   std::string text;
@@ -54,12 +53,9 @@ void add_draw(CLI::App& program) {
                   "patch that can be merged within epsilon")
       ->required()
       ->check(CLI::IsMember({"edges", "errors", "motorcycle", "regions", "faces"}));
-  command.add_option("--id", a->id, "Which mesh, where there are several");
-  add_color_model_option(command, a->options.simplify.color_model);
-  add_metric_option(command, a->metric);
-  add_epsilon_option(command, a->options.simplify.epsilon);
-  add_resolution_option(command, a->options.simplify.resolution);
-  add_kappa_option(command, a->options.simplify.kappa);
+  add_id(command, a->id);
+  add_options(command, a->options.simplify,
+              {"color_model", "metric", "epsilon", "resolution", "kappa", "threads"});
   command.add_option("--patch", a->options.patch, "regions: the number of the patch");
   command
       .add_option("--region", a->region,
@@ -67,7 +63,6 @@ void add_draw(CLI::App& program) {
       ->check(CLI::Validator(region_problem, "NUMBER or all"));
   command.add_flag("--no-picture", a->no_picture, "Leave the picture behind the lines out");
   add_analysis_options(command, a->analyses);
-  add_threads_option(command, a->options.simplify.threads);
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a] { run_draw(*a); });
 }

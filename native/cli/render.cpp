@@ -11,7 +11,7 @@ namespace {
 struct RenderArguments {
   std::filesystem::path in, out, framed_as;
   std::string id;
-  int resolution = 700;
+  RunOptions options;
   std::string renderer = name(Renderer::automatic);
   bool like_inkscape = false;
 };
@@ -20,15 +20,16 @@ struct RenderArguments {
 /// it.
 Image render(const Document& document, const MeshEntry& entry, const RenderArguments& a,
              const Document* other) {
-  RunOptions options;
+  RunOptions options = a.options;
   if (a.renderer == name(Renderer::egl)) take_renderer(a.renderer, options);
   try {
     if (options.device)
-      return document.render(entry, a.resolution, *make_egl_rasterizer(options.device), other);
+      return document.render(entry, a.options.resolution, *make_egl_rasterizer(options.device),
+                             other);
   } catch (const DeviceError& error) {
     say_without_device(error.what());
   }
-  return document.render(entry, a.resolution, *make_software_rasterizer(), other);
+  return document.render(entry, a.options.resolution, *make_software_rasterizer(), other);
 }
 
 void run_render(const RenderArguments& a) {
@@ -36,8 +37,9 @@ void run_render(const RenderArguments& a) {
   const MeshEntry entry = one_mesh(*document, a.id);
   std::unique_ptr<Document> other;
   if (!a.framed_as.empty()) other = Document::read_file(a.framed_as);
-  write_png(a.like_inkscape ? document->render_like_inkscape(entry, a.resolution, other.get())
-                            : render(*document, entry, a, other.get()),
+  write_png(a.like_inkscape
+                ? document->render_like_inkscape(entry, a.options.resolution, other.get())
+                : render(*document, entry, a, other.get()),
             a.out);
 }
 
@@ -48,10 +50,10 @@ void add_render(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("render", "Paint a mesh to a PNG image");
   add_path(command, "IN", a->in, any_document())->required();
   add_path(command, "-o,--output", a->out, "PNG image")->required();
-  command.add_option("--id", a->id, "Which mesh, where there are several");
+  add_id(command, a->id);
   add_path(command, "--framed-as", a->framed_as,
            "Paint it where this document's mesh would be, of the same id or the only one");
-  add_resolution_option(command, a->resolution);
+  add_options(command, a->options, {"resolution"});
   add_renderer_option(command, a->renderer);
   command.add_flag("--like-inkscape", a->like_inkscape,
                    "Take Inkscape's point of each pixel instead of the centre");

@@ -12,19 +12,22 @@ namespace gradmesh {
 namespace {
 
 struct ReportArguments {
-  std::filesystem::path before, after, out, original;
-  std::string id, metric = "flip", renderer = name(Renderer::automatic);
-  double epsilon = RunOptions().epsilon;
-  int resolution = RunOptions().resolution;
+  std::filesystem::path before, after, out, original, run;
+  std::string id, renderer = name(Renderer::automatic);
   ReportOptions options;
   bool quiet = false;
 };
 
 void run_report(ReportArguments& a, const CLI::App& command) {
-  if (command.count("--metric") > 0) a.options.metric = metric_named(a.metric);
-  if (command.count("--epsilon") > 0) a.options.epsilon = a.epsilon;
-  if (command.count("--resolution") > 0) a.options.resolution = a.resolution;
+  const RunOptions& given = a.options.pricing;
+  if (command.count("--metric") > 0) a.options.metric = given.metric;
+  if (command.count("--epsilon") > 0) a.options.epsilon = given.epsilon;
+  if (command.count("--resolution") > 0) a.options.resolution = given.resolution;
   const auto before = Document::read_file(a.before), after = Document::read_file(a.after);
+  if (!a.run.empty()) {
+    a.options.run = read_bytes(a.run);
+    a.options.run_name = a.run.string();
+  }
   const MeshEntry entry = one_mesh(*before, a.id), entry_after = one_mesh(*after, a.id);
   take_renderer(a.renderer, a.options.pricing);
   const std::unique_ptr<Document> original = take_original(a.original, *before);
@@ -46,19 +49,15 @@ void add_report(CLI::App& program) {
   add_path(command, "BEFORE", a->before, any_document())->required();
   add_path(command, "AFTER", a->after, "The same, simplified")->required();
   add_path(command, "-o,--output", a->out, "HTML page")->required();
-  command.add_option("--id", a->id, "Which mesh, where there are several");
-  add_path(command, "--run", a->options.run,
+  add_id(command, a->id);
+  add_path(command, "--run", a->run,
            "What simplify --report wrote: gives the page the options of the run, and this "
            "command their values");
   add_original_option(command, a->original);
-  add_color_model_option(command, a->options.pricing.color_model);
-  add_metric_option(command, a->metric);
-  add_epsilon_option(command, a->epsilon);
-  add_resolution_option(command, a->resolution);
+  add_options(command, a->options.pricing,
+              {"color_model", "metric", "epsilon", "resolution", "visible_only", "threads"});
   add_analysis_options(command, a->options.analyses);
-  add_threads_option(command, a->options.pricing.threads);
   add_renderer_option(command, a->renderer);
-  add_whole_mesh_option(command, a->options.pricing.visible_only);
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a, &command] { run_report(*a, command); });
 }

@@ -1,11 +1,12 @@
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "app/convert_for_run.h"
 #include "app/devices.h"
+#include "app/info.h"
 #include "app/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
-#include "cli/json_output.h"
 #include "cli/progress_bar.h"
 #include "files/atomic_file.h"
 
@@ -14,23 +15,13 @@ namespace {
 
 struct SimplifyArguments {
   std::filesystem::path in, out, original, report;
-  std::string count, metric = "flip", renderer = name(Renderer::automatic);
+  std::string renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
   AnalysisPaths analyses;
   WriteOptions writing;
-  /// Accepted, but changes nothing.
-  bool visible_only = false;
   bool quiet = false, preview = false;
 };
-
-/// Returns the names of the methods that heed an option, as in the help: "gqe, best: ".
-std::string heeding(const std::string& option) {
-  std::string names;
-  for (const std::string& name : methods_with(option))
-    names.append(names.empty() ? "" : ", ").append(name);
-  return names + ": ";
-}
 
 /// Returns the document that will be written to OUT, which is IN converted if it is of another
 /// format.
@@ -64,6 +55,18 @@ void print_results(const std::vector<MeshReport>& reports, const RunOptions& opt
   }
 }
 
+/// Returns the JSON that --report writes.
+std::string results_text(const Document& document, const std::vector<MeshReport>& reports,
+                         const SimplifyArguments& a) {
+  nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
+  for (const MeshReport& report : reports)
+    if (report.refused)
+      meshes.push_back({{"id", report.id}, {"refused", report.refused->english()}});
+    else
+      meshes.push_back(result_json(document, report, a.options, a.original.string()));
+  return nlohmann::ordered_json{{"meshes", meshes}}.dump(2) + "\n";
+}
+
 void tell_refused(const std::vector<MeshReport>& reports) {
   for (const MeshReport& report : reports)
     if (report.refused)
@@ -71,13 +74,10 @@ void tell_refused(const std::vector<MeshReport>& reports) {
 }
 
 void run_simplify(SimplifyArguments& a) {
-  a.options.metric = metric_named(a.metric);
-  if (!a.count.empty()) a.options.count = count_named(a.count);
   take_renderer(a.renderer, a.options);
   std::unique_ptr<Document> in = Document::read_file(a.in);
   const std::unique_ptr<Document> original = take_original(a.original, *in);
   const std::unique_ptr<Document> document = to_be_written(std::move(in), a);
-  if (!a.options.color_model) a.options.color_model = document->color_model();
   std::vector<MeshReport> reports;
   {
     ProgressBar bar(a.quiet);
@@ -86,32 +86,21 @@ void run_simplify(SimplifyArguments& a) {
                         : simplify(*document, a.ids, a.options, a.analyses, a.writing);
   }
   // The report first: where it cannot be written the document is still as it was.
-  if (!a.report.empty())
-    write_bytes(a.report, report_json(reports, a.options, a.original.string()).dump(2) + "\n");
+  if (!a.report.empty()) write_bytes(a.report, results_text(*document, reports, a));
   if (!a.preview) document->write_file(a.out);
   tell_refused(reports);
   if (!a.quiet) print_results(reports, a.options);
 }
 
-void add_target_options(CLI::App& command, SimplifyArguments& a) {
-  CLI::Option* handles =
-      command.add_option("--handles", a.options.handles,
-                         "Instead of --epsilon: at most so many handles, with the least error");
-  CLI::Option* patches =
-      command
-          .add_option("--patches", a.options.patches,
-                      "Instead of --epsilon: at most so many patches, with the least error")
-          ->excludes(handles);
-  command
-      .add_option("--ratio", a.options.ratio,
-                  "Instead of --epsilon: this share of the handles, or of the patches")
-      ->excludes(handles)
-      ->excludes(patches);
-  command
-      .add_option("--count", a.count,
-                  "What is made few, and what --ratio is a share of; by default the handles of an "
-                  "SVG document, and patches where a method that merges is named")
-      ->check(CLI::IsMember({name(Count::handles), name(Count::patches)}));
+/// Adds all options of a run, with what cannot be given together.
+void add_run_options(CLI::App& command, RunOptions& options) {
+  std::vector<std::string> names;
+  for (const OptionEntry& option : all_options()) names.push_back(option.name);
+  add_options(command, options, names);
+  const auto option = [&](const std::string& name) { return command.get_option(flag_of(name)); };
+  option("patches")->excludes(option("handles"));
+  option("ratio")->excludes(option("handles"))->excludes(option("patches"));
+  for (const std::string& name : replaced_by_amount) option("amount")->excludes(option(name));
 }
 
 }  // namespace
@@ -125,41 +114,9 @@ void add_simplify(CLI::App& program) {
   add_path(target, "-o,--output", a->out, "Where to write the document");
   target.add_flag("--preview", a->preview,
                   "Write no document, only say what would become of the meshes");
-  command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
-      ->take_all()
-      ->expected(1);
-  command.add_option("--method", a->options.method, "How edges are chosen")
-      ->check(CLI::IsMember(method_choices()))
-      ->capture_default_str();
-  add_color_model_option(command, a->options.color_model);
-  add_metric_option(command, a->metric);
-  add_epsilon_option(command, a->options.epsilon);
-  command
-      .add_option("--max-local-error", a->options.max_local_error,
-                  "Largest error allowed in any window of 32 x 32 pixels, so that small details "
-                  "stay")
-      ->check(CLI::Range(0.0, 1.0));
-  add_target_options(command, *a);
+  add_ids(command, a->ids);
+  add_run_options(command, a->options);
   add_original_option(command, a->original);
-  add_resolution_option(command, a->options.resolution);
-  add_whole_mesh_option(command, a->options.visible_only);
-  command.add_flag("--visible-only", a->visible_only, "What is done anyway; for older scripts");
-  command.add_option("--seed", a->options.seed, "Random choices follow it")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command
-      .add_option("--omega", a->options.omega, heeding("omega") + "weight of size against error")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  add_kappa_option(command, a->options.kappa);
-  command.add_option("--edges", a->options.edges, "manual: the half-edges to merge, in this order")
-      ->delimiter(',');
-  command
-      .add_option("--time-budget", a->options.time_budget,
-                  "Seconds a mesh may take, then the best so far is kept; 0: no limit")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  add_threads_option(command, a->options.threads);
   add_renderer_option(command, a->renderer);
   add_analysis_options(command, a->analyses);
   add_path(command, "--report", a->report, "Write a report as JSON");

@@ -32,9 +32,7 @@ void add_update(CLI::App& program) {
       "update", "Make simplified meshes fit together again after their blocks were edited");
   add_path(command, "IN", a->in, "SVG document")->required();
   add_path(command, "-o,--output", a->out, "Where to write the document")->required();
-  command.add_option("--id", a->ids, "Only this object, or all meshes inside it; may be repeated")
-      ->take_all()
-      ->expected(1);
+  add_ids(command, a->ids);
   command.add_flag("--quiet", a->quiet, "Print nothing");
   command.callback([a] { run_update(*a); });
 }

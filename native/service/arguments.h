@@ -42,6 +42,9 @@ class Arguments {
     return value;
   }
 
+  /// Returns true if there is an argument of that name, and if it is not null.
+  bool has(const std::string& name) const { return !at(name).is_null(); }
+
  private:
   static void read(const std::string& name, const Json& json, bool& value);
   static void read(const std::string& name, const Json& json, int& value);

@@ -30,7 +30,13 @@ class Call {
   T get(const std::string& name) const {
     return arguments_.get<T>(name);
   }
-  const Arguments& arguments() const { return arguments_; }
+  /// Returns an argument, or `otherwise` if it is null.
+  template <class T>
+  T get(const std::string& name, T otherwise) const {
+    return get<std::optional<T>>(name).value_or(std::move(otherwise));
+  }
+  /// Returns true if the argument is not null.
+  bool has(const std::string& name) const { return arguments_.has(name); }
 
   /// Returns the document that an argument names, by its number.
   Document& document(const std::string& name = "document") const {

@@ -14,17 +14,16 @@ Json read_document(const Call& call) {
 
 Json parse_document(const Call& call) {
   auto document = Document::parse(call.get<Bytes>("bytes").bytes, call.get<std::string>("name"));
-  if (call.get<bool>("translated")) document->set_translation(callers_translation());
+  if (call.get("translated", false)) document->set_translation(callers_translation());
   return call.add(std::move(document));
 }
 
 Json convert_document(const Call& call) {
   const Document& document = call.document();
-  const auto epsilon = call.get<std::optional<double>>("epsilon");
   const MeasureOptions measure = measure_options(call);
   ConvertOptions options;
-  options.epsilon = epsilon.value_or(options.epsilon);
-  options.must_keep_epsilon = epsilon.has_value();
+  options.epsilon = call.get("epsilon", options.epsilon);
+  options.must_keep_epsilon = call.has("epsilon");
   options.subdivide = call.get<std::optional<int>>("subdivide");
   options.metric = measure.metric;
   options.resolution = measure.resolution;

@@ -8,7 +8,7 @@ namespace gradmesh {
 Json update_document(const Call& call) {
   Json list = Json::array();
   for (const UpdateReport& report :
-       call.document().update(call.get<std::vector<std::string>>("ids")))
+       call.document().update(call.get<std::vector<std::string>>("ids", {})))
     list.push_back(update_json(report));
   return list;
 }
@@ -20,12 +20,12 @@ Json merge_patches(const Call& call) {
 
 Json refine_patches(const Call& call) {
   RefineOptions options;
-  options.rows = call.get<bool>("rows");
-  options.columns = call.get<bool>("columns");
-  options.place = call.get<double>("place");
+  options.rows = call.get("rows", options.rows);
+  options.columns = call.get("columns", options.columns);
+  options.place = call.get("place", options.place);
   options.row = call.get<std::optional<int>>("row");
   options.column = call.get<std::optional<int>>("column");
-  options.whole = call.get<bool>("whole");
+  options.whole = call.get("whole", options.whole);
   return edit_json(
       refine(call.document(), call.get<std::string>("id"), options, measure_options(call)));
 }
@@ -33,14 +33,15 @@ Json refine_patches(const Call& call) {
 Json to_one_mesh_document(const Call& call) {
   Json list = Json::array();
   for (const EditReport& report : to_one_mesh(
-           call.document(), call.get<std::vector<std::string>>("ids"), measure_options(call)))
+           call.document(), call.get<std::vector<std::string>>("ids", {}), measure_options(call)))
     list.push_back(edit_json(report));
   return list;
 }
 
 Json publish_document(const Call& call) {
   Json list = Json::array();
-  for (const PublishedMesh& mesh : publish(call.document(), {call.get<double>("scale")}))
+  for (const PublishedMesh& mesh :
+       publish(call.document(), {call.get("scale", PublishOptions().scale)}))
     list.push_back(published_json(mesh));
   return list;
 }

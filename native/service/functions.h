@@ -19,6 +19,7 @@ Json meshes(const Call& call);
 Json info(const Call& call);
 
 // Runs.
+Json run_option_list(const Call& call);
 Json simplify_document(const Call& call);
 Json analyze_document(const Call& call);
 

@@ -5,41 +5,49 @@
 
 namespace gradmesh {
 
-std::filesystem::path path_argument(const Call& call, const std::string& name) {
-  const std::string path = call.get<std::optional<std::string>>(name).value_or("");
-  return utf8_path(path);
+namespace {
+
+/// Sets one option of a run to an argument, if that is not null.
+struct Reading {
+  const Call& call;
+  const std::string& name;
+  RunOptions& options;
+
+  template <class T>
+  void operator()(T SimplifyOptions::*member) const {
+    if (call.has(name)) options.*member = call.get<T>(name);
+  }
+  void operator()(const NamedValue& value) const {
+    if (call.has(name)) value.set(options, call.get<std::string>(name));
+  }
+};
+
+void check_amount(const Call& call) {
+  if (!call.has("amount")) return;
+  for (const std::string& name : replaced_by_amount)
+    if (call.has(name))
+      throw std::invalid_argument("an amount has bounds of its own, beside which there is no " +
+                                  name + ".");
 }
 
-RunOptions pricing_options(const Call& call) {
-  RunOptions options;
-  options.metric = metric_named(call.get<std::string>("metric"));
-  options.epsilon = call.get<double>("epsilon");
-  options.resolution = call.get<int>("resolution");
-  if (const auto model = call.get<std::optional<std::string>>("color_model"))
-    options.color_model = color_model_named(*model);
-  options.threads = call.get<int>("threads");
-  return options;
+}  // namespace
+
+std::filesystem::path path_argument(const Call& call, const std::string& name) {
+  return utf8_path(call.get<std::string>(name, ""));
 }
 
 RunOptions run_options(const Call& call) {
-  RunOptions options = pricing_options(call);
-  take_renderer(options, call);
-  options.method = call.get<std::string>("method");
-  method_named(options.method);
-  options.max_local_error = call.get<std::optional<double>>("max_local_error");
-  options.handles = call.get<std::optional<int>>("handles");
-  options.patches = call.get<std::optional<int>>("patches");
-  options.ratio = call.get<std::optional<double>>("ratio");
-  if (const auto count = call.get<std::optional<std::string>>("count"))
-    options.count = count_named(*count);
-  options.visible_only = call.get<bool>("visible_only");
-  options.seed = call.get<std::uint64_t>("seed");
-  options.omega = call.get<double>("omega");
-  options.kappa = call.get<double>("kappa");
-  options.edges = call.get<std::vector<int>>("edges");
-  options.time_budget = call.get<double>("time_budget");
+  RunOptions options;
+  check_amount(call);
+  for (const OptionEntry& option : all_options())
+    std::visit(Reading{call, option.name, options}, option.value);
   options.progress = call.progress();
   return options;
+}
+
+void take_renderer(RunOptions& options, const Call& call) {
+  const std::string renderer = call.get<std::string>("renderer", name(Renderer::automatic));
+  use_renderer(options, renderer_named(renderer), call.device_lost());
 }
 
 AnalysisPaths analysis_paths(const Call& call) {
@@ -48,13 +56,11 @@ AnalysisPaths analysis_paths(const Call& call) {
 }
 
 MeasureOptions measure_options(const Call& call) {
-  const int resolution = call.get<int>("resolution");
-  check_resolution(resolution);
-  return {metric_named(call.get<std::string>("metric")), resolution};
-}
-
-void take_renderer(RunOptions& options, const Call& call) {
-  use_renderer(options, renderer_named(call.get<std::string>("renderer")), call.device_lost());
+  MeasureOptions options;
+  options.metric = metric_named(call.get<std::string>("metric", name(options.metric)));
+  options.resolution = call.get("resolution", options.resolution);
+  check_resolution(options.resolution);
+  return options;
 }
 
 }  // namespace gradmesh

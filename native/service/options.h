@@ -6,19 +6,17 @@
 
 namespace gradmesh {
 
-/// The options that several functions share, from the arguments of a call. All throw WrongType, and
-/// std::invalid_argument where there is nothing of a name that is given.
+/// The options that several functions share, from the arguments of a call; those that are null have
+/// their defaults. All throw WrongType, and std::invalid_argument where there is nothing of a name
+/// that is given, or where options contradict each other.
 
-/// Returns the options of a run with all that a person may set.
+/// Returns the options of a run that the arguments name (simplify/options.h), with the
+/// questions about progress.
 RunOptions run_options(const Call& call);
-/// Returns the options of a run that only prices: metric, epsilon, resolution, color_model,
-/// threads.
-RunOptions pricing_options(const Call& call);
-AnalysisPaths analysis_paths(const Call& call);
-MeasureOptions measure_options(const Call& call);
-
 /// Sets where errors are found, as the arguments say.
 void take_renderer(RunOptions& options, const Call& call);
+AnalysisPaths analysis_paths(const Call& call);
+MeasureOptions measure_options(const Call& call);
 
 /// Lets a document be measured against another one while it lives.
 class MeasuredAgainst {

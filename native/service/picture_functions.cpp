@@ -30,11 +30,10 @@ Image picture(const Call& call, const std::string& name, int width, int height) 
 Json render_mesh(const Call& call) {
   const Document& document = call.document();
   const Document* const framed_as = call.optional_document("framed_as");
-  const int resolution = call.get<int>("resolution");
-  check_resolution(resolution);
+  const int resolution = measure_options(call).resolution;
   const MeshEntry entry = one_mesh(document, call);
   const Image image =
-      call.get<bool>("like_inkscape")
+      call.get("like_inkscape", false)
           ? document.render_like_inkscape(entry, resolution, framed_as)
           : document.render(entry, resolution, *make_software_rasterizer(), framed_as);
   return {{"width", image.width},
@@ -46,17 +45,15 @@ Json compare_pictures(const Call& call) {
   const int width = call.get<int>("width"), height = call.get<int>("height");
   const Image reference = picture(call, "reference", width, height);
   const Image test = picture(call, "test", width, height);
-  return mean(make_metric(metric_named(call.get<std::string>("metric")), reference)->map(test));
+  return mean(make_metric(measure_options(call).metric, reference)->map(test));
 }
 
 Json draw_mesh(const Call& call) {
   const Document& document = call.document();
   DrawOptions options;
   options.show = show_named(call.get<std::string>("show"));
-  options.picture = call.get<bool>("picture");
-  options.simplify = pricing_options(call);
-  options.simplify.kappa = call.get<double>("kappa");
-  options.simplify.progress = call.progress();
+  options.picture = call.get("picture", options.picture);
+  options.simplify = run_options(call);
   return draw(document, one_mesh(document, call), options, analysis_paths(call));
 }
 
@@ -64,18 +61,13 @@ Json write_report(const Call& call) {
   Document& before = call.document();
   const Document& after = call.document("after");
   ReportOptions options;
-  options.run = path_argument(call, "run");
-  if (const auto metric = call.get<std::optional<std::string>>("metric"))
-    options.metric = metric_named(*metric);
-  options.epsilon = call.get<std::optional<double>>("epsilon");
-  options.resolution = call.get<std::optional<int>>("resolution");
-  if (options.resolution) check_resolution(*options.resolution);
-  if (const auto model = call.get<std::optional<std::string>>("color_model"))
-    options.pricing.color_model = color_model_named(*model);
-  options.pricing.visible_only = call.get<bool>("visible_only");
-  options.pricing.threads = call.get<int>("threads");
-  options.pricing.progress = call.progress();
+  options.run = call.get<std::string>("run", "");
+  options.pricing = run_options(call);
+  check(options.pricing);
   take_renderer(options.pricing, call);
+  if (call.has("metric")) options.metric = options.pricing.metric;
+  if (call.has("epsilon")) options.epsilon = options.pricing.epsilon;
+  if (call.has("resolution")) options.resolution = options.pricing.resolution;
   options.analyses = analysis_paths(call);
   const MeasuredAgainst measured(before, call);
   write_bytes(path_argument(call, "path"),

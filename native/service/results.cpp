@@ -1,7 +1,6 @@
 #include "service/results.h"
 
-#include "form/handles.h"
-#include "mesh/mesh.h"
+#include "app/info.h"
 
 namespace gradmesh {
 namespace {
@@ -15,45 +14,6 @@ Json refusal_json(const std::optional<Message>& refused) {
   return refused ? message_json(*refused) : Json();
 }
 
-Json mesh_json(const Document& document, const MeshEntry& entry) {
-  Json role;
-  if (entry.role) role = *entry.role == PaintRole::fill ? "fill" : "stroke";
-  Json json = {{"id", entry.id},
-               {"role", role},
-               {"simplified", entry.simplified},
-               {"smooth", false},
-               {"handles", 0},
-               {"patches", 0},
-               {"objects", 0},
-               {"refused", refusal_json(entry.refused)}};
-  if (entry.refused) return json;
-  const Mesh& mesh = document.mesh(entry);
-  json["smooth"] = mesh.is_smooth();
-  json["handles"] = count_handles(mesh);
-  json["patches"] = mesh.face_count();
-  json["objects"] = document.objects(entry);
-  return json;
-}
-
-Json report_json(const MeshReport& report) {
-  const SimplifyResult& r = report.result;
-  return {{"id", report.id},
-          {"method", r.method},
-          {"handles_before", r.handles_before},
-          {"handles_after", r.handles_after},
-          {"patches_before", r.patches_before},
-          {"patches_after", r.patches_after},
-          {"objects", r.objects},
-          {"changed", r.changed},
-          {"error", r.error},
-          {"local_error", r.local_error},
-          {"evaluations", r.evaluations},
-          {"renderer", r.renderer},
-          {"stopped", report.refused ? "refused" : name(r.stopped)},
-          {"seconds", r.seconds.total},
-          {"refused", refusal_json(report.refused)}};
-}
-
 }  // namespace
 
 Json message_json(const Message& message) {
@@ -64,16 +24,24 @@ Json message_json(const Message& message) {
 
 Json meshes_json(const Document& document) {
   Json list = Json::array();
-  for (const MeshEntry& entry : document.meshes())
-    if (!entry.kept) list.push_back(mesh_json(document, entry));
+  for (const MeshEntry& entry : document.meshes()) {
+    if (entry.kept) continue;
+    Json& mesh = list.emplace_back(mesh_json(document, entry));
+    mesh["refused"] = refusal_json(entry.refused);
+  }
   // Says that there is none.
   if (list.empty()) document.selected({});
   return list;
 }
 
-Json reports_json(const std::vector<MeshReport>& reports) {
+Json results_json(const Document& document, const std::vector<MeshReport>& reports,
+                  const SimplifyOptions& options, const std::string& original) {
   Json list = Json::array();
-  for (const MeshReport& report : reports) list.push_back(report_json(report));
+  for (const MeshReport& report : reports) {
+    Json& result = list.emplace_back(result_json(document, report, options, original));
+    result["changed"] = report.result.changed;
+    result["refused"] = refusal_json(report.refused);
+  }
   return list;
 }
 

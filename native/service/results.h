@@ -18,7 +18,9 @@ Json message_json(const Message& message);
 /// Returns all meshes that are not hidden originals. Throws InputError if there is none.
 Json meshes_json(const Document& document);
 
-Json reports_json(const std::vector<MeshReport>& reports);
+/// Returns what became of each mesh in a run; `original` as of result_json.
+Json results_json(const Document& document, const std::vector<MeshReport>& reports,
+                  const SimplifyOptions& options, const std::string& original);
 Json update_json(const UpdateReport& report);
 Json edit_json(const EditReport& report);
 Json published_json(const PublishedMesh& mesh);

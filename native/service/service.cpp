@@ -28,6 +28,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"ids", mesh_ids},
       {"meshes", meshes},
       {"info", info},
+      {"options", run_option_list},
       {"simplify", simplify_document},
       {"analyze", analyze_document},
       {"update", update_document},

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "form/counts.h"
 #include "mesh/mesh.h"
@@ -46,6 +50,62 @@ struct SimplifyOptions : MethodOptions {
   bool has_target() const { return handles || patches || ratio; }
 };
 
+/// The values of an option that are chosen by name, such as methods.
+struct NamedValue {
+  std::vector<std::string> (*names)();
+  /// Returns the name of the value in the options; empty if there is none.
+  std::string (*get)(const SimplifyOptions& options);
+  /// Throws std::invalid_argument with all names if there is nothing of that name.
+  void (*set)(SimplifyOptions& options, const std::string& name);
+};
+
+/// An option of a run as the rest of the program knows it: command line, service, Python and the
+/// test of the dialogs take names, defaults and ranges from here. The default is the member's.
+struct OptionEntry {
+  /// The name in Python and in the dialogs, such as "max_local_error". On the command line it has
+  /// "-" for "_".
+  std::string name;
+  /// What the help of the command line says. The names of the methods that heed the option, where
+  /// not all of them do, come before it.
+  std::string help;
+  std::variant<bool SimplifyOptions::*, int SimplifyOptions::*, std::uint64_t SimplifyOptions::*,
+               double SimplifyOptions::*, std::optional<int> SimplifyOptions::*,
+               std::optional<double> SimplifyOptions::*, std::vector<int> SimplifyOptions::*,
+               NamedValue>
+      value;
+  /// The values that are allowed. Nothing if simplify() checks the value itself.
+  struct Range {
+    double least = 0, most = std::numeric_limits<double>::infinity();
+    /// What a refusal calls the option and its unit, such as " pixels".
+    std::string label, unit = "";
+  };
+  std::optional<Range> range = std::nullopt;
+};
+
+/// Returns all options of a run, in the order in which they are read: the metric comes before the
+/// amount, whose bounds depend on it.
+const std::vector<OptionEntry>& all_options();
+
+/// Returns the option of that name, which must be one of all_options().
+const OptionEntry& option_named(const std::string& name);
+
+/// How much may change, by a name: the largest errors by FLIP, as of SimplifyOptions::epsilon and
+/// max_local_error.
+struct Amount {
+  const char* name;
+  double epsilon, max_local_error;
+};
+
+/// Returns all amounts, the least first. Of FLIP a person sees 0.01 hardly and 0.05 at once
+/// (paper, section 5). The errors of small parts are bounded so that no eye or highlight is given
+/// up for calm areas elsewhere: highlights go at 0.2 to 0.5, thin ones in part from 0.12, corners
+/// of a mouth lose their colour at 0.18, and at 0.1 a change is found only beside the original.
+const std::vector<Amount>& all_amounts();
+
+/// The options that an amount sets or that replace it, so that none is given beside an amount.
+inline const std::vector<std::string> replaced_by_amount = {"epsilon", "max_local_error", "handles",
+                                                            "patches", "ratio"};
+
 /// Throws std::invalid_argument if an option is out of range.
 void check(const SimplifyOptions& options);
 
@@ -56,8 +116,6 @@ void check_resolution(int resolution);
 /// Return the name in options and reports, such as "bilinear".
 const char* name(ColorModel model);
 const char* name(Count count);
-/// Returns what is counted by that name. Throws std::invalid_argument if there is nothing.
-Count count_named(const std::string& name);
 /// Returns the colour model of that name. Throws std::invalid_argument with the names of all models
 /// if there is none.
 ColorModel color_model_named(const std::string& name);

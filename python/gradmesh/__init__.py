@@ -2,15 +2,16 @@
 
     import gradmesh
     document = gradmesh.load("drawing.svg")
-    for result in gradmesh.simplify(document, epsilon=0.01):
+    for result in gradmesh.simplify(document, amount="balanced"):
         print(result.id, result.handles_before, result.handles_after, result.error)
-    gradmesh.save(document, "simplified.svg")
+    document.save("simplified.svg")
 """
 
 from .api import (
     Conversion,
     Document,
     MeshInfo,
+    Progress,
     Result,
     analyze,
     compare,
@@ -19,6 +20,7 @@ from .api import (
     info,
     load,
     loads,
+    options,
     render,
     report,
     save,
@@ -46,6 +48,7 @@ __all__ = [
     "HelperError",
     "InputError",
     "MeshInfo",
+    "Progress",
     "Published",
     "Result",
     "Update",
@@ -58,6 +61,7 @@ __all__ = [
     "load",
     "loads",
     "merge",
+    "options",
     "publish",
     "refine",
     "render",

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, Iterable, Optional, Union
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, NamedTuple, Optional, Union
 
-from .core import Answers, CoreDocument, core, refusal
+from .core import Answers, CoreDocument, core, record
 from .errors import InputError
 
 if TYPE_CHECKING:
@@ -16,9 +16,19 @@ if TYPE_CHECKING:
 
 Path = Union[str, os.PathLike]
 
-#: Called with (steps done, steps in all, patches left, error so far, handles left); False cancels
-#: the run. Handles are 0 where patches are what is made fewer.
-Progress = Callable[[int, int, int, float, int], Optional[bool]]
+
+class Progress(NamedTuple):
+    """How far a run is."""
+
+    done: int  #: steps
+    total: int  #: steps
+    patches: int  #: left
+    error: float  #: so far
+    handles: int  #: left; 0 where patches are what is made fewer
+
+
+#: Called with how far a run is; False cancels the run.
+TellProgress = Callable[[Progress], Optional[bool]]
 #: Called with the reason where a device fails.
 DeviceLost = Callable[[str], None]
 
@@ -30,10 +40,10 @@ class MeshInfo:
     id: str  #: of the object; "mesh" in a .hemesh file
     role: Optional[str]  #: "fill" or "stroke": what of the object it paints; None in a .hemesh file
     simplified: bool  #: whether it is a group of blocks that gradmesh wrote
-    handles: int  #: what the mesh tool shows of it: corners, and handles of curved sides
-    patches: int
-    objects: int  #: that paint it: 1, or the blocks of a group
-    smooth: bool  #: whether its type is "bicubic": then only whole lines can be taken out
+    handles: int = 0  #: what the mesh tool shows of it: corners, and handles of curved sides
+    patches: int = 0
+    objects: int = 0  #: that paint it: 1, or the blocks of a group
+    smooth: bool = False  #: whether its type is "bicubic": then only whole lines can be taken out
     #: why it cannot be read, which named by its id it raises; then all its counts are 0
     refused: Optional[InputError] = None
 
@@ -57,6 +67,8 @@ class Result:
     method: str  #: the one asked for, "lines" where the mesh is smooth, or what was simplest
     renderer: str  #: where merges were priced: the device's name, or "software"
     refused: Optional[InputError] = None  #: why it was left alone: it cannot be read
+    #: what `gradmesh simplify --report` writes of it, with the options of the run, for report()
+    run: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
 
 @dataclass(frozen=True)
@@ -83,12 +95,15 @@ class Document:
     @property
     def meshes(self) -> list[MeshInfo]:
         """All meshes; InputError where there is none."""
-        found = self._core.call("meshes")
-        return [MeshInfo(**{**mesh, "refused": refusal(mesh["refused"])}) for mesh in found]
+        return [record(MeshInfo, mesh) for mesh in self._core.call("meshes")]
 
     def to_bytes(self) -> bytes:
         """The document; the bytes that were read where nothing was changed."""
         return self._core.call("bytes")
+
+    def save(self, path: Path) -> None:
+        """Writes the document; the file is whole or as it was before."""
+        self._core.call("write", path=os.fspath(path))
 
 
 def load(path: Path) -> Document:
@@ -119,55 +134,46 @@ def info(document: Document) -> dict:
     return json.loads(document._core.call("info"))
 
 
+def options() -> dict[str, dict]:
+    """The options of a run by name, each with its default, None where it depends on the mesh, and what it means.
+
+    Where there are such, "least" and "most" are its bounds, "names" its values, and "methods" those
+    that heed it.
+    """
+    return core().call("options")
+
+
 def simplify(
     document: Document,
     ids: Union[str, Iterable[str]] = (),
     *,
-    method: str = "simplest",
-    metric: str = "flip",
-    epsilon: float = 0.01,
+    amount: Optional[str] = None,
+    epsilon: Optional[float] = None,
     max_local_error: Optional[float] = None,
     handles: Optional[int] = None,
     patches: Optional[int] = None,
     ratio: Optional[float] = None,
-    count: Optional[str] = None,
-    resolution: int = 700,
-    color_model: Optional[str] = None,
-    visible_only: bool = True,
-    seed: int = 0,
-    omega: float = 0.75,
-    kappa: float = 0.05,
-    edges: Iterable[int] = (),
-    time_budget: float = 0.0,
-    threads: int = 0,
-    renderer: str = "auto",
-    device_lost: Optional[DeviceLost] = None,
-    remember_original: bool = True,
-    keep_original: bool = False,
-    original: Optional[Document] = None,
-    kind: Optional[str] = None,
+    method: Optional[str] = None,
+    metric: Optional[str] = None,
+    resolution: Optional[int] = None,
+    time_budget: Optional[float] = None,
     preview: bool = False,
-    load_analysis: Optional[Path] = None,
-    save_analysis: Optional[Path] = None,
-    analysis_cache: Optional[Path] = None,
-    progress: Optional[Progress] = None,
+    original: Optional[Document] = None,
+    progress: Optional[TellProgress] = None,
+    **options: Any,
 ) -> list[Result]:
     """Simplifies meshes of the document in place and says what became of each.
 
     ids: objects, or groups that hold them; none: all meshes of the document.
-    epsilon: largest error allowed, 0 to 1, by `metric` ("flip" or "ssim", as 1 - SSIM), at
+    amount: "gentle", not visible, "balanced", hardly visible, or "strong", visible where one looks closely:
+    an epsilon and a max_local_error for the metric.
+    epsilon: instead, the largest error allowed, 0 to 1, by `metric` ("flip" or "ssim", as 1 - SSIM), at
     `resolution` pixels along the mesh's longer side.
     max_local_error: the largest error allowed, beside that, in any window of 32 x 32 pixels, 0 to 1,
     so that a small detail is not given up for calm areas elsewhere. A window that is above it before
     anything is merged stays as it is. With a target there may then be more left than asked for.
     handles, patches, ratio: a target instead of epsilon: at most so many handles, or so many patches, or
     this share (above 0 and at most 1) of what is counted, with as small an error as the method finds.
-    count: "handles" or "patches", what is made few. None: what the target is a number of; else handles of
-    an SVG document, unless a method other than "plain" is named, and patches of a .hemesh file.
-    color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
-    are then made bilinear first, which counts towards the error.
-    visible_only: what the object's outline, clip paths and masks hide of the mesh, its own and those
-    of groups around it, does not count towards the error.
     method: "simplest", what leaves less to handle: of a mesh gradient of SVG "plain", or "best" where that
     takes nothing out; "best" where patches are counted, for groups and for .hemesh files. "plain" leaves one
     mesh gradient with few handles: straight sides, fewer lines, points fitted to the picture; only of a
@@ -181,27 +187,34 @@ def simplify(
     this order, and raises InputError where one of them cannot be merged within epsilon
     and max_local_error.
     time_budget: seconds for each mesh, after which the best so far is kept; 0: no limit.
+    preview: only say what would become of each; the document stays as it is. With "manual" the
+    error is told even where it is too large.
+    original: a document whose meshes those here are measured against, whatever they remember: the only
+    mesh in each, or those with the same ids. Two SVG documents share their coordinates, as do two
+    .hemesh files; of two kinds, one mesh is laid on the other, so that a conversion can count towards
+    the error. It is remembered instead.
+    progress: is called with a Progress, and cancels the run by returning False.
+
+    Other options, by their names; options() lists those of the core with their defaults:
+
+    count: "handles" or "patches", what is made few. None: what the target is a number of; else handles of
+    an SVG document, unless a method other than "plain" is named, and patches of a .hemesh file.
+    color_model: "bicubic" (.hemesh only, the default there) or "bilinear"; a .hemesh file's colours
+    are then made bilinear first, which counts towards the error.
+    visible_only: whether what the object's outline, clip paths and masks hide of the mesh, its own and those
+    of groups around it, does not count towards the error, as by default.
+    seed, omega, kappa, edges: as `method` says.
     threads: 0 for all cores; the result is the same.
     renderer: where merges are priced: "software"; "egl", on the first device that EGL offers; or
     "auto", on a graphics processor where that is expected to be faster. Where a device fails, or there
     is none for "egl", `device_lost` is called with the reason, by default a RuntimeWarning, and it
     goes on in software.
-    remember_original: an SVG document keeps the mesh as it was before it was first simplified,
-    in a tenth of its bytes, and later runs measure against it until a person edits the mesh. Without,
-    files are smaller. One mesh gradient does not begin to remember where the document would be
+    remember_original: whether an SVG document keeps the mesh as it was before it was first simplified,
+    in a tenth of its bytes, as by default, and later runs measure against it until a person edits the mesh.
+    Without, files are smaller. One mesh gradient does not begin to remember where the document would be
     larger by that than before.
-    keep_original: an SVG document also keeps each object as it was, hidden, directly below the
+    keep_original: whether an SVG document also keeps each object as it was, hidden, directly below the
     result, with an id that ends in "-original". It is left out unless its own id is given.
-    original: a document whose meshes those here are measured against, whatever they remember: the only
-    mesh in each, or those with the same ids. Two SVG documents share their coordinates, as do two
-    .hemesh files; of two kinds, one mesh is laid on the other. It is remembered instead.
-    kind: "svg" or "hemesh", the kind of document that this one becomes. If that is not its kind, it holds
-    one mesh afterwards, which `ids` names where there are several: that is converted first, towards SVG
-    with a part of epsilon where there is no target, and what the conversion costs counts towards the
-    error. InputError where epsilon cannot be kept so, or where a .hemesh file would lose opacities. Its
-    colours are then bilinear unless color_model says otherwise.
-    preview: only say what would become of each; the document stays as it is. With "manual" the
-    error is told even where it is too large.
     load_analysis, save_analysis: files, as of analyze(), from which "motorcycle", "gqe", "gqe1" and "best"
     take what is known already, and to which they save what they have used.
     analysis_cache: a folder where each mesh has such a file of its own, found by its content; what is
@@ -209,47 +222,53 @@ def simplify(
 
     Raises InputError (bad input) and ValueError (bad options); the document is then unchanged.
     """
-    if not 0 <= seed < 2**64:
-        raise ValueError("the seed must be between 0 and 2^64 - 1.")
-    edges = list(edges)
-    if any(abs(edge) >= 2**31 for edge in edges):
-        raise ValueError("the numbers of half-edges are below 2^31.")
-    outcome = document._core.call(
+    results = _call(
+        document,
         "simplify",
-        _answers(progress, device_lost),
+        _answers(progress, options.pop("device_lost", None)),
         ids=_list(ids),
-        metric=metric,
+        amount=amount,
         epsilon=epsilon,
         max_local_error=max_local_error,
         handles=handles,
         patches=patches,
         ratio=ratio,
-        count=count,
-        resolution=resolution,
-        color_model=color_model,
-        visible_only=visible_only,
         method=method,
-        seed=seed,
-        omega=omega,
-        kappa=kappa,
-        edges=edges,
+        metric=metric,
+        resolution=resolution,
         time_budget=time_budget,
-        threads=threads,
-        renderer=renderer,
-        remember_original=remember_original,
-        keep_original=keep_original,
         preview=preview,
-        original=original and original._core,
-        kind=kind,
-        load_analysis=_path(load_analysis),
-        save_analysis=_path(save_analysis),
-        analysis_cache=_path(analysis_cache),
+        original=original,
+        **_known(options),
     )
-    if outcome["document"] is not None:
-        made = document._core.core.document(outcome["document"], document._core.translate)
-        if not preview:
-            document._core = made
-    return [Result(**{**mesh, "refused": refusal(mesh["refused"])}) for mesh in outcome["meshes"]]
+    return [
+        record(Result, {**told, "seconds": told["seconds"]["total"], "run": told}) for told in results
+    ]
+
+
+#: Options of simplify() that are none of the run on a mesh.
+_OTHER_OPTIONS = {
+    "renderer",
+    "remember_original",
+    "keep_original",
+    "load_analysis",
+    "save_analysis",
+    "analysis_cache",
+}
+
+
+def _known(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The options by name, as the core takes them. Raises TypeError for names that are none, and ValueError
+    for numbers beyond those of the core."""
+    known = {*options(), *_OTHER_OPTIONS} if given else set()
+    for name in given.keys() - known:
+        raise TypeError(f"simplify() has no option '{name}'; there are: {', '.join(sorted(known))}")
+    if not 0 <= (given.get("seed") or 0) < 2**64:
+        raise ValueError("the seed must be between 0 and 2^64 - 1.")
+    edges = list(given.get("edges") or ())
+    if any(abs(edge) >= 2**31 for edge in edges):
+        raise ValueError("the numbers of half-edges are below 2^31.")
+    return {**given, "edges": edges}
 
 
 def analyze(
@@ -257,23 +276,24 @@ def analyze(
     path: Path,
     ids: Union[str, Iterable[str]] = (),
     *,
-    metric: str = "flip",
-    epsilon: float = 0.01,
-    resolution: int = 700,
+    metric: Optional[str] = None,
+    epsilon: Optional[float] = None,
+    resolution: Optional[int] = None,
     color_model: Optional[str] = None,
-    threads: int = 0,
-    renderer: str = "auto",
+    threads: Optional[int] = None,
+    renderer: Optional[str] = None,
     device_lost: Optional[DeviceLost] = None,
     original: Optional[Document] = None,
     load_analysis: Optional[Path] = None,
-    progress: Optional[Progress] = None,
+    progress: Optional[TellProgress] = None,
 ) -> int:
     """Prices the edges and regions of meshes for simplify(load_analysis=...); how many there are.
 
     Changing epsilon, up to that of the analysis, omega or kappa then costs no new pricing. The file
     serves the same meshes with the same metric and resolution. Options and errors as of simplify().
     """
-    return document._core.call(
+    return _call(
+        document,
         "analyze",
         _answers(progress, device_lost),
         ids=_list(ids),
@@ -283,17 +303,16 @@ def analyze(
         color_model=color_model,
         threads=threads,
         renderer=renderer,
-        original=original and original._core,
-        load_analysis=_path(load_analysis),
-        save_analysis=_path(path),
-        analysis_cache=None,
+        original=original,
+        load_analysis=load_analysis,
+        save_analysis=path,
     )
 
 
 def render(
     document: Document,
     id: Optional[str] = None,
-    resolution: int = 700,
+    resolution: Optional[int] = None,
     *,
     like_inkscape: bool = False,
     framed_as: Optional[Document] = None,
@@ -309,21 +328,22 @@ def render(
     """
     import numpy
 
-    painted = document._core.call(
+    painted = _call(
+        document,
         "render",
         id=id,
         resolution=resolution,
         like_inkscape=like_inkscape,
-        framed_as=framed_as and framed_as._core,
+        framed_as=framed_as,
     )
     shape = painted["height"], painted["width"], 3
     return numpy.frombuffer(painted["bytes"], numpy.uint8).reshape(shape).copy()
 
 
-def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: str = "flip") -> float:
+def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: Optional[str] = None) -> float:
     """The error between two pictures as render() returns them, of one size: 0 where they are equal.
 
-    metric: "flip", or "ssim", which is 1 - SSIM. Raises TypeError where an array is not of bytes and
+    metric: "flip", the default, or "ssim", which is 1 - SSIM. Raises TypeError where an array is not of bytes and
     ValueError where its shape is not (height, width, 3).
     """
     pictures = [memoryview(picture) for picture in (reference, test)]
@@ -346,13 +366,13 @@ def draw(
     id: Optional[str] = None,
     *,
     picture: bool = True,
-    metric: str = "flip",
-    epsilon: float = 0.01,
-    kappa: float = 0.05,
-    resolution: int = 700,
-    threads: int = 0,
+    metric: Optional[str] = None,
+    epsilon: Optional[float] = None,
+    kappa: Optional[float] = None,
+    resolution: Optional[int] = None,
+    threads: Optional[int] = None,
     analysis_cache: Optional[Path] = None,
-    progress: Optional[Progress] = None,
+    progress: Optional[TellProgress] = None,
 ) -> str:
     """Draws one mesh as an SVG document of its own, in the coordinates of the document it is in.
 
@@ -361,7 +381,8 @@ def draw(
     picture: whether the mesh as it is painted lies behind the lines.
     Other options and errors as of simplify().
     """
-    return document._core.call(
+    return _call(
+        document,
         "draw",
         _answers(progress),
         id=id,
@@ -371,11 +392,8 @@ def draw(
         epsilon=epsilon,
         kappa=kappa,
         resolution=resolution,
-        color_model=None,
         threads=threads,
-        load_analysis=None,
-        save_analysis=None,
-        analysis_cache=_path(analysis_cache),
+        analysis_cache=analysis_cache,
     )
 
 
@@ -385,38 +403,41 @@ def report(
     path: Path,
     id: Optional[str] = None,
     *,
-    run: Optional[Path] = None,
+    run: Iterable[Union[Result, Mapping[str, Any]]] = (),
     metric: Optional[str] = None,
     epsilon: Optional[float] = None,
     resolution: Optional[int] = None,
     color_model: Optional[str] = None,
-    visible_only: bool = True,
-    threads: int = 0,
-    renderer: str = "auto",
+    visible_only: Optional[bool] = None,
+    threads: Optional[int] = None,
+    renderer: Optional[str] = None,
     device_lost: Optional[DeviceLost] = None,
     original: Optional[Document] = None,
     load_analysis: Optional[Path] = None,
     save_analysis: Optional[Path] = None,
-    progress: Optional[Progress] = None,
+    progress: Optional[TellProgress] = None,
 ) -> None:
     """Writes a page of HTML that shows one mesh before and after its simplification.
 
     The page needs no other files: it has both pictures, the map of the error, the patches, what merging
     single edges costs, and the regions that can be merged within epsilon.
     id: of the mesh, in both documents; it may be left out where each has one mesh only.
-    run: the file that `gradmesh simplify --report` has written; the page shows the run's options.
-    metric, epsilon, resolution, color_model: None for those of the run or, without it, "flip", 0.01, 700
-    and the colour model of the mesh.
+    run: what simplify() has returned, or the "meshes" of what `gradmesh simplify --report` has written; the
+    page shows the run's options.
+    metric, epsilon, resolution, color_model: None for those of the run or, without it, the defaults of
+    simplify() and the colour model of the mesh.
     progress: as of simplify(); where it returns False the page shows what was priced until then.
     Other options and errors as of simplify(); where this raises no page is written.
     """
-    before._core.call(
+    told = [dict(getattr(result, "run", result)) for result in run]
+    _call(
+        before,
         "report",
         _answers(progress, device_lost),
-        after=after._core,
-        path=os.fspath(path),
+        after=after,
+        path=path,
         id=id,
-        run=_path(run),
+        run=json.dumps({"meshes": told}) if told else None,
         metric=metric,
         epsilon=epsilon,
         resolution=resolution,
@@ -424,10 +445,9 @@ def report(
         visible_only=visible_only,
         threads=threads,
         renderer=renderer,
-        original=original and original._core,
-        load_analysis=_path(load_analysis),
-        save_analysis=_path(save_analysis),
-        analysis_cache=None,
+        original=original,
+        load_analysis=load_analysis,
+        save_analysis=save_analysis,
     )
 
 
@@ -438,8 +458,8 @@ def convert(
     *,
     subdivide: Optional[int] = None,
     epsilon: Optional[float] = None,
-    metric: str = "flip",
-    resolution: int = 700,
+    metric: Optional[str] = None,
+    resolution: Optional[int] = None,
 ) -> Conversion:
     """Makes a document of the kind "svg" or "hemesh" that holds one mesh of `document`.
 
@@ -449,7 +469,8 @@ def convert(
     subdivide: instead, every patch is split into this many each way, 1 to 32. `id` may be left out where the
     document has one mesh only.
     """
-    made = document._core.call(
+    made = _call(
+        document,
         "convert",
         kind=kind,
         id=id,
@@ -463,24 +484,35 @@ def convert(
 
 
 def save(document: Document, path: Path) -> None:
-    """Writes the document; the file is whole or as it was before."""
-    document._core.call("write", path=os.fspath(path))
+    """Does what Document.save() does."""
+    document.save(path)
+
+
+def _call(document: Document, function: str, answers: Answers = {}, **arguments: Any) -> Any:
+    """Returns what a function of the core returns with those arguments that are given; it knows the defaults
+    of the others."""
+    given = {name: _plain(value) for name, value in arguments.items() if value is not None}
+    return document._core.call(function, answers, **given)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Document):
+        return value._core
+    return os.fspath(value) if isinstance(value, os.PathLike) else value
 
 
 def _list(ids: Union[str, Iterable[str]]) -> list[str]:
     return [ids] if isinstance(ids, str) else list(ids)
 
 
-def _path(path: Optional[Path]) -> Optional[str]:
-    return None if path is None else os.fspath(path)
-
-
-def _answers(progress: Optional[Progress], device_lost: Optional[DeviceLost] = None) -> Answers:
+def _answers(
+    progress: Optional[TellProgress], device_lost: Optional[DeviceLost] = None
+) -> Answers:
     """What answers the questions of a run."""
-    counts = ("done", "total", "patches", "error", "handles")
 
     def tell_progress(question: dict) -> bool:
-        answer = progress(*(question[name] for name in counts)) if progress else None
+        now = Progress(**{name: question[name] for name in Progress._fields})
+        answer = progress(now) if progress else None
         return answer is None or bool(answer)
 
     def tell_loss(question: dict) -> None:

@@ -9,6 +9,7 @@ import os
 import threading
 import weakref
 from collections import deque
+from dataclasses import fields
 from importlib import import_module
 from typing import Any, Callable, Dict, Mapping, Optional
 
@@ -16,7 +17,7 @@ from .errors import InputError, ended
 from .helper import Helper, find_program
 
 #: The version of the functions that this package calls.
-PROTOCOL = 1
+PROTOCOL = 2
 #: The name of the environment variable that says what computes: "module" or "helper"; without it,
 #: the module where it loads.
 CHOICE = "GRADMESH_CORE"
@@ -127,6 +128,15 @@ def _raise(outcome: Dict[str, Any]) -> None:
 def refusal(message: Optional[list]) -> Optional[InputError]:
     """Returns the error that a record holds as a message; None for none."""
     return None if message is None else InputError(_as_tuples(message))
+
+
+def record(kind: type, values: Dict[str, Any]) -> Any:
+    """Returns what the core says of one thing as a record, which may have fewer members."""
+    known = {field.name for field in fields(kind)}
+    given = {name: value for name, value in values.items() if name in known}
+    if "refused" in known:
+        given["refused"] = refusal(values["refused"])
+    return kind(**given)
 
 
 def _as_tuples(message: Any) -> Any:

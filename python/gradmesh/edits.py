@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Iterable, Optional, Union
 
-from .api import Document, _list
+from .api import Document, _call, _list
 
 
 @dataclass(frozen=True)
@@ -47,17 +47,15 @@ def merge(
     document: Document,
     blocks: Iterable[str],
     *,
-    metric: str = "flip",
-    resolution: int = 700,
+    metric: Optional[str] = None,
+    resolution: Optional[int] = None,
 ) -> Edit:
     """Makes one patch of all patches of these blocks of a simplified mesh, in place.
 
     blocks: ids of their paths. Raises InputError, with the reason, where the patches cannot become
     one; the document is then unchanged.
     """
-    return Edit(
-        **document._core.call("merge", ids=list(blocks), metric=metric, resolution=resolution)
-    )
+    return Edit(**_call(document, "merge", ids=list(blocks), metric=metric, resolution=resolution))
 
 
 def refine(
@@ -69,8 +67,8 @@ def refine(
     row: Optional[int] = None,
     column: Optional[int] = None,
     whole: bool = False,
-    metric: str = "flip",
-    resolution: int = 700,
+    metric: Optional[str] = None,
+    resolution: Optional[int] = None,
 ) -> Edit:
     """Splits patches exactly, in place: of a block of a simplified mesh, or of a rectangular mesh.
 
@@ -84,7 +82,8 @@ def refine(
     """
     if direction not in ("rows", "columns", "both"):
         raise ValueError(f"patches are split into rows, columns or both, not '{direction}'")
-    edit = document._core.call(
+    edit = _call(
+        document,
         "refine",
         id=id,
         rows=direction != "columns",
@@ -103,8 +102,8 @@ def to_one_mesh(
     document: Document,
     ids: Union[str, Iterable[str]] = (),
     *,
-    metric: str = "flip",
-    resolution: int = 700,
+    metric: Optional[str] = None,
+    resolution: Optional[int] = None,
 ) -> list[Edit]:
     """Makes objects with one ordinary mesh gradient of simplified meshes again, in place.
 
@@ -112,10 +111,5 @@ def to_one_mesh(
     rounding; the errors are against the simplified meshes. Raises InputError, also where none of
     the meshes is simplified; the document is then unchanged.
     """
-    edits = document._core.call(
-        "to_one_mesh",
-        ids=_list(ids),
-        metric=metric,
-        resolution=resolution,
-    )
+    edits = _call(document, "to_one_mesh", ids=_list(ids), metric=metric, resolution=resolution)
     return [Edit(**edit) for edit in edits]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from .api import Document
-from .core import refusal
+from .core import record
 from .errors import InputError
 
 
@@ -34,7 +34,4 @@ def publish(document: Document, *, scale: float = 2) -> list[Published]:
     picture is never longer than the limit on resolution. Raises InputError for .hemesh files and
     where no mesh can be read, ValueError for another scale; the document is then unchanged.
     """
-    return [
-        Published(**{**made, "refused": refusal(made["refused"])})
-        for made in document._core.call("publish", scale=float(scale))
-    ]
+    return [record(Published, made) for made in document._core.call("publish", scale=float(scale))]

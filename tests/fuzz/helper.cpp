@@ -135,9 +135,13 @@ class Session {
   void call(Json& request) {
     Json document;
     if (request.is_object() && request.value("arguments", Json()).is_object()) {
+      Json& arguments = request["arguments"];
+      // The defaults would take long, or start a device.
+      if (arguments.value("resolution", Json()).is_null()) arguments["resolution"] = 32;
+      if (arguments.value("renderer", Json()).is_null()) arguments["renderer"] = "software";
       // Sentences quote it, and a person would not have chosen it.
-      if (request["arguments"].contains("name")) request["arguments"]["name"] = input_name;
-      document = request["arguments"].value("document", Json());
+      if (arguments.contains("name")) arguments["name"] = input_name;
+      document = arguments.value("document", Json());
       // What is released cannot be looked at afterwards.
       if (request.contains("release")) document = nullptr;
     }

@@ -19,39 +19,47 @@ namespace gradmesh {
 namespace {
 
 using test::bytes_of;
+using test::no_answer;
 using test::parse_request;
 using test::request;
 using test::sample;
 using test::simplify_request;
 
 constexpr auto whole = "x must be a whole number.", below = "x must be below 2^31.",
-               not_negative = "x must be a whole number that is not negative.";
+               not_negative = "x must be a whole number that is not negative.",
+               no_list = "x must be a list.";
 
-/// Returns the argument x, or why it is refused as a T.
+/// Returns the argument x as a T or, as a text, why it is refused.
 template <class T>
-T taken(const Json& value) {
+Json taken(const Json& value) {
   const Json arguments = {{"x", value}};
-  return Arguments(arguments).get<T>("x");
-}
-template <class T>
-std::string refused(const Json& value) {
   try {
-    taken<T>(value);
+    if constexpr (std::is_same_v<T, Bytes>)
+      return test::bytes_json(Arguments(arguments).get<T>("x").bytes);
+    else
+      return Arguments(arguments).get<T>("x");
   } catch (const WrongType& error) {
     return error.what();
   }
-  return "";
 }
 
 /// Values of all types.
 const Json one_of_each = {nullptr,       true,          1, -1, 1.5, "text", Json::binary({1}),
                           Json::array(), Json::object()};
 
-/// Expects that of `one_of_each` those are refused that are not of the types that `takes` says.
-template <class T, class Takes>
-void expect_refusals(const std::string& text, const Takes& takes) {
-  for (const Json& value : one_of_each)
-    EXPECT_EQ(refused<T>(value), takes(value) ? "" : text) << value;
+/// What is taken as a T, and of `one_of_each` the places of those that are; the text refuses the
+/// others, and what is `refused`.
+template <class T>
+void expect_taken(const char* text, const std::vector<std::size_t>& places,
+                  const std::vector<Json>& values,
+                  const std::vector<std::pair<Json, std::string>>& refused = {}) {
+  for (std::size_t i = 0; i < one_of_each.size(); ++i)
+    if (std::ranges::find(places, i) == places.end())
+      EXPECT_EQ(taken<T>(one_of_each[i]), text) << one_of_each[i];
+    else
+      EXPECT_EQ(taken<T>(one_of_each[i]), one_of_each[i]);
+  for (const Json& value : values) EXPECT_EQ(taken<T>(value), value);
+  for (const auto& [value, why] : refused) EXPECT_EQ(taken<T>(value), why) << value;
 }
 
 TEST(Arguments, have_names) {
@@ -61,91 +69,56 @@ TEST(Arguments, have_names) {
     }
 }
 
-TEST(Arguments, are_true_or_false) {
-  EXPECT_TRUE(taken<bool>(true));
-  EXPECT_FALSE(taken<bool>(false));
-  expect_refusals<bool>("x must be true or false.", [](auto& v) { return v.is_boolean(); });
-}
-
-TEST(Arguments, are_whole_numbers) {
-  using Limits = std::numeric_limits<int>;
-  for (const int number : {0, 1, -1, Limits::max(), Limits::min()}) {
-    EXPECT_EQ(taken<int>(number), number);
-    EXPECT_EQ(taken<int>(Json::parse(std::to_string(number))), number);
-  }
-  for (const char* const number :
-       {"2147483648", "-2147483649", "4294967296", "4294967295", "9223372036854775808",
-        "18446744073709551615", "-9223372036854775808"})
-    EXPECT_EQ(refused<int>(Json::parse(number)), below) << number;
-  // Positive, but of the type of negative numbers.
-  EXPECT_EQ(refused<int>(std::int64_t(1) << 31), below);
-  EXPECT_EQ(refused<int>(std::int64_t(1) << 32), below);
-  EXPECT_EQ(refused<int>(Json::parse("1e3")), whole);
-  EXPECT_EQ(refused<int>(Json::parse("18446744073709551616")), whole);
-  expect_refusals<int>(whole, [](auto& v) { return v.is_number_integer(); });
-}
-
-TEST(Arguments, are_whole_numbers_that_are_not_negative) {
-  using Limits = std::numeric_limits<std::uint64_t>;
-  EXPECT_EQ(taken<std::uint64_t>(Limits::max()), Limits::max());
-  EXPECT_EQ(taken<std::uint64_t>(0u), 0u);
-  EXPECT_EQ(taken<std::uint64_t>(std::int64_t(7)), 7u);
-  EXPECT_EQ(refused<std::uint64_t>(std::numeric_limits<std::int64_t>::min()), not_negative);
-  EXPECT_EQ(refused<std::uint64_t>(Json::parse("18446744073709551616")), not_negative);
-  expect_refusals<std::uint64_t>(not_negative,
-                                 [](auto& v) { return v.is_number_integer() && v == 1; });
-}
-
-TEST(Arguments, are_numbers) {
+TEST(Arguments, are_of_the_type_that_is_asked_for) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const double number : {0.0, -1.5, 1e300, infinity, -infinity})
-    EXPECT_EQ(taken<double>(number), number);
-  EXPECT_EQ(taken<double>(3), 3.0);
-  EXPECT_EQ(taken<double>(std::uint64_t(1) << 63), 0x1p63);
-  expect_refusals<double>("x must be a number.", [](auto& v) { return v.is_number(); });
-}
-
-TEST(Arguments, are_texts) {
-  EXPECT_EQ(taken<std::string>("ä"), "ä");
-  EXPECT_EQ(taken<std::string>(""), "");
-  EXPECT_EQ(taken<std::string>(std::string("a\0b", 3)), std::string("a\0b", 3));
-  expect_refusals<std::string>("x must be a text.", [](auto& v) { return v.is_string(); });
-}
-
-TEST(Arguments, are_bytes) {
-  const std::string bytes("\0\xff<svg", 6);
-  EXPECT_EQ(taken<Bytes>(test::bytes_json(bytes)).bytes, bytes);
-  EXPECT_EQ(taken<Bytes>(Json::binary({})).bytes, "");
-  expect_refusals<Bytes>("x must be bytes.", [](auto& v) { return v.is_binary(); });
+  const auto parsed = [](const char* text) { return Json::parse(text); };
+  expect_taken<bool>("x must be true or false.", {1}, {false});
+  expect_taken<int>(whole, {2, 3}, {0, 2147483647, parsed("2147483647"), parsed("-2147483648")},
+                    {{parsed("2147483648"), below},
+                     {parsed("-2147483649"), below},
+                     {parsed("4294967296"), below},
+                     {parsed("4294967295"), below},
+                     {parsed("9223372036854775808"), below},
+                     {parsed("18446744073709551615"), below},
+                     {parsed("-9223372036854775808"), below},
+                     // Positive, but of the type of negative numbers.
+                     {std::int64_t(1) << 31, below},
+                     {std::int64_t(1) << 32, below},
+                     {parsed("1e3"), whole},
+                     {parsed("18446744073709551616"), whole}});
+  expect_taken<std::uint64_t>(not_negative, {2}, {~std::uint64_t(0), 0u, std::int64_t(7)},
+                              {{std::numeric_limits<std::int64_t>::min(), not_negative},
+                               {parsed("18446744073709551616"), not_negative}});
+  expect_taken<double>("x must be a number.", {2, 3, 4},
+                       {0.0, -1.5, 1e300, infinity, -infinity, std::uint64_t(1) << 63});
+  expect_taken<std::string>("x must be a text.", {5}, {"ä", "", std::string("a\0b", 3)});
+  expect_taken<Bytes>("x must be bytes.", {6},
+                      {test::bytes_json(std::string("\0\xff<svg", 6)), Json::binary({})});
+  expect_taken<std::vector<int>>(no_list, {7}, {{3, -1}},
+                                 {{{1, "2"}, "a member of x must be a whole number."},
+                                  {{1, nullptr}, "a member of x must be a whole number."}});
+  expect_taken<std::vector<std::string>>(no_list, {7}, {{"a", "b"}});
+  expect_taken<std::vector<std::vector<int>>>(
+      no_list, {7}, {}, {{{{1}, {1.5}}, "a member of a member of x must be a whole number."}});
 }
 
 TEST(Arguments, may_be_left_out) {
-  const Json none = Json::object();
-  const Arguments arguments(none);
+  const Json none = Json::object(), given = {{"x", 1.5}, {"text", ""}, {"flag", false}};
+  const Arguments arguments(none), others(given);
   EXPECT_EQ(arguments.get<std::optional<int>>("x"), std::nullopt);
+  EXPECT_FALSE(arguments.has("x"));
   EXPECT_THROW(arguments.get<int>("x"), WrongType);
   EXPECT_THROW(arguments.get<std::vector<int>>("x"), WrongType);
-  EXPECT_EQ(taken<std::optional<double>>(nullptr), std::nullopt);
-  EXPECT_EQ(taken<std::optional<double>>(1.5), 1.5);
-  EXPECT_EQ(taken<std::optional<std::string>>(""), "");
-  EXPECT_EQ(taken<std::optional<bool>>(false), false);
-  EXPECT_EQ(refused<std::optional<int>>("1"), whole);
-}
-
-TEST(Arguments, are_lists) {
-  EXPECT_EQ(taken<std::vector<int>>(Json::array()), std::vector<int>{});
-  EXPECT_EQ(taken<std::vector<int>>({3, -1}), (std::vector{3, -1}));
-  EXPECT_EQ(taken<std::vector<std::string>>({"a", "b"}), (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(taken<std::vector<std::optional<int>>>({1, nullptr}),
+  EXPECT_TRUE(others.has("x"));
+  EXPECT_EQ(others.get<std::optional<double>>("x"), 1.5);
+  EXPECT_EQ(others.get<std::optional<std::string>>("text"), "");
+  EXPECT_EQ(others.get<std::optional<bool>>("flag"), false);
+  EXPECT_THROW(others.get<std::optional<int>>("text"), WrongType);
+  const Json mixed = {{"x", {1, nullptr}}, {"y", nullptr}};
+  EXPECT_EQ(Arguments(mixed).get<std::vector<std::optional<int>>>("x"),
             (std::vector<std::optional<int>>{1, std::nullopt}));
-  EXPECT_EQ(refused<std::vector<int>>({1, "2"}), "a member of x must be a whole number.");
-  EXPECT_EQ(refused<std::vector<int>>({1, nullptr}), "a member of x must be a whole number.");
-  EXPECT_EQ(refused<std::vector<std::vector<int>>>({{1}, {1.5}}),
-            "a member of a member of x must be a whole number.");
-  expect_refusals<std::vector<int>>("x must be a list.", [](auto& v) { return v.is_array(); });
+  EXPECT_EQ(Arguments(mixed).get<std::optional<double>>("y"), std::nullopt);
 }
-
-Json no_answer(const Json& /*question*/) { return nullptr; }
 
 Json result_of(Service& service, const Json& call, const Ask& ask = no_answer) {
   const Json outcome = service.call(call, ask);
@@ -161,151 +134,162 @@ std::string bytes_of_document(Service& service, const Json& document) {
   return bytes_of(result_of(service, request("bytes", {{"document", document}})));
 }
 
-void expect_same(const Json& json, const MeshReport& report) {
-  const SimplifyResult& r = report.result;
-  EXPECT_EQ(json["id"], report.id);
-  EXPECT_EQ(json["method"], r.method);
-  EXPECT_EQ(json["handles_before"], r.handles_before);
-  EXPECT_EQ(json["handles_after"], r.handles_after);
-  EXPECT_EQ(json["patches_before"], r.patches_before);
-  EXPECT_EQ(json["patches_after"], r.patches_after);
-  EXPECT_EQ(json["objects"], r.objects);
-  EXPECT_EQ(json["changed"], r.changed);
-  EXPECT_EQ(json["error"], r.error);
-  EXPECT_EQ(json["local_error"], r.local_error);
-  EXPECT_EQ(json["evaluations"], r.evaluations);
-  EXPECT_EQ(json["renderer"], r.renderer);
-  EXPECT_EQ(json["stopped"], name(r.stopped));
-  EXPECT_GT(json["seconds"], 0);
-  EXPECT_EQ(json["refused"], nullptr);
-  EXPECT_EQ(json.size(), 15u) << json;
-}
-
-/// The same options in both forms.
-struct Options {
-  Json arguments = Json::object();
-  std::function<void(RunOptions&, WriteOptions&)> set = [](RunOptions&, WriteOptions&) {};
-};
-
-/// What simplify() makes of a document without the service.
-struct Direct {
-  std::string bytes;
-  std::vector<MeshReport> reports;
-};
-
-Direct direct(const std::string& bytes, const Options& options) {
-  RunOptions run;
-  WriteOptions writing;
-  run.resolution = 32;
-  run.method = "best";
-  options.set(run, writing);
-  const auto document = Document::parse(bytes, "drawing.svg");
-  Direct result;
-  result.reports = simplify(*document, {}, run, {}, writing);
-  result.bytes = document->bytes();
+/// Returns a result without what differs from run to run.
+Json timeless(Json result) {
+  EXPECT_GT(result["seconds"]["total"], 0);
+  result.erase("seconds");
   return result;
 }
 
-const std::vector<Options> all_options = {
-    {{{"epsilon", 0.03}}, [](auto& run, auto&) { run.epsilon = 0.03; }},
-    {{{"metric", "ssim"}}, [](auto& run, auto&) { run.metric = MetricKind::ssim; }},
-    {{{"resolution", 64}}, [](auto& run, auto&) { run.resolution = 64; }},
-    {{{"max_local_error", 0.008}}, [](auto& run, auto&) { run.max_local_error = 0.008; }},
+/// What simplify() and preview() make of a document without the service.
+struct Direct {
+  explicit Direct(const std::string& bytes) : document(Document::parse(bytes, "drawing.svg")) {
+    run.resolution = 32;
+    run.method = "best";
+  }
+
+  Json simplified() { return told(simplify(*document, {}, run, {}, writing)); }
+  Json previewed() { return told(preview(*document, {}, run)); }
+
+  std::unique_ptr<Document> document;
+  RunOptions run;
+  WriteOptions writing;
+
+ private:
+  Json told(const std::vector<MeshReport>& reports) {
+    Json results = Json::array();
+    for (const MeshReport& report : reports) {
+      Json& result = results.emplace_back(timeless(result_json(*document, report, run, "")));
+      result["changed"] = report.result.changed;
+      result["refused"] = nullptr;
+    }
+    return results;
+  }
+};
+
+Json simplified(Service& service, const Json& document, const Json& arguments) {
+  Json results = result_of(service, simplify_request(document, arguments));
+  for (Json& result : results) result = timeless(result);
+  return results;
+}
+
+/// Options as arguments and as what they set.
+struct Options {
+  Json arguments;
+  std::function<void(Direct&)> set;
+};
+
+const std::vector<Options> option_cases = {
+    {Json::object(), [](Direct&) {}},
+    {{{"epsilon", 0.03}}, [](Direct& d) { d.run.epsilon = 0.03; }},
+    {{{"amount", "strong"}}, [](Direct& d) { d.run.epsilon = 0.02, d.run.max_local_error = 0.1; }},
+    {{{"metric", "ssim"}}, [](Direct& d) { d.run.metric = MetricKind::ssim; }},
+    {{{"metric", "ssim"}, {"amount", "gentle"}},
+     [](Direct& d) {
+       d.run.metric = MetricKind::ssim, d.run.epsilon = 0.0025, d.run.max_local_error = 0.025;
+     }},
+    {{{"resolution", 64}}, [](Direct& d) { d.run.resolution = 64; }},
+    {{{"max_local_error", 0.008}}, [](Direct& d) { d.run.max_local_error = 0.008; }},
     // This method has found what is asked for at once.
     {{{"method", "lines"}, {"handles", 100}},
-     [](auto& run, auto&) { run.method = "lines", run.handles = 100; }},
+     [](Direct& d) { d.run.method = "lines", d.run.handles = 100; }},
     {{{"method", "lines"}, {"patches", 20}},
-     [](auto& run, auto&) { run.method = "lines", run.patches = 20; }},
+     [](Direct& d) { d.run.method = "lines", d.run.patches = 20; }},
     {{{"method", "lines"}, {"ratio", 0.5}},
-     [](auto& run, auto&) { run.method = "lines", run.ratio = 0.5; }},
+     [](Direct& d) { d.run.method = "lines", d.run.ratio = 0.5; }},
     {{{"method", "lines"}, {"ratio", 0.4}, {"count", "handles"}},
-     [](auto& run, auto&) { run.method = "lines", run.ratio = 0.4, run.count = Count::handles; }},
+     [](Direct& d) { d.run.method = "lines", d.run.ratio = 0.4, d.run.count = Count::handles; }},
     {{{"method", "manual"}, {"edges", {2}}},
-     [](auto& run, auto&) { run.method = "manual", run.edges = {2}; }},
-    {{{"method", "simplest"}}, [](auto& run, auto&) { run.method = "simplest"; }},
-    {{{"method", "random"}}, [](auto& run, auto&) { run.method = "random"; }},
+     [](Direct& d) { d.run.method = "manual", d.run.edges = {2}; }},
+    {{{"method", "simplest"}}, [](Direct& d) { d.run.method = "simplest"; }},
+    {{{"method", "random"}}, [](Direct& d) { d.run.method = "random"; }},
     {{{"method", "random"}, {"seed", 7}},
-     [](auto& run, auto&) { run.method = "random", run.seed = 7; }},
-    {{{"method", "gqe"}}, [](auto& run, auto&) { run.method = "gqe"; }},
+     [](Direct& d) { d.run.method = "random", d.run.seed = 7; }},
+    {{{"method", "gqe"}}, [](Direct& d) { d.run.method = "gqe"; }},
     {{{"method", "gqe"}, {"omega", 0.1}},
-     [](auto& run, auto&) { run.method = "gqe", run.omega = 0.1; }},
+     [](Direct& d) { d.run.method = "gqe", d.run.omega = 0.1; }},
     {{{"method", "motorcycle"}, {"kappa", 0.9}},
-     [](auto& run, auto&) { run.method = "motorcycle", run.kappa = 0.9; }},
-    {{{"remember_original", false}},
-     [](auto&, auto& writing) { writing.remember_original = false; }},
-    {{{"keep_original", true}}, [](auto&, auto& writing) { writing.keep_original = true; }},
+     [](Direct& d) { d.run.method = "motorcycle", d.run.kappa = 0.9; }},
+    {{{"remember_original", false}}, [](Direct& d) { d.writing.remember_original = false; }},
+    {{{"keep_original", true}}, [](Direct& d) { d.writing.keep_original = true; }},
 };
 
 TEST(Service, simplifies_as_the_core_does) {
   const std::string bytes = sample("tensor.svg");
-  std::vector<std::string> made = {bytes, direct(bytes, {}).bytes};
-  for (const Options& options : all_options) {
+  std::vector<std::string> made = {bytes};
+  for (const Options& options : option_cases) {
     SCOPED_TRACE(options.arguments);
-    const Direct expected = direct(bytes, options);
+    Direct expected(bytes);
+    options.set(expected);
     Service service;
     const Json document = parsed(service, bytes);
-    const Json result = result_of(service, simplify_request(document, options.arguments));
-    EXPECT_EQ(result["document"], nullptr);
-    ASSERT_EQ(result["meshes"].size(), expected.reports.size());
-    expect_same(result["meshes"][0], expected.reports[0]);
-    EXPECT_EQ(bytes_of_document(service, document), expected.bytes);
+    EXPECT_EQ(simplified(service, document, options.arguments), expected.simplified());
+    EXPECT_EQ(bytes_of_document(service, document), expected.document->bytes());
     // Each of the options counts.
-    EXPECT_EQ(std::ranges::count(made, expected.bytes), 0);
-    made.push_back(expected.bytes);
+    EXPECT_EQ(std::ranges::count(made, expected.document->bytes()), 0);
+    made.push_back(expected.document->bytes());
   }
 }
 
 TEST(Service, previews_as_the_core_does) {
   const std::string bytes = sample("tensor.svg");
-  RunOptions run;
-  run.resolution = 32;
-  run.method = "best";
-  const auto expected = preview(*Document::parse(bytes, "drawing.svg"), {}, run);
   Service service;
   const Json document = parsed(service, bytes);
-  const Json result = result_of(service, simplify_request(document, {{"preview", true}}));
-  ASSERT_EQ(result["meshes"].size(), 1u);
-  expect_same(result["meshes"][0], expected[0]);
-  EXPECT_TRUE(expected[0].result.changed);
+  const Json told = simplified(service, document, {{"preview", true}});
+  EXPECT_EQ(told, Direct(bytes).previewed());
+  EXPECT_TRUE(told[0]["changed"]);
   EXPECT_EQ(bytes_of_document(service, document), bytes);
+}
+
+TEST(Service, lists_the_options_with_the_cores_defaults) {
+  Service service;
+  const Json options = result_of(service, request("options", Json::object()));
+  EXPECT_EQ(options.size(), all_options().size());
+  const Json resolution = {{"default", 700}, {"least", 16}, {"most", 8192}};
+  for (const auto& [name, value] : resolution.items())
+    EXPECT_EQ(options["resolution"][name], value) << name;
+  EXPECT_EQ(options["method"]["default"], "simplest");
+  EXPECT_EQ(options["metric"]["names"], Json({"flip", "ssim"}));
+  EXPECT_EQ(options["kappa"]["methods"], Json({"motorcycle"}));
+  for (const char* const name : {"handles", "count", "color_model", "amount", "max_local_error"})
+    EXPECT_EQ(options[name]["default"], nullptr) << name;
 }
 
 TEST(Service, refuses_what_the_core_refuses) {
   const std::string bytes = sample("tensor.svg");
   Service service;
   const Json document = parsed(service, bytes);
-  const auto run = [](const auto& change) {
-    RunOptions options;
-    options.resolution = 32;
-    change(options);
-    return options;
-  };
-  const auto refusal = [&](const RunOptions& options) -> std::string {
-    try {
-      simplify(*Document::parse(bytes, "drawing.svg"), {}, options);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
-  };
-  const auto expect_refused = [&](const Json& arguments, const RunOptions& options) {
-    const Json outcome = service.call(simplify_request(document, arguments), no_answer);
-    EXPECT_EQ(outcome, Json({{"error", "value"}, {"text", refusal(options)}}));
-    EXPECT_NE(outcome["text"], "");
-  };
   const double no_number = std::numeric_limits<double>::quiet_NaN();
-  expect_refused({{"resolution", 15}}, run([](auto& o) { o.resolution = 15; }));
-  expect_refused({{"epsilon", -1}}, run([](auto& o) { o.epsilon = -1; }));
-  expect_refused({{"epsilon", no_number}}, run([&](auto& o) { o.epsilon = no_number; }));
-  expect_refused({{"handles", 9}, {"ratio", 0.5}},
-                 run([](auto& o) { o.handles = 9, o.ratio = 0.5; }));
-  expect_refused({{"threads", -1}}, run([](auto& o) { o.threads = -1; }));
-  expect_refused({{"method", "magic"}}, run([](auto& o) { o.method = "magic"; }));
-  expect_refused({{"edges", {3}}}, run([](auto& o) { o.edges = {3}; }));
-  for (const char* const name : {"metric", "method", "renderer", "count", "color_model", "kind"}) {
-    const Json outcome = service.call(simplify_request(document, {{name, "magic"}}), no_answer);
+  const std::vector<Options> refusals = {
+      {{{"resolution", 15}}, [](Direct& d) { d.run.resolution = 15; }},
+      {{{"epsilon", -1}}, [](Direct& d) { d.run.epsilon = -1; }},
+      {{{"epsilon", no_number}}, [&](Direct& d) { d.run.epsilon = no_number; }},
+      {{{"handles", 9}, {"ratio", 0.5}}, [](Direct& d) { d.run.handles = 9, d.run.ratio = 0.5; }},
+      {{{"threads", -1}}, [](Direct& d) { d.run.threads = -1; }},
+      {{{"method", "magic"}}, [](Direct& d) { d.run.method = "magic"; }},
+      {{{"edges", {3}}}, [](Direct& d) { d.run.edges = {3}; }},
+  };
+  for (const auto& [arguments, set] : refusals) {
+    Direct direct(bytes);
+    set(direct);
+    const Json outcome = service.call(simplify_request(document, arguments), no_answer);
     EXPECT_EQ(outcome["error"], "value") << outcome;
-    EXPECT_NE(outcome["text"].get<std::string>().find("magic"), std::string::npos) << outcome;
+    try {
+      direct.simplified();
+      ADD_FAILURE() << arguments;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(outcome["text"], error.what());
+    }
+  }
+  std::vector<std::pair<Json, std::string>> words;
+  for (const char* const name : {"metric", "method", "renderer", "count", "color_model", "amount"})
+    words.push_back({{{name, "magic"}}, "magic"});
+  for (const std::string& name : replaced_by_amount)
+    words.push_back({{{"amount", "strong"}, {name, 1}}, "there is no " + name + "."});
+  for (const auto& [arguments, word] : words) {
+    const Json outcome = service.call(simplify_request(document, arguments), no_answer);
+    EXPECT_EQ(outcome["error"], "value") << outcome;
+    EXPECT_NE(outcome["text"].get<std::string>().find(word), std::string::npos) << outcome;
   }
   EXPECT_EQ(bytes_of_document(service, document), bytes);
 }
@@ -317,20 +301,16 @@ TEST(Service, measures_against_another_document) {
   result_of(service, simplify_request(document, {{"epsilon", 0.03}, {"remember_original", false}}));
   const std::string simpler = bytes_of_document(service, document);
   const auto error = [&](const Json& against) {
-    const Json result = result_of(service, simplify_request(document, {{"epsilon", 0.05},
-                                                                       {"original", against},
-                                                                       {"preview", true},
-                                                                       {"method", "lines"}}));
-    return result["meshes"][0]["error"].get<double>();
+    const Json arguments = {
+        {"epsilon", 0.05}, {"original", against}, {"preview", true}, {"method", "lines"}};
+    return simplified(service, document, arguments)[0]["error"];
   };
-  RunOptions run;
-  run.resolution = 32;
-  run.epsilon = 0.05;
-  run.method = "lines";
   const auto expected = [&](const Document* against) {
-    const auto direct_document = Document::parse(simpler, "drawing.svg");
-    direct_document->measure_against(against);
-    return preview(*direct_document, {}, run)[0].result.error;
+    Direct direct(simpler);
+    direct.run.epsilon = 0.05;
+    direct.run.method = "lines";
+    direct.document->measure_against(against);
+    return direct.previewed()[0]["error"];
   };
   const auto direct_original = Document::parse(bytes, "drawing.svg");
   EXPECT_EQ(error(original), expected(direct_original.get()));
@@ -349,11 +329,8 @@ TEST(Service, paints_and_tells_as_the_core_does) {
   EXPECT_EQ(result_of(service, request("info", named)), info_text(*direct_document));
 
   const Image image = direct_document->render(entry, 40, *make_software_rasterizer());
-  const Json picture = result_of(service, request("render", {{"document", document},
-                                                             {"id", nullptr},
-                                                             {"resolution", 40},
-                                                             {"like_inkscape", false},
-                                                             {"framed_as", nullptr}}));
+  const Json picture =
+      result_of(service, request("render", {{"document", document}, {"resolution", 40}}));
   EXPECT_EQ(picture["width"], image.width);
   EXPECT_EQ(picture["height"], image.height);
   EXPECT_EQ(std::max(image.width, image.height), 40);
@@ -363,8 +340,7 @@ TEST(Service, paints_and_tells_as_the_core_does) {
     return service.call(request("compare", {{"reference", picture["bytes"]},
                                             {"test", test},
                                             {"width", width},
-                                            {"height", picture["height"]},
-                                            {"metric", "flip"}}),
+                                            {"height", picture["height"]}}),
                         no_answer);
   };
   EXPECT_EQ(compared(picture["bytes"], image.width), Json({{"result", 0.0}}));
@@ -379,21 +355,12 @@ TEST(Service, paints_and_tells_as_the_core_does) {
 TEST(Service, converts_to_documents_of_their_own) {
   Service service;
   const Json document = parsed(service, sample("tensor.svg"));
-  const Json made = result_of(service, request("convert", {{"document", document},
-                                                           {"kind", "hemesh"},
-                                                           {"id", nullptr},
-                                                           {"subdivide", nullptr},
-                                                           {"epsilon", nullptr},
-                                                           {"metric", "flip"},
-                                                           {"resolution", 32}}));
+  const Json made =
+      result_of(service, request("convert", {{"document", document}, {"kind", "hemesh"}}));
   EXPECT_NE(made["document"], document);
   EXPECT_EQ(made["patches"], 36);
   EXPECT_EQ(result_of(service, request("kind", {{"document", made["document"]}})), "hemesh");
   EXPECT_EQ(result_of(service, request("kind", {{"document", document}})), "svg");
-  // A run with another kind leaves its own document as it is.
-  const Json run = result_of(service, simplify_request(document, {{"kind", "hemesh"}}));
-  EXPECT_EQ(result_of(service, request("kind", {{"document", run["document"]}})), "hemesh");
-  EXPECT_TRUE(run["meshes"][0]["changed"]);
   EXPECT_EQ(bytes_of_document(service, document), sample("tensor.svg"));
 }
 
@@ -469,18 +436,21 @@ TEST(Service, serves_several_threads) {
   Service service;
   const std::string bytes = sample("tensor.svg");
   const Json shared = parsed(service, bytes);
-  const Options quick = {{{"method", "random"}, {"resolution", 16}},
-                         [](auto& run, auto&) { run.method = "random", run.resolution = 16; }};
-  const std::string simplified = direct(bytes, quick).bytes;
+  const Json quick = {{"method", "random"}, {"resolution", 16}};
+  Direct direct(bytes);
+  direct.run.method = "random";
+  direct.run.resolution = 16;
+  direct.simplified();
+  const std::string simplified = direct.document->bytes();
   EXPECT_NE(simplified, bytes);
   const auto work = [&] {
     for (int i = 0; i < 4; ++i) {
       const Json own = parsed(service, bytes);
-      result_of(service, simplify_request(own, quick.arguments));
+      result_of(service, simplify_request(own, quick));
       EXPECT_EQ(bytes_of_document(service, own), simplified);
       // All take the same document in both roles.
       Json changes = {{"original", shared}, {"preview", true}};
-      changes.update(quick.arguments);
+      changes.update(quick);
       result_of(service, simplify_request(i % 2 ? own : shared, changes));
       EXPECT_EQ(bytes_of_document(service, shared), bytes);
       Json releasing = request("ids", {{"document", shared}});

@@ -43,7 +43,8 @@ class Fruit:
              "--report", self.run, "--save-analysis", self.prices)  # fmt: skip
         self.options = ("--run", self.run, "--load-analysis", self.prices)
         made("report", FRUIT, self.after, "-o", self.page, *self.options)
-        (self.told,) = json.loads(self.run.read_text())["meshes"]
+        self.runs = json.loads(self.run.read_text())["meshes"]
+        (self.told,) = self.runs
         self.data = page_data(self.page)
 
 
@@ -105,13 +106,17 @@ def test_the_same_page_again(fruit, tmp_path):
 def test_python_writes_the_same_page(fruit, tmp_path):
     before, after = gradmesh.load(FRUIT), gradmesh.load(fruit.after)
     page = tmp_path / "page.html"
-    gradmesh.report(before, after, page, run=fruit.run, load_analysis=fruit.prices)
+    gradmesh.report(before, after, page, run=fruit.runs, load_analysis=fruit.prices)
     assert page.read_bytes() == fruit.page.read_bytes()
     # What is given counts more than what the run says.
-    gradmesh.report(before, after, page, "pear", run=fruit.run, metric="ssim", epsilon=0.004, resolution=100)
+    gradmesh.report(before, after, page, "pear", run=fruit.runs, metric="ssim", epsilon=0.004, resolution=100)
     data = page_data(page)
     assert (data["metric"], data["epsilon"], data["height"]) == ("1 - SSIM", 0.004, 100)
     assert data["run"] == fruit.told
+    results = gradmesh.simplify(before, method="gqe", resolution=150, preview=True)
+    gradmesh.report(before, after, page, run=results)
+    told = {**page_data(page)["run"], "seconds": fruit.told["seconds"]}
+    assert told == {**fruit.told, "changed": True, "refused": None}
 
 
 def test_python_may_end_the_pricing(fruit, tmp_path):
@@ -129,7 +134,9 @@ def test_python_refuses_as_the_command_line_does(fruit, tmp_path):
     with pytest.raises(gradmesh.InputError, match="2 meshes, choose one with its id"):
         gradmesh.report(two, two, page)
     with pytest.raises(gradmesh.InputError, match="no report of gradmesh simplify"):
-        gradmesh.report(one, one, page, run=fruit.prices)
+        gradmesh.report(one, one, page, run=[{"id": "pear", "epsilon": "much"}])
+    with pytest.raises(gradmesh.InputError, match="says nothing of the mesh pear"):
+        gradmesh.report(one, one, page, run=[{"id": "apple"}])
     for options, words in [
         ({"metric": "taste"}, "metric"),
         ({"resolution": 3}, "resolution"),

@@ -39,7 +39,7 @@ class Simplified(NamedTuple):
 def simplified(path, folder):
     out, report = folder / path.name, folder / f"{path.stem}.json"
     options = [part for option in BALANCED.items() for part in option]
-    done = gradmesh("simplify", path, "-o", out, "--visible-only", *options, "--report", report)
+    done = gradmesh("simplify", path, "-o", out, *options, "--report", report)
     assert (done.returncode == 0) == out.exists()
     info = json.loads(gradmesh("info", "--json", path).stdout)
     meshes = json.loads(report.read_text())["meshes"] if out.exists() else []

@@ -13,9 +13,9 @@ pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missi
 
 # Where things are on the harness's screen once the page fits the window.
 PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 339)
-SIMPLIFY_TAB, METHOD_TAB = (58, 30), (215, 30)
-STRONG, ONLY_SAY, APPLY, CLOSE = (252, 152), (35, 448), (492, 549), (403, 549)
-DIALOG, CANVAS, STATUS = (0, 0, 536, 567), (620, 140, 1370, 900), (450, 960, 1060, 1000)
+SIMPLIFY_TAB, RESULT_TAB = (58, 30), (138, 30)
+STRONG, ONLY_SAY, APPLY, CLOSE = (252, 152), (35, 462), (492, 562), (403, 562)
+DIALOG, CANVAS, STATUS = (0, 0, 536, 580), (620, 140, 1370, 900), (450, 960, 1060, 1000)
 
 
 def test_say_apply_and_undo(tmp_path):
@@ -40,12 +40,12 @@ def test_say_apply_and_undo(tmp_path):
             dialog = seen(window, DIALOG)
             assert dialog != at_first[0], "no dialog opened"
 
-            window.click(*METHOD_TAB)
-            method = seen(window, DIALOG)
-            assert method != dialog
+            window.click(*RESULT_TAB)
+            result = seen(window, DIALOG)
+            assert result != dialog
             window.click(*ONLY_SAY)
             ticked = seen(window, DIALOG)
-            assert ticked != method
+            assert ticked != result
             window.click(*APPLY)
             assert seen(window, DIALOG) != ticked, "nothing is said"
             window.key("Escape")

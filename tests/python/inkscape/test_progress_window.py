@@ -16,7 +16,7 @@ import gradmesh
 
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 #: Of the sample "photo", by the method: what is counted, and how many there are.
-ALL = {"grid": ("patches", 400), "plain": ("handles", 961)}
+ALL = {"gqe": ("patches", 400), "one-mesh": ("handles", 961)}
 
 reason = inkscape_harness.missing()
 GTK = "import gi; gi.require_version('Gtk', '3.0')"
@@ -37,9 +37,9 @@ stop, all_of_it, seen_file, *arguments = sys.argv[1:]
 seen, stopped = [], threading.Event()
 
 class Waiting(gradmesh_window.LongWork):
-    def _progress(self, done, total, patches, error, handles):
-        goes_on = super()._progress(done, total, patches, error, handles)
-        if (handles or patches) >= int(all_of_it):
+    def _progress(self, now):
+        goes_on = super()._progress(now)
+        if (now.handles or now.patches) >= int(all_of_it):
             return goes_on
         assert stopped.wait(60)
         return self._stop is False
@@ -90,11 +90,11 @@ def display():
         yield display.name
 
 
-@pytest.mark.parametrize("stop, method", [("button", "grid"), ("close", "grid"), ("button", "plain")])
-def test_the_window_tells_and_stops(extension, display, tmp_path, stop, method):
+@pytest.mark.parametrize("stop, result", [("button", "gqe"), ("close", "gqe"), ("button", "one-mesh")])
+def test_the_window_tells_and_stops(extension, display, tmp_path, stop, result):
     seen = tmp_path / "seen.json"
-    what, before = ALL[method]
-    options = ["--id=photo", f"--method={method}", "--amount=strong", "--resolution=100"]
+    what, before = ALL[result]
+    options = ["--id=photo", f"--result={result}", "--amount=strong", "--resolution=100"]
     done = subprocess.run(
         [PYTHON, "-c", DRIVER, stop, str(before), seen, *options, SAMPLES / "photo.svg"],
         cwd=extension,
@@ -120,6 +120,6 @@ def test_the_window_tells_and_stops(extension, display, tmp_path, stop, method):
 
     (photo,) = gradmesh.loads(done.stdout).meshes
     assert getattr(photo, what) == left
-    if method == "grid":
+    if result == "gqe":
         (group,) = [e for e in ET.fromstring(done.stdout).iter() if e.get("id") == "photo"]
         assert f", {left} of {before} patches" in group.get(LABEL)

@@ -195,11 +195,10 @@ def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
 @pytest.mark.parametrize(
     "values, outcome, words",
     [
-        ({"method": "magic"}, "refused", "'magic'"),
-        ({"method": "manual"}, "refused", "needs the edges"),
-        ({"method": "manual", "edges": "100, 120", "preview": "true"}, "unchanged", "34 of 36 patches"),
-        ({"method": "manual", "edges": "100", "amount": "patches"}, "refused", "that are named"),
-        ({"method": "random", "epsilon": 0}, "unchanged", "nothing can be made simpler within an error"),
+        ({"result": "magic"}, "refused", "'magic'"),
+        ({"amount": "magic"}, "refused", "'magic'"),
+        ({"preview": "true", "resolution": 100}, "unchanged", "of 36 patches would be left"),
+        ({"result": "gqe", "epsilon": 0}, "unchanged", "nothing can be made simpler within an error"),
     ],
 )
 def test_settings(inkscape, report, tmp_path, values, outcome, words):
@@ -255,7 +254,7 @@ FAULTS = {
     "in a module beside": ("gradmesh_cache.py", lambda text: "import nothing", "No module named 'nothing'"),
     "in the package": ("gradmesh/api.py", lambda text: "import nothing", "install gradmesh again"),
     "in the run": ("gradmesh/api.py", lambda text: text.replace("to_bytes(", "to_nothing("), "AttributeError"),
-    "abort": ("gradmesh/api.py", lambda text: text.replace("edges = list(edges)", "os.abort()"), None),
+    "abort": ("gradmesh/api.py", lambda text: text.replace("edges = list(", "edges = os.abort() or list("), None),
 }
 
 

@@ -41,7 +41,7 @@ def fake(tmp_path, use):
     """Uses a program whose answers after the greeting are the result of a few lines of Python, in
     which say() and hear() send and read messages."""
 
-    def fake(lines, hello='{"result": {"protocol": 1, "version": "0"}}'):
+    def fake(lines, hello='{"result": {"protocol": 2, "version": "0"}}'):
         program = tmp_path / "program"
         program.write_text(
             f"#!{PYTHON}\n"
@@ -77,9 +77,9 @@ def everything(sample):
     seen = []
     before = document.meshes
     results = gradmesh.simplify(
-        document, resolution=100, renderer="software", progress=lambda *now: seen.append(now)
+        document, resolution=100, renderer="software", progress=seen.append
     )
-    facts = [{**vars(result), "seconds": 0} for result in results]
+    facts = [{**vars(result), "seconds": 0, "run": {**result.run, "seconds": 0}} for result in results]
     painted = gradmesh.render(document, results[0].id, 100)
     # How often progress is told depends on the threads.
     return before, facts, document.to_bytes(), painted.tobytes(), painted.shape, bool(seen)
@@ -104,7 +104,7 @@ def test_numbers_and_bytes_arrive_as_they_are():
 
 def test_a_greeting_of_another_version(fake):
     fake("", hello='{"result": {"protocol": 99, "version": "9"}}')
-    assert "is of another version than the rest of gradmesh (99, not 1): install" in failure()
+    assert "is of another version than the rest of gradmesh (99, not 2): install" in failure()
 
 
 @pytest.mark.parametrize(

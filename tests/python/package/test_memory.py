@@ -33,7 +33,7 @@ def ten_runs(path, **options):
     for seed in range(10):
         before = gradmesh.load(path).meshes[0].patches
         yield run_again(
-            path, seed=seed, progress=lambda *now: now[2] > before - 5, **options
+            path, seed=seed, progress=lambda now: now.patches > before - 5, **options
         )
 
 
@@ -103,7 +103,7 @@ def test_a_smaller_epsilon_changes_nothing(simplified):
 def test_forgetting_makes_the_file_smaller(copy):
     whole = copy.with_name("whole.svg")
     whole.write_bytes(copy.read_bytes())
-    few = {"progress": lambda *now: now[2] > 125}
+    few = {"progress": lambda now: now.patches > 125}
     run_again(whole, **few)
     run_again(copy, **few, remember_original=False)
     assert group(whole).get(GRADMESH + "original")

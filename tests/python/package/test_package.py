@@ -84,9 +84,8 @@ def test_nothing_to_merge_keeps_every_byte():
 
 def test_progress_is_told(fruit):
     calls = []
-    (result,) = gradmesh.simplify(
-        fruit, method="grid", progress=lambda *call: calls.append(call)
-    )
+    (result,) = gradmesh.simplify(fruit, method="grid", progress=calls.append)
+    assert calls[0]._fields == ("done", "total", "patches", "error", "handles")
     done, total, patches, errors, handles = zip(*calls)
     assert set(handles) == {0}  # patches are what is made fewer
     assert list(done) == sorted(done) and set(total) == {total[0]} and done[-1] <= total[0]
@@ -97,14 +96,14 @@ def test_progress_is_told(fruit):
 
 def test_handles_are_told_where_they_are_made_fewer(fruit):
     calls = []
-    gradmesh.simplify(fruit, resolution=200, progress=lambda *call: calls.append(call))
+    gradmesh.simplify(fruit, resolution=200, progress=calls.append)
     done, total, _patches, _errors, handles = zip(*calls)
     assert set(total) == {660} and [660 - count for count in done] == list(handles)
     assert handles[-1] == fruit.meshes[0].handles < 660
 
 
 def test_cancelling_keeps_the_best_so_far(fruit):
-    (result,) = gradmesh.simplify(fruit, method="grid", progress=lambda *call: call[2] > 125)
+    (result,) = gradmesh.simplify(fruit, method="grid", progress=lambda now: now.patches > 125)
     assert result.stopped == "cancelled"
     assert result.patches_after == 125 < result.patches_before
     assert fruit.meshes[0].patches == result.patches_after
@@ -137,8 +136,8 @@ class Broken(Exception):
 
 @pytest.mark.parametrize("error", [Broken, KeyboardInterrupt])
 def test_an_exception_in_the_callback_comes_out(fruit, error):
-    def progress(done, *_):
-        if done > 20:
+    def progress(now):
+        if now.done > 20:
             raise error
 
     with pytest.raises(error):

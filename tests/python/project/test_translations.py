@@ -84,12 +84,6 @@ def test_a_translation_has_the_places_of_its_message():
         ("fruit", "merge", [], 'path "pear": das ist kein Block eines vereinfachten Gitters.'),
         ("fruit", "refine", ["--row=99"], '"pear": es gibt keine Zeile 99, nur 11 Zeilen.'),
         (
-            "fruit",
-            "simplify",
-            ["--method=manual", "--edges=3"],
-            'path "pear": die Halbkante 3 lässt sich nicht vereinigen: sie liegt am Rand des Gitters.',
-        ),
-        (
             "ragged rows",
             "simplify",
             [],
