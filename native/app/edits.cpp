@@ -126,7 +126,7 @@ bool has_one_color_at_each_point(const Mesh& mesh) {
   return true;
 }
 
-/// Returns the same surface as one grid.
+/// Returns the surface of the mesh as one grid.
 Mesh as_grid(Mesh mesh) {
   Journal journal(mesh);
   extend_stems(journal, most_patches);

@@ -25,8 +25,8 @@ struct MeshReport {
 /// problem_of() does, with InputErrors that name the mesh.
 Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& options,
                    AnalysisFiles& files);
-/// Returns the same problem for prices and drawings, with the rules of writing of the method that
-/// would be used.
+/// Returns the problem of a run whose prices are saved or drawn, with the rules of writing of the
+/// method that would be used.
 Problem priced_problem_of(const Document& document, const MeshEntry& entry,
                           const RunOptions& options, AnalysisFiles& files);
 

@@ -46,8 +46,8 @@ struct NormalEquations {
 NormalEquations normal_equations(const Mesh& mesh, const InfluencedFace& face,
                                  const Columns& columns, const Reference& target);
 
-/// Returns the same for a patch that the unknowns change by `influences`; `is_outline` says which
-/// of its sides are outlines.
+/// Returns the equations of a patch that the unknowns change by `influences`; `is_outline` says
+/// which of its sides are outlines.
 NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
                                  const std::array<bool, 4>& is_outline, const Columns& columns,
                                  const Reference& target, const Robustness& robustness = {});

@@ -14,8 +14,8 @@ namespace gradmesh {
 /// edge comes once.
 std::vector<Halfedge> grid_order(const Mesh& mesh, std::uint64_t seed);
 
-/// Returns the same edges in the order of the dual-grid method (Fig. 7b): the rows are those of the
-/// dual mesh, so that the edges that lie on one line come one after another.
+/// Returns all edges in the order of the dual-grid method (Fig. 7b): the rows are those of the dual
+/// mesh, so that the edges that lie on one line come one after another.
 std::vector<Halfedge> dual_grid_order(const Mesh& mesh, std::uint64_t seed);
 
 }  // namespace gradmesh

@@ -164,8 +164,8 @@ class Growth {
     return all;
   }
 
-  /// Does the same with many regions at once on the device. Where the device fails the rest is
-  /// priced without it.
+  /// Finds the prices of the chains with many regions at once on the device. Where the device fails
+  /// the rest is priced without it.
   bool try_on_device(std::vector<Chain> chains) {
     std::vector<PricedChain> priced;
     for (Chain& chain : chains) priced.emplace_back(chain.wanted);

@@ -6,7 +6,7 @@
 namespace gradmesh {
 namespace {
 
-/// Returns the same for one side; `farthest` where no outline is near.
+/// Returns the gap of border_gap at one side; `farthest` where no outline is near.
 double gap_of(const PlainGrid& grid, Along along, int row, int column, const Reference& picture) {
   constexpr double farthest = 10, spacing = 3;
   const Affine& to_pixels = picture.frame().to_pixels;

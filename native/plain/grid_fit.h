@@ -14,13 +14,13 @@ namespace gradmesh {
 double fit_grid(PlainGrid& grid, const Reference& target, int steps, const GridPoints& points);
 double fit_grid(PlainGrid& grid, const Reference& target, int steps);
 
-/// Does the same with the colours of those points as well that are opaque. These stay whole levels
-/// of 8 bits, as an SVG document has them. A colour stays as it is where another one would hardly
+/// Fits as fit_grid does, and changes the colours of those points as well that are opaque. These
+/// stay whole levels of 8 bits, as an SVG document has them. A colour stays as it is where another one would hardly
 /// be better: it is exactly that of the original picture there, and rounding is seen.
 void fit_grid_and_colors(PlainGrid& grid, const Reference& target, int steps,
                          const GridPoints& points);
 
-/// Returns the same sum for one patch of the grid as it is.
+/// Returns the sum of the squares, as of fit_grid, of one patch of the grid as it is.
 double patch_squares(const PlainGrid& grid, int row, int column, const Reference& target);
 
 }  // namespace gradmesh

@@ -60,7 +60,7 @@ class PlainGrid {
   /// Returns the sine of the angle by which that line turns at the point, 0 to 1; 1 where it turns
   /// by a right angle or more. The point must not be at an end of the line.
   double turn(Along along, int row, int column) const;
-  /// Returns the same for the line as it would turn if both sides were straight.
+  /// Returns the sine of the angle by which the line would turn if both sides were straight.
   double turn_of_chords(Along along, int row, int column) const;
 
   /// Returns the patch of a row and a column, with colours of the model `bilinear`.

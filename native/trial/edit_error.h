@@ -127,7 +127,7 @@ class EditError {
 
   std::shared_ptr<const Fixed> fixed_;
   std::shared_ptr<const State> state_;
-  /// The same state if no other object shares it, so that it may be changed; else null.
+  /// The value of `state_` if no other object shares it, so that it may be changed; else null.
   std::shared_ptr<State> own_state_;
 
   Painter painter_;
