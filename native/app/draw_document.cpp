@@ -21,7 +21,7 @@ class Draw {
         entry_(entry),
         options_(options),
         files_(analyses),
-        problem_(priced_problem_of(document, entry, options.simplify, files_)),
+        problem_(problem_of(document, entry, options.simplify, files_)),
         mesh_(problem_.mesh()),
         subject_(mesh_, document.view(entry), document.translation()) {}
 

@@ -76,7 +76,7 @@ Report report_on_mesh(const Document& before, const MeshEntry& entry, const Docu
   if (!options.run.empty()) report.run = read_run(options, entry.id);
   AnalysisFiles files(options.analyses);
   const RunOptions run = pricing_options(report.run, options);
-  const Problem problem = priced_problem_of(before, entry, run, files);
+  const Problem problem = problem_of(before, entry, run, files);
   report.before = {path_of(before).filename().string(), problem.mesh(), {}};
   report.before.objects = before.objects(entry);
   price(report, problem, run);

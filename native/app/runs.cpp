@@ -126,14 +126,6 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   return problem;
 }
 
-Problem priced_problem_of(const Document& document, const MeshEntry& entry,
-                          const RunOptions& options, AnalysisFiles& files) {
-  const Problem problem = problem_of(document, entry, options, files);
-  const Method& method =
-      method_for(options.method, problem.mesh(), problem.count, problem.gradient_rules != nullptr);
-  return method.keeps_rectangle ? problem.as_gradient() : problem;
-}
-
 std::vector<MeshReport> simplify(Document& document, const std::vector<std::string>& ids,
                                  const RunOptions& options, const AnalysisPaths& analyses,
                                  const WriteOptions& writing) {
@@ -157,7 +149,7 @@ std::size_t analyze(const Document& document, const std::vector<std::string>& id
   AnalysisFiles files(analyses);
   std::size_t prices = 0;
   for (const MeshEntry& entry : document.selected(ids)) {
-    const Problem problem = priced_problem_of(document, entry, options, files);
+    const Problem problem = problem_of(document, entry, options, files);
     StopWatch watch = watch_of(options);
     document.naming(entry, [&] { analyze_regions(problem, watch); });
     prices += problem.prices().prices.size();

@@ -25,10 +25,6 @@ struct MeshReport {
 /// problem_of() does, with InputErrors that name the mesh.
 Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& options,
                    AnalysisFiles& files);
-/// Returns the problem of a run whose prices are saved or drawn, with the rules of writing of the
-/// method that would be used.
-Problem priced_problem_of(const Document& document, const MeshEntry& entry,
-                          const RunOptions& options, AnalysisFiles& files);
 
 /// Simplifies the selected meshes of a document in place (simplify_as_asked). Meshes that cannot be
 /// read are only reported. A mesh that does not become simpler stays as it is. If another colour

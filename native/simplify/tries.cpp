@@ -44,6 +44,17 @@ constexpr Try after_plain[] = {{line_method, leaves_much, leaves_less},
 /// What is tried of one mesh gradient after a method that makes a group of blocks of it.
 constexpr Try after_merging[] = {{line_method, is_nothing_or_masked, leaves_no_more}};
 
+/// Returns the method with which the list of a problem begins.
+const Method& first_method(const std::string& asked, const Problem& problem) {
+  const Method& plain = method_named(plain_method);
+  const bool can_be_plain =
+      problem.gradient_rules && problem.count == Count::handles && suits(plain, problem.mesh());
+  if (asked == simplest && can_be_plain) return plain;
+  const Method& wanted = method_named(asked);
+  const bool is_meant = asked == plain_method || wanted.merges_named_edges;
+  return problem.mesh().is_smooth() && !is_meant ? method_named(line_method) : wanted;
+}
+
 std::span<const Try> tries_after(const Method& method, const std::string& asked,
                                  const Problem& problem) {
   if (problem.bounds.target || !problem.gradient_rules) return {};
@@ -59,20 +70,9 @@ bool is_over(Stopped stopped) {
 
 }  // namespace
 
-const Method& method_for(const std::string& asked, const Mesh& mesh, Count count,
-                         bool is_one_gradient) {
-  const Method& plain = method_named(plain_method);
-  const bool can_be_plain = is_one_gradient && count == Count::handles && suits(plain, mesh);
-  if (asked == simplest && can_be_plain) return plain;
-  const Method& wanted = method_named(asked);
-  const bool is_meant = asked == plain_method || wanted.merges_named_edges;
-  return mesh.is_smooth() && !is_meant ? method_named(line_method) : wanted;
-}
-
 SimplifyResult simplify_as_asked(const Problem& problem, const std::string& asked,
                                  StopWatch& watch) {
-  const Method& first =
-      method_for(asked, problem.mesh(), problem.count, problem.gradient_rules != nullptr);
+  const Method& first = first_method(asked, problem);
   SimplifyResult best = simplify(problem, first, watch);
   if (is_over(best.stopped)) return best;
   for (const Try& next : tries_after(first, asked, problem)) {
