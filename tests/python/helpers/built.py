@@ -16,15 +16,17 @@ sys.path.insert(0, str(PACKAGES))
 PYTHON = "/usr/bin/python3"  # as Inkscape does
 
 
-def gradmesh(*arguments, cwd=None):
-    """Runs the command line with pipes, as a script does: a CompletedProcess with texts."""
+def gradmesh(*arguments, env={}, **how):
+    """Runs the command line with pipes, as a script does, and with these variables beside those that
+    are set: a CompletedProcess with texts."""
     return subprocess.run(
         [PROGRAM, *map(str, arguments)],
-        cwd=cwd,
+        env={**os.environ, **env},
         stdin=subprocess.DEVNULL,
         capture_output=True,
         text=True,
         timeout=120,
+        **how,
     )
 
 
