@@ -30,13 +30,29 @@ def gradmesh(*arguments, env={}, **how):
     )
 
 
-def install_extension(folder):
-    """Installs the extension below `folder` as `cmake --install` does; its own folder there."""
+def script(name, *arguments):
+    """Runs a program of scripts/ on what was built: a CompletedProcess with texts."""
+    return subprocess.run(
+        [PYTHON, ROOT / "scripts" / name, *map(str, arguments)],
+        env={**os.environ, "GRADMESH_BUILD": str(BUILD)},
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+
+
+def install(folder, *options):
+    """Installs what was built below `folder` as `cmake --install` does."""
     subprocess.run(
-        ["cmake", "--install", str(BUILD), "--component", "extension"],
+        ["cmake", "--install", str(BUILD), *options],
         env={**os.environ, "DESTDIR": str(folder)},
         check=True,
         capture_output=True,
     )
+
+
+def install_extension(folder):
+    """Installs the extension below `folder`; its own folder there."""
+    install(folder, "--component", "extension")
     (inx,) = Path(folder).rglob("gradmesh_simplify.inx")
     return inx.parent

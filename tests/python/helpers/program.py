@@ -21,9 +21,14 @@ def refused(*arguments, code=1, **how):
     return done.stderr[len("gradmesh: ") : -1]
 
 
+def listed(path):
+    """What `info` says of a document."""
+    return json.loads(printed("info", "--json", path))
+
+
 def meshes(path):
     """What `info` lists of the meshes of a document."""
-    return json.loads(printed("info", "--json", path))["meshes"]
+    return listed(path)["meshes"]
 
 
 def simplified(path, out, *options):
