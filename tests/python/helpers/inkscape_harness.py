@@ -390,6 +390,7 @@ class InkscapeWindow(Started):
             at = (str(round(a + (b - a) * i / 5)) for a, b in ((x, to_x), (y, to_y)))
             self.xdotool("mousemove", *at)
             time.sleep(0.1)
+        self.settle()  # or a busy Inkscape would end the drag before its last step
         self.xdotool("mouseup", "1")
         self.settle()
 
