@@ -5,23 +5,24 @@ import re
 
 import pytest
 
-from built import SAMPLES, gradmesh as run
+from built import SAMPLES
 from hemesh_files import grid
+from program import printed, refused, simplified as reported
 
 import gradmesh
 
 FRUIT = SAMPLES / "fruit.svg"
 COARSE = ("--resolution", 150)
+DAMAGED, NO_ANALYSIS = "this analysis is damaged or cut off.", "this is no file with an analysis."
 
 
 @pytest.fixture(scope="module")
 def prices(tmp_path_factory):
     """What `analyze` knows of the fruit up to epsilon 0.01: few enough regions for all to grow."""
     path = tmp_path_factory.mktemp("analysis") / "prices.json"
-    done = run("analyze", FRUIT, "-o", path, "--epsilon", 0.01, *COARSE)
-    assert (done.returncode, done.stderr) == (0, "")
+    said = printed("analyze", FRUIT, "-o", path, "--epsilon", 0.01, *COARSE)
     (analysis,) = json.loads(path.read_text())["analyses"]
-    assert done.stdout == f"{path}: {len(analysis['prices'])} prices\n"
+    assert said == f"{path}: {len(analysis['prices'])} prices\n"
     return path
 
 
@@ -32,18 +33,8 @@ def listed(path):
 
 def simplified(folder, *options):
     """The document that comes out, and what the report says of its only mesh."""
-    out, report = folder / "out.svg", folder / "report.json"
-    done = run("simplify", FRUIT, "-o", out, "--report", report, *COARSE, *options)
-    assert (done.returncode, done.stderr) == (0, "")
-    (mesh,) = json.loads(report.read_text())["meshes"]
-    return out.read_bytes(), mesh
-
-
-def refused(*arguments, code=1):
-    done = run(*arguments)
-    assert (done.returncode, done.stdout) == (code, "")
-    assert done.stderr.startswith("gradmesh: ") and done.stderr.count("\n") == 1
-    return done.stderr[len("gradmesh: ") : -1]
+    (mesh,) = reported(FRUIT, folder / "out.svg", *COARSE, *options)
+    return (folder / "out.svg").read_bytes(), mesh
 
 
 @pytest.mark.parametrize(
@@ -87,8 +78,7 @@ def test_a_larger_epsilon_prices_only_what_is_missing(tmp_path, prices):
     more, fresh = tmp_path / "more.json", tmp_path / "fresh.json"
     wide = ("--epsilon", 0.04)
     for path, options in ((more, ["--load-analysis", prices]), (fresh, [])):
-        done = run("analyze", FRUIT, "-o", path, *options, *wide, *COARSE)
-        assert (done.returncode, done.stderr) == (0, "")
+        printed("analyze", FRUIT, "-o", path, *options, *wide, *COARSE)
 
     def exact(path):
         return {tuple(p[:4]): p[4] for p in listed(path) if p[5] and (p[4] or 0) <= 0.04}
@@ -120,90 +110,62 @@ def test_from_python(tmp_path, prices):
 
 
 def test_several_meshes_share_a_file(tmp_path):
-    path = tmp_path / "prices.json"
-    both = (SAMPLES / "two.svg", "-o", path, *COARSE, "--epsilon", 0.002)
-    assert run("analyze", *both).returncode == 0
+    two, path, options = SAMPLES / "two.svg", tmp_path / "prices.json", (*COARSE, "--epsilon", 0.002)
+    printed("analyze", two, "-o", path, *options)
     assert len(json.loads(path.read_text())["analyses"]) == 2
-    only = ("simplify", SAMPLES / "two.svg", *COARSE, "--method", "gqe", "--id", "cap")
-    done = run(*only, "--epsilon", 0.002, "-o", tmp_path / "out.svg", "--load-analysis", path)
-    assert (done.returncode, done.stderr) == (0, "")
+    only = ("--method", "gqe", "--id", "cap", "--load-analysis", path)
+    printed("simplify", two, "-o", tmp_path / "out.svg", *options, *only)
 
 
-@pytest.mark.parametrize(
-    "options, sentence",
-    [
-        (["--metric", "ssim", *COARSE], "this analysis was made with the metric flip, not ssim."),
-        (["--resolution", 151], "this analysis was made at {} pixels, not {} pixels."),
-    ],
-)
-def test_other_options_are_refused(tmp_path, prices, options, sentence):
-    out = tmp_path / "out.svg"
-    told = refused(
-        "simplify", FRUIT, "-o", out, "--method", "gqe", "--load-analysis", prices, *options
-    )
-    sizes = [f"{frame(size)}" for size in (150, 151)]
-    assert told == f"{prices}: " + sentence.format(*sizes)
-    assert not out.exists()
-
-
-def frame(resolution):
+def size(resolution):
     height, width = gradmesh.render(gradmesh.load(FRUIT), resolution=resolution).shape[:2]
     return f"{width} x {height}"
 
 
-def test_a_changed_mesh_is_refused(tmp_path, prices):
-    changed = tmp_path / "fruit.svg"
-    color = r"(<meshpatch.*?stop-color:)#\w{6}"
-    changed.write_text(re.sub(color, r"\1#123456", FRUIT.read_text(), count=1, flags=re.DOTALL))
-    told = refused("draw", changed, "-o", tmp_path / "out.svg", "--show", "errors", *COARSE,
-                   "--load-analysis", prices)  # fmt: skip
-    assert told == f"{prices}: this analysis is of another mesh, or the mesh was changed since."
-
-
-@pytest.mark.parametrize(
-    "spoil, sentence",
-    [
-        (lambda text: text[: len(text) // 2], "this analysis is damaged or cut off."),
-        (lambda text: text.replace('"prices":[[0', '"prices":[[1', 1), "this analysis is damaged or cut off."),
-        (lambda text: "", "this is no file with an analysis."),
-        (lambda text: "<svg/>", "this is no file with an analysis."),
-    ],
-)  # fmt: skip
-def test_damage_is_refused(tmp_path, prices, spoil, sentence):
-    path, out = tmp_path / "prices.json", tmp_path / "out.svg"
-    path.write_text(spoil(prices.read_text()))
+def test_other_options_and_damage_are_refused(tmp_path, prices):
+    text, path, out = prices.read_text(), tmp_path / "prices.json", tmp_path / "out.svg"
     arguments = ("simplify", FRUIT, "-o", out, "--method", "gqe", "--load-analysis", path)
-    assert refused(*arguments) == f"{path}: {sentence}"
+    at = f"this analysis was made at {size(150)} pixels, not {size(151)} pixels."
+    for written, options, sentence in (
+        (text, ["--metric", "ssim", *COARSE], "this analysis was made with the metric flip, not ssim."),
+        (text, ["--resolution", 151], at),
+        (text[: len(text) // 2], [], DAMAGED),
+        (text.replace('"prices":[[0', '"prices":[[1', 1), [], DAMAGED),
+        ("", [], NO_ANALYSIS),
+        ("<svg/>", [], NO_ANALYSIS),
+    ):
+        path.write_text(written)
+        assert refused(*arguments, *options) == f"{path}: {sentence}"
     path.unlink()
     assert refused(*arguments) == f"{path} cannot be read: No such file or directory."
     assert not out.exists()
 
 
-def test_methods_without_prices_have_nothing_to_save(tmp_path):
-    path = tmp_path / "prices.json"
-    told = refused("simplify", FRUIT, "-o", tmp_path / "out.svg", "--method", "grid",
-                   "--save-analysis", path, code=2)  # fmt: skip
-    assert told == "the method grid needs no analysis, so there is none to save."
+def test_a_changed_mesh_is_refused(tmp_path, prices):
+    changed, out = tmp_path / "fruit.svg", tmp_path / "out.svg"
+    color = r"(<meshpatch.*?stop-color:)#\w{6}"
+    changed.write_text(re.sub(color, r"\1#123456", FRUIT.read_text(), count=1, flags=re.DOTALL))
+    said = refused("draw", changed, "-o", out, "--show", "errors", *COARSE, "--load-analysis", prices)
+    assert said == f"{prices}: this analysis is of another mesh, or the mesh was changed since."
+
+
+def test_what_cannot_be_saved_leaves_the_document_alone(tmp_path):
+    missing, simplify = tmp_path / "missing" / "prices.json", ("simplify", FRUIT, "-o", tmp_path / "out.svg")
+    said = refused(*simplify, "--method", "grid", "--save-analysis", tmp_path / "prices.json", code=2)
+    assert said == "the method grid needs no analysis, so there is none to save."
+    said = refused(*simplify, "--method", "motorcycle", *COARSE, "--save-analysis", missing)
+    assert said == f"{missing} cannot be written: No such file or directory."
     assert not list(tmp_path.iterdir())
-
-
-def test_a_file_that_cannot_be_written_leaves_the_document_alone(tmp_path):
-    missing, out = tmp_path / "missing" / "prices.json", tmp_path / "out.svg"
-    told = refused("simplify", FRUIT, "-o", out, "--method", "motorcycle", *COARSE,
-                   "--save-analysis", missing)  # fmt: skip
-    assert told == f"{missing} cannot be written: No such file or directory."
-    assert not out.exists()
 
 
 def test_the_color_model_counts(tmp_path):
     leaf, path = tmp_path / "leaf.hemesh", tmp_path / "prices.json"
     leaf.write_text(grid(3, 3))
-    assert run("analyze", leaf, "-o", path, *COARSE, "--color-model", "bilinear").returncode == 0
-    draw = ("draw", leaf, "-o", tmp_path / "out.svg", "--show", "regions", *COARSE)
-    loaded = (*draw, "--load-analysis", path)
-    told = refused(*loaded)
-    assert told == f"{path}: this analysis was made in the color model bilinear, not bicubic."
-    assert run(*loaded, "--color-model", "bilinear").returncode == 0
+    bilinear = ("--color-model", "bilinear")
+    printed("analyze", leaf, "-o", path, *COARSE, *bilinear)
+    loaded = ("draw", leaf, "-o", tmp_path / "out.svg", "--show", "regions", *COARSE, "--load-analysis", path)
+    assert refused(*loaded) == f"{path}: this analysis was made in the color model bilinear, not bicubic."
+    printed(*loaded, *bilinear)
 
 
 def test_a_cache_keeps_what_was_priced(tmp_path):

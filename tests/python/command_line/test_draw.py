@@ -1,7 +1,6 @@
 """Drawings: what is in them, that they are ordinary SVG, and that Inkscape shows them."""
 
 import base64
-import json
 import re
 import subprocess
 import xml.etree.ElementTree as ET
@@ -11,14 +10,13 @@ import pytest
 from PIL import Image
 
 import svg_meshes
-from built import SAMPLES, gradmesh as run
+from built import SAMPLES
 from hemesh_files import grid
+from program import meshes, printed, refused
+from svg_meshes import HREF, LABEL, SVG
 
 import gradmesh
 
-SVG = "{http://www.w3.org/2000/svg}"
-LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-HREF = "{http://www.w3.org/1999/xlink}href"
 FRUIT = SAMPLES / "fruit.svg"
 COARSE = ("--resolution", 150)
 LAYERS = {
@@ -35,8 +33,7 @@ class Drawn:
 
     def __init__(self, folder, show, *options, document=FRUIT):
         self.path = folder / f"{show}.svg"
-        done = run("draw", document, "-o", self.path, "--show", show, *COARSE, *options)
-        assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+        assert printed("draw", document, "-o", self.path, "--show", show, *COARSE, *options) == ""
         self.root = ET.parse(self.path).getroot()
         self.layers = {g.get(LABEL): g for g in self.root.iter(SVG + "g")}
 
@@ -71,14 +68,14 @@ def test_edges_carry_the_numbers_that_manual_takes(tmp_path):
     drawn = Drawn(tmp_path, "edges")
     numbers = drawn.texts("Numbers of half-edges")
     assert len(set(numbers)) == len(numbers) == 11 * 11 + 12 * 10
-    done = run("simplify", FRUIT, "--preview", "--method", "manual", "--edges", numbers[-1], *COARSE)
-    assert done.returncode == 0 and "131 of 132 patches" in done.stdout
+    manual = ("--preview", "--method", "manual", "--edges", numbers[-1])
+    assert "131 of 132 patches" in printed("simplify", FRUIT, *manual, *COARSE)
 
 
 def test_it_lies_where_the_mesh_is_seen(tmp_path):
     """Also inside transformed groups; the picture behind has the paper's margin."""
     path = SAMPLES / "transformed.svg"
-    (mesh,) = json.loads(run("info", "--json", path).stdout)["meshes"]
+    (mesh,) = meshes(path)
     document = svg_meshes.Document(path)
     seen = [
         svg_meshes.apply(document.to_document(document.by_id[mesh["id"]]), complex(*p["position"]))
@@ -120,8 +117,7 @@ def test_edges_and_faces_are_complete(tmp_path):
 
 def test_junctions_are_marked(tmp_path):
     merged = tmp_path / "merged.svg"
-    blocks = ("--method", "best", "--epsilon", 0.02)
-    assert run("simplify", FRUIT, "-o", merged, *COARSE, *blocks).returncode == 0
+    printed("simplify", FRUIT, "-o", merged, *COARSE, "--method", "best", "--epsilon", 0.02)
     drawn = Drawn(tmp_path, "edges", document=merged)
     marked = sum(title.startswith("T-junction") for title in drawn.titles("Points"))
     assert marked > 5
@@ -168,27 +164,8 @@ def test_regions_of_a_patch(tmp_path):
         (("--patch", 132), f"{FRUIT}: there is no patch 132; the last is 131."),
     ):
         out = tmp_path / "out.svg"
-        done = run("draw", FRUIT, "-o", out, "--show", "regions", *COARSE, *wrong)
-        assert (done.returncode, done.stderr) == (1, f"gradmesh: {sentence}\n")
+        assert refused("draw", FRUIT, "-o", out, "--show", "regions", *COARSE, *wrong) == sentence
         assert not out.exists()
-
-
-@pytest.mark.parametrize(
-    "options",
-    [
-        [],
-        ["--show", "everything"],
-        ["--show", "edges", "--patch", "1"],
-        ["--show", "errors", "--region", "all"],
-        ["--show", "regions", "--region", "0"],
-        ["--show", "regions", "--region", "1.5"],
-    ],
-)
-def test_wrong_usage_is_exit_code_2(tmp_path, options):
-    out = tmp_path / "out.svg"
-    done = run("draw", FRUIT, "-o", out, *options)
-    assert (done.returncode, done.stdout) == (2, "") and done.stderr
-    assert not out.exists()
 
 
 @pytest.mark.parametrize("show", LAYERS)
@@ -207,7 +184,7 @@ def test_inkscape_shows_it(tmp_path, show):
 
 def test_python_draws_the_same(tmp_path):
     out = tmp_path / "errors.svg"
-    assert run("draw", FRUIT, "-o", out, "--show", "errors", "--resolution", 100).returncode == 0
+    printed("draw", FRUIT, "-o", out, "--show", "errors", "--resolution", 100)
     document = gradmesh.load(FRUIT)
     assert gradmesh.draw(document, "errors", resolution=100) == out.read_text()
     plain = gradmesh.draw(document, "edges", "pear", picture=False)

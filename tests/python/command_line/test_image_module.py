@@ -1,12 +1,11 @@
 """OpenImageIO is loaded only where images are read, from a module of its own."""
 
-import os
 import shutil
 import subprocess
 
 import pytest
 
-from built import BUILD, PROGRAM, SAMPLES
+from built import BUILD, PROGRAM, SAMPLES, install
 
 ELLIPSE = SAMPLES / "ellipse.svg"
 
@@ -30,12 +29,7 @@ def test_the_program_alone_does_all_but_read_images(tmp_path):
 
 @pytest.mark.skipif(not (BUILD / "python").exists(), reason="the Python package was not built")
 def test_an_installed_program_finds_the_module(tmp_path):
-    subprocess.run(
-        ["cmake", "--install", str(BUILD), "--prefix", "/prefix"],
-        env={**os.environ, "DESTDIR": str(tmp_path)},
-        check=True,
-        capture_output=True,
-    )
+    install(tmp_path, "--prefix", "/prefix")
     program, picture = tmp_path / "prefix" / "bin" / "gradmesh", tmp_path / "a.png"
     assert run(program, "render", ELLIPSE, "-o", picture).returncode == 0
     assert run(program, "compare", picture, picture).stdout == "0.000000\n"

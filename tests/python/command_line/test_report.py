@@ -6,31 +6,20 @@ import re
 import pytest
 
 import browser as browsers
-from built import SAMPLES, gradmesh as run
+from browser import one_chromium  # noqa: F401
+from built import SAMPLES
 from hemesh_files import grid
+from program import meshes, printed, refused
 
 import gradmesh
 
 FRUIT = SAMPLES / "fruit.svg"
 COARSE = ("--resolution", 150)
 
-needs_browser = pytest.mark.skipif(bool(browsers.MISSING), reason=browsers.MISSING)
-
-
-def made(*arguments):
-    done = run(*arguments)
-    assert (done.returncode, done.stderr) == (0, "")
-    return done.stdout
-
 
 def page_data(path):
     """What the page's scripts work with."""
     return json.loads(re.search(r'<script id="data".*?>(.*?)</script>', path.read_text(), re.S)[1])
-
-
-def elements(path):
-    (mesh,) = json.loads(made("info", "--json", path))["meshes"]
-    return mesh["elements"]
 
 
 class Fruit:
@@ -39,10 +28,10 @@ class Fruit:
     def __init__(self, folder):
         names = ("after.svg", "run.json", "prices.json", "report.html")
         self.after, self.run, self.prices, self.page = (folder / name for name in names)
-        made("simplify", FRUIT, "-o", self.after, *COARSE, "--method", "gqe",
-             "--report", self.run, "--save-analysis", self.prices)  # fmt: skip
+        keep = ("--report", self.run, "--save-analysis", self.prices)
+        printed("simplify", FRUIT, "-o", self.after, *COARSE, "--method", "gqe", *keep)
         self.options = ("--run", self.run, "--load-analysis", self.prices)
-        made("report", FRUIT, self.after, "-o", self.page, *self.options)
+        printed("report", FRUIT, self.after, "-o", self.page, *self.options)
         self.runs = json.loads(self.run.read_text())["meshes"]
         (self.told,) = self.runs
         self.data = page_data(self.page)
@@ -68,8 +57,9 @@ def test_the_page_tells_what_the_run_did(fruit):
     assert data["error"] == pytest.approx(fruit.told["error"], abs=1e-6)
     assert data["local_error"] == pytest.approx(fruit.told["local_error"], abs=1e-6)
     assert max(data["width"], data["height"]) == 150 and data["metric"] == "FLIP"
-    assert data["before"]["elements"] == elements(FRUIT)
-    assert data["after"]["elements"] == elements(fruit.after)
+    for side, path in (("before", FRUIT), ("after", fruit.after)):
+        (mesh,) = meshes(path)
+        assert data[side]["elements"] == mesh["elements"]
 
 
 def test_regions_are_those_of_the_analysis(fruit):
@@ -85,8 +75,8 @@ def test_regions_are_those_of_the_analysis(fruit):
 def test_fits_lower_the_prices_of_regions(fruit, tmp_path):
     assert all(r["fitted"] is None for r in fruit.data["before"]["regions"])  # gqe does not fit
     after, told, page = (tmp_path / name for name in ("best.svg", "best.json", "best.html"))
-    made("simplify", FRUIT, "-o", after, *COARSE, "--method", "best", "--report", told)
-    made("report", FRUIT, after, "-o", page, "--run", told)
+    printed("simplify", FRUIT, "-o", after, *COARSE, "--method", "best", "--report", told)
+    printed("report", FRUIT, after, "-o", page, "--run", told)
     regions = page_data(page)["before"]["regions"]
     assert all(r["fitted"] <= r["error"] for r in regions)
     shares = sorted(r["fitted"] / r["error"] for r in regions if r["error"] > 0)
@@ -95,11 +85,11 @@ def test_fits_lower_the_prices_of_regions(fruit, tmp_path):
 
 def test_the_same_page_again(fruit, tmp_path):
     again = tmp_path / "again.html"
-    made("report", FRUIT, fruit.after, "-o", again, *fruit.options)
+    printed("report", FRUIT, fruit.after, "-o", again, *fruit.options)
     assert again.read_bytes() == fruit.page.read_bytes()
     # Without the files, the prices are worked out, and nothing is known of the run.
     alone = tmp_path / "alone.html"
-    made("report", FRUIT, fruit.after, "-o", alone, *COARSE)
+    printed("report", FRUIT, fruit.after, "-o", alone, *COARSE)
     assert page_data(alone) == {**fruit.data, "run": None}
 
 
@@ -150,8 +140,8 @@ def test_python_refuses_as_the_command_line_does(fruit, tmp_path):
 def test_meshes_of_both_kinds(tmp_path):
     leaf, page, drawing = (tmp_path / name for name in ("leaf.hemesh", "page.html", "leaf.svg"))
     leaf.write_text(grid(3, 3))
-    made("convert", leaf, drawing)
-    made("report", leaf, drawing, "-o", page, "--metric", "ssim", *COARSE)
+    printed("convert", leaf, drawing)
+    printed("report", leaf, drawing, "-o", page, "--metric", "ssim", *COARSE)
     data = page_data(page)
     assert (data["id"], data["metric"]) == ("leaf", "1 - SSIM")
     assert (data["before"]["color_model"], data["after"]["color_model"]) == ("bicubic", "bilinear")
@@ -164,13 +154,16 @@ def test_meshes_of_both_kinds(tmp_path):
     assert boxes[0] == pytest.approx(boxes[1], abs=1)
 
 
+NO_REPORT = "this is no report of gradmesh simplify."
+
+
 @pytest.mark.parametrize(
     "content, sentence",
     [
-        ("", "this is no report of gradmesh simplify."),
-        ("[]", "this is no report of gradmesh simplify."),
+        ("", NO_REPORT),
+        ("[]", NO_REPORT),
         ('{"meshes": []}', "this report says nothing of the mesh pear."),
-        ('{"meshes": [{"id": "pear", "epsilon": "small"}]}', "this is no report of gradmesh simplify."),
+        ('{"meshes": [{"id": "pear", "epsilon": "small"}]}', NO_REPORT),
         ('{"meshes": [{"id": "pear", "metric": "taste"}]}',
          "the metric 'taste' is not known; there are: flip, ssim."),
     ],
@@ -178,21 +171,11 @@ def test_meshes_of_both_kinds(tmp_path):
 def test_other_files_are_no_reports(tmp_path, content, sentence):
     path, page = tmp_path / "run.json", tmp_path / "page.html"
     path.write_text(content)
-    done = run("report", FRUIT, FRUIT, "-o", page, "--run", path)
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == f"gradmesh: {path}: {sentence}\n"
+    assert refused("report", FRUIT, FRUIT, "-o", page, "--run", path) == f"{path}: {sentence}"
     assert not page.exists()
 
 
 # --- what a person sees and does ---
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    if browsers.MISSING:
-        pytest.skip(browsers.MISSING)
-    with browsers.chromium(1200, 900) as browser:
-        yield browser
 
 
 class Page:
@@ -252,6 +235,20 @@ class Page:
         for kind in ("mousePressed", "mouseReleased"):
             self.mouse(kind, *self.on_screen(side, place), button="left", clickCount=1)
 
+    def drag(self, places):
+        """Drags from the first of these places of the window to the last, by way of the others."""
+        self.mouse("mousePressed", *places[0], button="left", clickCount=1)
+        for place in places[1:]:
+            self.mouse("mouseMoved", *place, button="left", buttons=1)
+        self.mouse("mouseReleased", *places[-1], button="left", clickCount=1)
+
+    def check(self):
+        """That nothing has failed, nor was asked for from elsewhere."""
+        assert browsers.complaints(self.browser) == []
+        strangers = [url for url in browsers.requests(self.browser)
+                     if not url.startswith(("data:", "about:", self.address))]  # fmt: skip
+        assert strangers == []
+
     # places in the picture
 
     def curve(self, side, halfedge, t=0.5):
@@ -270,10 +267,7 @@ class Page:
 def page(chromium, fruit):
     page = Page(chromium, fruit.page, fruit.data)
     yield page
-    assert browsers.complaints(chromium) == []
-    strangers = [url for url in browsers.requests(chromium)
-                 if not url.startswith(("data:", "about:", page.address))]  # fmt: skip
-    assert strangers == []
+    page.check()
 
 
 def by_id(mesh, kind):
@@ -395,15 +389,17 @@ def page_keys(name):
 def test_the_hermite_matrix(page, fruit):
     page.open("#before/patch/17")
     values = fruit.data["before"]["hermite"][17]
-    cells = [cell.replace("\u2212", "-").split("\n") for cell in page.texts(".hermite td")]
-    assert len(cells) == 16
-    assert [c[0] for c in cells[:5]] == ["m0", "m0v", "m2v", "m2", "m0u"]
-    for cell, value in zip(cells, values):
-        assert [float(x) for x in cell[1:]] == pytest.approx(value[:2], rel=1e-3, abs=1e-3)
+
+    def expect(part):
+        cells = [cell.replace("\u2212", "-").split("\n") for cell in page.texts(".hermite td")]
+        assert len(cells) == 16
+        assert [c[0] for c in cells[:5]] == ["m0", "m0v", "m2v", "m2", "m0u"]
+        for cell, value in zip(cells, values):
+            assert [float(x) for x in cell[1:]] == pytest.approx(value[part], rel=1e-3, abs=1e-3)
+
+    expect(slice(2))
     page.press(".details .choice button:last-child")
-    cells = [cell.replace("\u2212", "-").split("\n") for cell in page.texts(".hermite td")]
-    for cell, value in zip(cells, values):
-        assert [float(x) for x in cell[1:]] == pytest.approx(value[2:5], rel=1e-3, abs=1e-3)
+    expect(slice(2, 5))
 
 
 def clip(page):
@@ -421,10 +417,7 @@ def test_the_slider_moves(page):
     assert shown(page) == ["before", "after"] and clip(page).endswith(" 50%)")
     box = page.js("document.getElementById('panes').getBoundingClientRect().toJSON()")
     middle = box["y"] + box["height"] / 2
-    page.mouse("mousePressed", box["x"] + box["width"] / 2, middle, button="left", clickCount=1)
-    for share in (0.4, 0.3, 0.2):
-        page.mouse("mouseMoved", box["x"] + share * box["width"], middle, button="left", buttons=1)
-    page.mouse("mouseReleased", box["x"] + 0.2 * box["width"], middle, button="left", clickCount=1)
+    page.drag([(box["x"] + share * box["width"], middle) for share in (0.5, 0.4, 0.3, 0.2)])
     assert float(re.search(r"([\d.]+)%\)$", clip(page))[1]) == pytest.approx(20, abs=0.5)
     page.keys("#divider", page_keys("ARROW_RIGHT"))
     assert clip(page).endswith(" 22%)")
@@ -457,10 +450,7 @@ def test_outlines_and_zoom(page):
     part = [float(x) for x in page.js(view_box).split()]
     assert part[2] == pytest.approx(whole[2] / 1.5) and part[0] > 0
     x, y = page.on_screen("before", page.inside("before", 65))
-    page.mouse("mousePressed", x, y, button="left", clickCount=1)
-    for step in (20, 40):
-        page.mouse("mouseMoved", x + step, y, button="left", buttons=1)
-    page.mouse("mouseReleased", x + 40, y, button="left", clickCount=1)
+    page.drag([(x + step, y) for step in (0, 20, 40)])
     assert float(page.js(view_box).split()[0]) < part[0]
     assert page.selected == "Patch 0"  # which was no click
     page.press("#zoom-fit")
@@ -499,18 +489,16 @@ def test_nothing_is_cut_off(page, fruit, width, scheme):
     assert (red + green + blue < 200) == (scheme == "dark")
 
 
-@needs_browser
 def test_names_cannot_break_the_page(chromium, tmp_path):
     name = "</script><img src=http://example.org/x onerror=alert(1)>&amp;"
     path, out = tmp_path / "odd.svg", tmp_path / "page.html"
     text = FRUIT.read_text().replace('id="pear"', 'id="' + name.replace("&", "&amp;").replace("<", "&lt;") + '"')
     path.write_text(text)
-    made("report", path, path, "-o", out, "--epsilon", 0, *COARSE)
+    printed("report", path, path, "-o", out, "--epsilon", 0, *COARSE)
     page = Page(chromium, out, page_data(out))
     assert page.text("#title") == name
     assert page.browser.title.startswith(name)
     assert page.js("document.images.length") == 0
     page.press("[data-view=errors]")
     assert page.text("#legend") == "The pictures do not differ."
-    assert browsers.complaints(chromium) == []
-    assert all(url.startswith(("file:", "data:", "about:")) for url in browsers.requests(chromium))
+    page.check()

@@ -1,18 +1,18 @@
 """From .hemesh to SVG and back: gradmesh convert, and simplify from one kind to the other."""
 
-import json
-import re
-import subprocess
+import os
 import xml.etree.ElementTree as ET
 from math import cos, sin
 
 import numpy as np
 import pytest
 
-import inkscape_harness
-from built import PROGRAM, SAMPLES, gradmesh as run
-from hemesh_files import SHARED, Surface, grid
-from test_hemesh import check_elements, elements, error, printed, refused
+from built import SAMPLES
+from elements import check_elements, elements
+from hemesh_files import SHARED, Surface, grid, of_the_authors
+from in_inkscape import inkscape  # noqa: F401
+from program import error, meshes, printed, refused, simplified as reported
+from svg_meshes import LABEL, SVG
 
 import gradmesh
 
@@ -33,8 +33,6 @@ class Curved(Surface):
         return x, y, r, g + 0.4 * sin(9 * u) * cos(8 * v), b
 
 
-SVG = "{http://www.w3.org/2000/svg}"
-INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 FRUIT = SAMPLES / "fruit.svg"
 #: Patches of a grid that are left out, and points of the others once each is cut into 4 x 4.
 SHAPES = {
@@ -64,9 +62,16 @@ def converted(*arguments):
     return int(words[1]), float(words[-1])
 
 
-def patches_left(said):
-    """The number of patches that simplify prints."""
-    return int(re.search(r" (\d+) of \d+ patches left", said)[1])
+@pytest.fixture
+def curved(tmp_path):
+    """The .hemesh file of a grid of which nothing is a part of one patch."""
+
+    def write(rows, columns):
+        path = tmp_path / "curved.hemesh"
+        path.write_text(grid(rows, columns, surface=Curved()))
+        return path
+
+    return write
 
 
 def test_a_rectangle_becomes_one_ordinary_mesh(shape, tmp_path):
@@ -78,7 +83,7 @@ def test_a_rectangle_becomes_one_ordinary_mesh(shape, tmp_path):
     assert root.get("viewBox") == f"0 0 {root.get('width')} {root.get('height')}"
     assert root.get("width") == "640"
     (path,), (gradient,) = root.iter(SVG + "path"), root.iter(SVG + "meshgradient")
-    assert path.get("id") == "mesh" and path.get(INKSCAPE + "label")
+    assert path.get("id") == "mesh" and path.get(LABEL)
     assert f"fill:url(#{gradient.get('id')})" in path.get("style")
     assert [len(row) for row in gradient] == [12] * 8
     assert "gradmesh" not in out.read_text()
@@ -112,15 +117,20 @@ def test_smaller_patches_come_closer(shape, tmp_path):
     assert errors[0] > 1.5 * errors[1] > 1.5 * errors[2] > 0
 
 
-def test_patches_are_split_where_that_is_needed(shape, tmp_path):
-    mesh, out = tmp_path / "curved.hemesh", tmp_path / "out.svg"
-    mesh.write_text(grid(3, 3, surface=Curved()))
+def test_patches_are_split_where_that_is_needed(curved, tmp_path):
+    mesh, out = curved(3, 3), tmp_path / "out.svg"
     uniform = converted(mesh, out, "--subdivide", 4)
     patches, told = converted(mesh, out, "--epsilon", 0.02)
     assert 9 < patches < uniform[0] and 0 < told <= 0.02
     assert error(mesh, out) == pytest.approx(told, abs=2e-4)
     assert " 0 T-junctions" not in printed("info", out)
-    check_elements(elements(out))
+    # What is split in one place only leaves no step of colour along the side of its neighbour.
+    found = elements(out)
+    check_elements(found)
+    junctions = {p["id"] for p in found["points"] if p["stem"] is not None}
+    there = [h for h in found["halfedges"] if h["origin"] in junctions and h["face"] is not None]
+    assert len(there) > 10 and not any(h["own_color"] for h in there)
+
     again = tmp_path / "again.svg"
     assert converted(mesh, again) == (patches, told)  # the default
     assert again.read_bytes() == out.read_bytes()
@@ -129,35 +139,21 @@ def test_patches_are_split_where_that_is_needed(shape, tmp_path):
     assert converted(mesh, out, "--epsilon", 1)[0] == 9
 
 
-def test_the_result_does_not_depend_on_the_number_of_cores(tmp_path):
-    mesh, out, one = tmp_path / "curved.hemesh", tmp_path / "out.svg", tmp_path / "one.svg"
-    mesh.write_text(grid(2, 2, surface=Curved()))
+def test_the_result_does_not_depend_on_the_number_of_cores(curved, tmp_path):
+    def on_one_core():
+        os.sched_setaffinity(0, [min(os.sched_getaffinity(0))])
+
+    mesh, out, one = curved(2, 2), tmp_path / "out.svg", tmp_path / "one.svg"
     converted(mesh, out, "--resolution", 300)
-    subprocess.run(
-        ["taskset", "-c", "0", PROGRAM, "convert", mesh, one, "--resolution", "300"], check=True
-    )
+    printed("convert", mesh, one, "--resolution", 300, preexec_fn=on_one_core)
     assert one.read_bytes() == out.read_bytes()
 
 
-def test_an_error_that_cannot_be_kept_is_refused(tmp_path):
-    mesh, out = tmp_path / "curved.hemesh", tmp_path / "out.svg"
-    mesh.write_text(grid(2, 2, surface=Curved()))
-    said = refused("convert", mesh, out, "--epsilon", 0.0001, "--resolution", 100)
-    assert str(mesh) in said and "above epsilon" in said and not out.exists()
-    said = refused("simplify", mesh, "-o", out, "--epsilon", 0.0001, "--resolution", 100)
-    assert str(mesh) in said and "above epsilon" in said and not out.exists()
-    assert run("convert", mesh, out, "--epsilon", 0.1, "--subdivide", 2).returncode == 2
-
-
-def test_corners_beside_t_junctions_are_continuous(tmp_path):
-    """What is split in one place only leaves no step of colour along the side of its neighbour."""
-    mesh, out = tmp_path / "curved.hemesh", tmp_path / "out.svg"
-    mesh.write_text(grid(3, 3, surface=Curved()))
-    converted(mesh, out, "--epsilon", 0.02)
-    found = elements(out)
-    junctions = {p["id"] for p in found["points"] if p["stem"] is not None}
-    there = [h for h in found["halfedges"] if h["origin"] in junctions and h["face"] is not None]
-    assert len(there) > 10 and not any(h["own_color"] for h in there)
+def test_an_error_that_cannot_be_kept_is_refused(curved, tmp_path):
+    mesh, out = curved(2, 2), tmp_path / "out.svg"
+    for command in (["convert", mesh, out], ["simplify", mesh, "-o", out]):
+        said = refused(*command, "--epsilon", 0.0001, "--resolution", 100)
+        assert str(mesh) in said and "above epsilon" in said and not out.exists()
 
 
 def test_metric_and_resolution_are_those_of_the_measure_alone(shape, tmp_path):
@@ -184,7 +180,7 @@ def test_t_junctions_are_kept(tmp_path):
     printed("simplify", FRUIT, "-o", simple, "--method", "motorcycle")
 
     def count(path):
-        (mesh,) = json.loads(printed("info", "--json", path))["meshes"]
+        (mesh,) = meshes(path)
         return [mesh[kind] for kind in ("patches", "points", "t_junctions")]
 
     assert count(simple)[2] > 0
@@ -219,8 +215,6 @@ def test_what_cannot_be_converted(shape, tmp_path):
     assert converted(two, tmp_path / "cap.hemesh", "--id", "cap") == (280, 0)
     assert str(FRUIT) in refused("convert", FRUIT, out)
     assert '"gone"' in refused("convert", FRUIT, tmp_path / "out.hemesh", "--id", "gone")
-    for options in ([out, "--subdivide", 0], [out, "--subdivide", 33], [tmp_path / "out.png"]):
-        assert run("convert", leaf, *options).returncode == 2
     assert str(tmp_path / "gone" / "out.svg") in refused("convert", leaf, tmp_path / "gone" / "out.svg")
     assert not out.exists()
 
@@ -251,29 +245,49 @@ def test_python(shape, tmp_path):
         ("hemesh", {"id": "cap", "resolution": 3}, "resolution"),
     ],
 )
-def test_bad_options(kind, options, words):
+def test_python_refuses_what_is_no_conversion(kind, options, words):
+    path = SAMPLES / "two.svg"
+    document = gradmesh.load(path)
     with pytest.raises(ValueError, match=words) as told:
-        gradmesh.convert(gradmesh.load(SAMPLES / "two.svg"), kind, **options)
+        gradmesh.convert(document, kind, **options)
     assert not isinstance(told.value, gradmesh.InputError)
+    assert document.to_bytes() == path.read_bytes()
+
+
+@pytest.mark.parametrize(
+    "name, words",
+    [("two", "there are 2 meshes, choose one with --id"), ("opacity", "has opacities, which .hemesh cannot hold")],
+)
+def test_what_cannot_become_the_other_kind_is_left(tmp_path, name, words):
+    assert words in refused("simplify", SAMPLES / f"{name}.svg", "-o", tmp_path / "out.hemesh")
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("model", ["bilinear", "bicubic"])
 def test_svg_may_be_simplified_to_hemesh(tmp_path, model):
     out = tmp_path / "out.hemesh"
     options = ["--color-model", model] if model == "bicubic" else []
-    said = printed("simplify", FRUIT, "-o", out, "--method", "motorcycle", *options)
-    left = patches_left(said)
-    assert left < 132 and len(elements(out)["faces"]) == left
-    told = float(said.partition("FLIP ")[2].split(",")[0])
-    assert 0 < told <= 0.01
+    told = simplified(FRUIT, out, 0.01, *options)
+    assert told["patches_after"] == len(elements(out)["faces"]) < 132
+    assert 0 < told["error"] <= 0.01
     # The outline may have moved a little, and by that one mesh is laid on the other.
-    assert error(FRUIT, out) == pytest.approx(told, abs=0.01)
+    assert error(FRUIT, out) == pytest.approx(told["error"], abs=0.01)
+
+
+def test_hemesh_may_be_simplified_to_svg(shape, tmp_path):
+    ring, out = shape("ring"), tmp_path / "out.svg"
+    told = simplified(ring, out, 0.05)
+    assert told["id"] == "mesh" and told["patches_after"] < 128
+    assert f"{told['patches_after']} patches" in printed("info", out)
+    # What the conversion costs is in it.
+    assert told["error"] <= 0.05
+    assert error(ring, out) == pytest.approx(told["error"], abs=1e-3)
 
 
 # --- simplify --original, render --framed-as ---
 
 
-def error_in_frame_of(original, path, tmp_path):
+def error_in_frame_of(original, path):
     """How far the pictures are apart, both painted in the frame of the original."""
     a, b = gradmesh.load(original), gradmesh.load(path)
     return gradmesh.compare(gradmesh.render(a), gradmesh.render(b, framed_as=a))
@@ -281,12 +295,7 @@ def error_in_frame_of(original, path, tmp_path):
 
 def simplified(source, out, epsilon, *options):
     """What the report says of the one mesh."""
-    report = out.with_suffix(".json")
-    printed(
-        "simplify", source, "-o", out, "--method", "motorcycle", "--epsilon", epsilon,
-        "--report", report, *options,
-    )  # fmt: skip
-    (told,) = json.loads(report.read_text())["meshes"]
+    (told,) = reported(source, out, "--method", "motorcycle", "--epsilon", epsilon, *options)
     return told
 
 
@@ -298,10 +307,10 @@ def test_two_runs_against_one_original_keep_one_budget(tmp_path):
     assert once["original"] is None and again["original"] == str(original)
     assert once["patches_after"] > again["patches_after"]
     assert 0.005 < again["error"] <= 0.01
-    assert error_in_frame_of(original, second, tmp_path) == pytest.approx(again["error"], abs=1e-5)
+    assert error_in_frame_of(original, second) == pytest.approx(again["error"], abs=1e-5)
     # Measured against what the first has left, errors add up.
     alone = simplified(first, tmp_path / "alone.hemesh", 0.01)
-    assert error_in_frame_of(original, tmp_path / "alone.hemesh", tmp_path) > alone["error"]
+    assert error_in_frame_of(original, tmp_path / "alone.hemesh") > alone["error"]
     # What is above epsilon already is left as it is, as where it is remembered.
     nothing = simplified(second, tmp_path / "nothing.hemesh", 0.001, "--original", original)
     assert nothing["stopped"] == "nothing to merge" and nothing["error"] > 0.001
@@ -320,7 +329,7 @@ def test_a_given_original_counts_instead_of_what_is_remembered(tmp_path):
     once, again, back = (tmp_path / name for name in ("1.svg", "2.svg", "3.svg"))
     simplified(FRUIT, once, 0.005)
     given = simplified(once, again, 0.01, "--original", once)
-    assert error_in_frame_of(once, again, tmp_path) == pytest.approx(given["error"], abs=1e-5)
+    assert error_in_frame_of(once, again) == pytest.approx(given["error"], abs=1e-5)
     # From then on it is remembered: against what was first simplified the error is another one.
     assert simplified(again, back, given["error"])["error"] == pytest.approx(given["error"], abs=1e-6)
     assert abs(simplified(once, again, 0.01)["error"] - given["error"]) > 1e-4
@@ -379,18 +388,6 @@ def test_svg_cannot_hold_bicubic_colors(tmp_path):
     assert "--id" in refused("simplify", SAMPLES / "two.svg", "-o", tmp_path / "out.hemesh")
 
 
-def test_hemesh_may_be_simplified_to_svg(shape, tmp_path):
-    ring, out = shape("ring"), tmp_path / "out.svg"
-    said = printed("simplify", ring, "-o", out, "--epsilon", 0.05, "--method", "motorcycle")
-    left = patches_left(said)
-    assert said.startswith("mesh: ") and left < 128
-    assert f"{left} patches" in printed("info", out)
-    told = float(said.partition("FLIP ")[2].split(",")[0])
-    # What the conversion costs is in it.
-    assert told <= 0.05
-    assert error(ring, out) == pytest.approx(told, abs=1e-3)
-
-
 def test_python_converts_and_then_measures_against_what_was_converted(shape):
     ring = gradmesh.load(shape("ring"))
     options = {"method": "gqe", "resolution": 200}
@@ -401,41 +398,28 @@ def test_python_converts_and_then_measures_against_what_was_converted(shape):
     assert ring.to_bytes() == shape("ring").read_bytes()
 
 
-@pytest.mark.parametrize(
-    "name, words",
-    [("two", "there are 2 meshes, choose one with --id"), ("opacity", "has opacities, which .hemesh cannot hold")],
-)
-def test_what_cannot_become_the_other_kind_is_left(tmp_path, name, words):
-    done = run("simplify", SAMPLES / f"{name}.svg", "-o", tmp_path / "out.hemesh")
-    assert done.returncode == 1 and words in done.stderr and not list(tmp_path.iterdir())
-
-
-@pytest.mark.skipif(bool(inkscape_harness.missing()), reason=inkscape_harness.missing() or "none")
 @pytest.mark.parametrize("name", SHAPES)
-def test_inkscape_shows_the_same(shape, tmp_path, name):
-    image = pytest.importorskip("PIL.Image")
-    numpy = pytest.importorskip("numpy")
+def test_inkscape_shows_the_same(inkscape, shape, tmp_path, name):
+    pictures = pytest.importorskip("pictures", reason="Debian package python3-pil is absent")
     out, png = tmp_path / "out.svg", tmp_path / "ours.png"
     converted(shape(name), out, "--subdivide", 4)
     printed("render", out, "-o", png, "--like-inkscape")
     root = ET.parse(out).getroot()
     width, height = float(root.get("width")), float(root.get("height"))
     # The mesh is 600 pixels wide with 20 around it; our picture has 9 around it.
-    with inkscape_harness.Inkscape() as inkscape:
-        area = (11, 11, width - 11, height - 11)
-        theirs = inkscape.export_png(out, tmp_path / "theirs.png", dpi=96 * 700 / 618, area=area)
-    white = image.new("RGBA", (2000, 2000), "white")
-    with image.open(png) as picture:
-        ours, size = numpy.array(picture, int), picture.size
-    with image.open(theirs) as picture:
-        white.alpha_composite(picture.convert("RGBA"))
-        shown = numpy.array(white.convert("RGB").crop((0, 0, *size)), int)
+    area = (11, 11, width - 11, height - 11)
+    theirs = inkscape.export_png(out, tmp_path / "theirs.png", dpi=96 * 700 / 618, area=area)
+    with pictures.Image.open(png) as picture:
+        ours = np.array(picture, int)
+    with pictures.Image.open(pictures.on_white(theirs)) as picture:
+        shown = np.pad(picture, ((0, 40), (0, 40), (0, 0)), constant_values=255)
+    shown = shown[: ours.shape[0], : ours.shape[1]].astype(int)
     # Along the outline Inkscape smooths edges.
     assert (abs(ours - shown).max(axis=2) > 8).mean() < 0.02
     assert (ours < 250).any(axis=2).mean() > 0.5
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the authors' meshes are not in ../shared/meshes")
+@of_the_authors
 @pytest.mark.parametrize(
     "name, patches, one_piece",
     [
@@ -462,7 +446,7 @@ def test_the_authors_meshes(tmp_path, name, patches, one_piece):
     assert converted(out, back) == (made, pytest.approx(0, abs=0.02 if inexact else 1e-3))
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the authors' meshes are not in ../shared/meshes")
+@of_the_authors
 def test_an_authors_mesh_in_fewer_patches_than_evenly_split(tmp_path):
     """The duck has 3,680 patches where each is split into 4 x 4, at FLIP 0.024."""
     duck, out = SHARED / "global_duck.hemesh", tmp_path / "out.svg"

@@ -12,6 +12,8 @@ import pytest
 from lxml import etree
 
 from built import PROGRAM, SAMPLES, gradmesh
+from lattices import gradient
+from program import printed
 
 FRUIT = SAMPLES / "fruit.svg"
 QUICK = ("--resolution", "64", "--method", "gqe")
@@ -35,14 +37,16 @@ def limited(what, value):
     return limit
 
 
-def run(arguments, **options):
-    return subprocess.run(
-        list(map(str, arguments)), capture_output=True, text=True, timeout=120, **options
-    )
+def leftovers(document):
+    """What else lies in the folder of a document."""
+    return [path.name for path in document.parent.iterdir() if path != document]
 
 
-def leftovers(folder, *expected):
-    return [path.name for path in folder.iterdir() if path.name not in expected]
+def expect_untouched(done, document, before, reason):
+    """A run that ends in a sentence with the document's name and the reason, and in nothing else."""
+    assert (done.returncode, done.stdout) == (1, "")
+    assert str(document) in done.stderr and reason in done.stderr and done.stderr.count("\n") == 1
+    assert document.read_bytes() == before and leftovers(document) == []
 
 
 @pytest.mark.parametrize("times", [40, pytest.param(200, marks=pytest.mark.long)])
@@ -52,7 +56,7 @@ def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path, times):
     document.write_bytes(before)
     arguments += [document, "-o", document, *QUICK, "--quiet"]
     start = time.monotonic()
-    assert run(arguments).returncode == 0
+    subprocess.run(list(map(str, arguments)), check=True)
     usual = time.monotonic() - start
     after = document.read_bytes()
     assert after != before
@@ -74,7 +78,7 @@ def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path, times):
         assert found in (before, after)
     assert killed > times / 4 and finished > 0
     # What a killed program was writing has a name of its own.
-    assert all(name.startswith(".gradmesh-") for name in leftovers(tmp_path, "drawing.svg"))
+    assert all(name.startswith(".gradmesh-") for name in leftovers(document))
 
 
 @pytest.mark.parametrize("room", [0, 1000, 100_000])
@@ -82,14 +86,9 @@ def test_a_full_disk(tmp_path, room):
     document = tmp_path / "drawing.svg"
     document.write_text(with_photo(1))
     before = document.read_bytes()
-    done = run(
-        [PROGRAM, "simplify", document, "-o", document, *QUICK],
-        preexec_fn=limited(resource.RLIMIT_FSIZE, room),
-    )
-    assert done.returncode == 1 and done.stdout == ""
-    assert str(document) in done.stderr and "cannot be written" in done.stderr
-    assert done.stderr.count("\n") == 1
-    assert document.read_bytes() == before and leftovers(tmp_path, "drawing.svg") == []
+    full = limited(resource.RLIMIT_FSIZE, room)
+    done = gradmesh("simplify", document, "-o", document, *QUICK, preexec_fn=full)
+    expect_untouched(done, document, before, "cannot be written")
 
 
 @pytest.mark.skipif(not shutil.which("setpriv"), reason="setpriv is not installed")
@@ -103,12 +102,11 @@ def test_a_folder_that_cannot_be_written_to(tmp_path):
     # Root may write everywhere, unless it gives that up.
     humbly = ["setpriv", "--bounding-set=-dac_override"] if os.geteuid() == 0 else []
     try:
-        done = run([*humbly, PROGRAM, "simplify", document, "-o", document, *QUICK])
+        command = [*humbly, PROGRAM, "simplify", document, "-o", document, *QUICK]
+        done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
     finally:
         folder.chmod(0o755)
-    assert done.returncode == 1 and "Permission denied" in done.stderr
-    assert str(document) in done.stderr and done.stderr.count("\n") == 1
-    assert document.read_bytes() == before and leftovers(folder, "drawing.svg") == []
+    expect_untouched(done, document, before, "Permission denied")
 
 
 def test_too_little_memory_ends_in_a_sentence(tmp_path):
@@ -117,10 +115,9 @@ def test_too_little_memory_ends_in_a_sentence(tmp_path):
     before = document.read_bytes()
     endings = set()
     for megabytes in (*range(20, 120, 4), 4096):
-        done = run(
-            [PROGRAM, "simplify", document, "-o", tmp_path / "out.svg", *QUICK, "--threads", 1],
-            preexec_fn=limited(resource.RLIMIT_AS, megabytes << 20),
-        )
+        little = limited(resource.RLIMIT_AS, megabytes << 20)
+        options = ("-o", tmp_path / "out.svg", *QUICK, "--threads", 1)
+        done = gradmesh("simplify", document, *options, preexec_fn=little)
         if "error while loading shared libraries" in done.stderr or done.returncode == 127:
             continue  # too little to start at all
         assert done.returncode in (0, 1), (megabytes, done)
@@ -148,13 +145,8 @@ STRANGE = """<?xml version="1.0" encoding="ISO-8859-1" standalone="no"?>
 </svg>
 <!-- behind -->
 """
-MESH = """  <defs><meshgradient id="m" gradientUnits="userSpaceOnUse" x="0" y="0">{rows}</meshgradient></defs>
+MESH = f"""  <defs>{gradient([["#123456", "#345678"]] * 4)}</defs>
   <rect id="box" width="90" height="30" fill="url(#m)"/>"""
-STOPS = ('<stop path="l 30,0" stop-color="#123456"/>', '<stop path="l 0,30" stop-color="#345678"/>',
-         '<stop path="l -30,0" stop-color="#345678"/>', '<stop path="l 0,-30" stop-color="#123456"/>')  # fmt: skip
-ROW = "<meshrow>" + "".join(
-    f"<meshpatch>{''.join(stops)}</meshpatch>" for stops in (STOPS, STOPS[:3], STOPS[:3])
-) + "</meshrow>"  # fmt: skip
 
 
 def without(tree, ids, keep):
@@ -196,9 +188,8 @@ def ids_of(tree):
 
 def test_all_that_is_not_the_mesh_comes_back_byte_for_byte(tmp_path):
     document, out = tmp_path / "strange.svg", tmp_path / "out.svg"
-    text = STRANGE.replace("{mesh}", MESH.format(rows=ROW))
-    document.write_bytes(text.encode("ISO-8859-1"))
-    assert gradmesh("simplify", document, "-o", out, "--epsilon", 0.2).returncode == 0
+    document.write_bytes(STRANGE.replace("{mesh}", MESH).encode("ISO-8859-1"))
+    printed("simplify", document, "-o", out, "--epsilon", 0.2)
     before, after = compare(read(document), read(out), {"box", "m"})
     assert b"odd:order" in before and b'"box"' not in before
     assert before == after
@@ -207,7 +198,7 @@ def test_all_that_is_not_the_mesh_comes_back_byte_for_byte(tmp_path):
 @pytest.mark.parametrize("sample, chosen", [("two", "cap"), ("fruit", "pear"), ("opacity", "bubble")])
 def test_other_meshes_come_back_byte_for_byte(tmp_path, sample, chosen):
     document, out = SAMPLES / f"{sample}.svg", tmp_path / "out.svg"
-    assert gradmesh("simplify", document, "-o", out, "--id", chosen, *QUICK).returncode == 0
+    printed("simplify", document, "-o", out, "--id", chosen, *QUICK)
     before, after = read(document), read(out)
     # With the object goes the gradient that only it used.
     first, second = compare(before, after, {chosen} | (ids_of(before) - ids_of(after)))

@@ -1,12 +1,13 @@
 """Documents of the kind .hemesh: whatever works for SVG documents works for them too."""
 
-import json
 from dataclasses import astuple
 
 import pytest
 
-from built import SAMPLES, gradmesh as run
-from hemesh_files import SHARED, grid
+from built import SAMPLES
+from elements import by_id, check_elements, elements
+from hemesh_files import SHARED, grid, of_the_authors
+from program import error, listed, printed, refused, simplified
 
 import gradmesh
 
@@ -21,78 +22,14 @@ def leaf(tmp_path):
     return path
 
 
-def printed(*arguments):
-    done = run(*arguments)
-    assert (done.returncode, done.stderr) == (0, "")
-    return done.stdout
-
-
-def refused(*arguments):
-    done = run(*arguments)
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr.startswith("gradmesh: ") and done.stderr.count("\n") == 1
-    return done.stderr
-
-
-def error(a, b, *options):
-    return float(printed("compare", a, b, *options))
-
-
-def test_info(leaf):
+def test_info_lists_counts_and_all_elements(leaf):
     assert printed("info", leaf) == "mesh: 128 handles, 20 patches, 1 object, 30 points, 0 T-junctions\n"
-    found = json.loads(printed("info", "--json", leaf))
-    assert (found["file"], found["kind"]) == (str(leaf), "hemesh")
-    (mesh,) = found["meshes"]
+    said = listed(leaf)
+    assert (said["file"], said["kind"]) == (str(leaf), "hemesh")
+    (mesh,) = said["meshes"]
     assert (mesh["id"], mesh["role"], mesh["simplified"]) == ("mesh", None, False)
     assert (mesh["color_model"], mesh["patches"]) == ("bicubic", 20)
-
-
-def by_id(elements):
-    return {element["id"]: element for element in elements}
-
-
-def check_elements(elements):
-    """What every half-edge structure holds to, seen through the lists of `info --json`."""
-    points, handles, faces, halfedges = (
-        by_id(elements[kind]) for kind in ("points", "handles", "faces", "halfedges")
-    )
-    for point in points.values():
-        assert halfedges[point["halfedge"]]["origin"] == point["id"]
-        if point["stem"] is not None:
-            assert halfedges[point["stem"]]["origin"] == point["id"]
-    for face in faces.values():
-        edge = face["halfedges"][0]
-        for side in face["halfedges"]:
-            assert side == edge and halfedges[side]["face"] == face["id"]
-            edge = halfedges[edge]["next"]
-        assert edge == face["halfedges"][0]
-    for handle in handles.values():
-        if handle["halfedge"] is not None:
-            assert halfedges[handle["halfedge"]]["handles"][0] == handle["id"]
-    for name, edge in halfedges.items():
-        assert edge["origin"] in points
-        if edge["next"] is not None:
-            assert halfedges[edge["next"]]["prev"] == name
-        if edge["twin"] is not None:
-            twin = halfedges[edge["twin"]]
-            assert twin["twin"] == name
-            assert twin["handles"] == edge["handles"][::-1]
-        for child in edge["children"]:
-            assert halfedges[child]["parent"] == name
-        if edge["parent"] is not None:
-            assert name in halfedges[edge["parent"]]["children"]
-            first, second = edge["interval"]
-            assert 0 <= first <= second <= 1
-            assert (edge["handles"] is None) == (first < second)
-        assert (edge["color"] is None) == (edge["face"] is None) == bool(edge["children"])
-
-
-def elements(path):
-    return json.loads(printed("info", "--json", path))["meshes"][0]["elements"]
-
-
-def test_info_lists_all_elements(leaf, tmp_path):
-    found = elements(leaf)
+    found = mesh["elements"]
     check_elements(found)
     counts = {kind: len(members) for kind, members in found.items()}
     assert counts == {"points": 30, "handles": 98, "faces": 20, "halfedges": 80}
@@ -118,8 +55,7 @@ def test_info_lists_t_junctions(tmp_path):
 
 
 def test_render(leaf, tmp_path):
-    image = pytest.importorskip("PIL.Image")
-    numpy = pytest.importorskip("numpy")
+    image, numpy = pytest.importorskip("PIL.Image"), pytest.importorskip("numpy")
     png = tmp_path / "leaf.png"
     printed("render", leaf, "-o", png, "--resolution", 300)
     picture = gradmesh.render(gradmesh.load(leaf), resolution=300)
@@ -140,14 +76,12 @@ def test_inkscape_paints_no_such_colors(leaf, tmp_path):
 
 @pytest.mark.parametrize("method", ["grid", "gqe"])
 def test_exact_parts_become_one_patch_again(leaf, tmp_path, method):
-    out, report = tmp_path / "out.hemesh", tmp_path / "report.json"
-    before = leaf.read_bytes()
-    options = ["--epsilon", 0.004, "--method", method, "--report", report]
-    said = printed("simplify", leaf, "-o", out, *options)
-    assert said.startswith("mesh: 12 of 128 handles, 1 of 20 patches left, FLIP ")
+    out, before = tmp_path / "out.hemesh", leaf.read_bytes()
+    (told,) = simplified(leaf, out, "--epsilon", 0.004, "--method", method)
+    assert (told["id"], told["handles_before"], told["handles_after"]) == ("mesh", 128, 12)
+    assert (told["patches_before"], told["patches_after"]) == (20, 1)
     assert out.read_text().startswith("HEMESH\n4 8 1 4\n")
     assert leaf.read_bytes() == before
-    (told,) = json.loads(report.read_text())["meshes"]
     assert error(leaf, out) == pytest.approx(told["error"], abs=1e-6)
 
 
@@ -180,12 +114,15 @@ def test_the_only_mesh_is_called_mesh(leaf, tmp_path):
         gradmesh.render(gradmesh.load(leaf), "pear")
 
 
-def test_the_content_says_what_a_file_is(leaf, tmp_path):
-    disguised = tmp_path / "leaf.svg", tmp_path / "fruit.hemesh"
-    disguised[0].write_bytes(leaf.read_bytes())
-    disguised[1].write_bytes((SAMPLES / "fruit.svg").read_bytes())
-    assert printed("info", disguised[0]) == printed("info", leaf)
-    assert printed("info", disguised[1]).startswith("pear (fill)")
+def test_the_content_says_what_a_file_is_and_the_name_what_it_becomes(leaf, tmp_path):
+    svg, hemesh, out = (tmp_path / name for name in ("leaf.svg", "fruit.hemesh", "out.svg"))
+    svg.write_bytes(leaf.read_bytes())
+    hemesh.write_bytes((SAMPLES / "fruit.svg").read_bytes())
+    assert printed("info", svg) == printed("info", leaf)
+    assert printed("info", hemesh).startswith("pear (fill)")
+    with pytest.raises(gradmesh.InputError, match="gradmesh convert"):
+        gradmesh.save(gradmesh.load(leaf), out)
+    assert not out.exists()
 
 
 @pytest.mark.parametrize(
@@ -203,26 +140,17 @@ def test_bad_files(tmp_path, text, words):
     assert [file.name for file in tmp_path.iterdir()] == ["bad.hemesh"]
 
 
-def test_a_document_is_not_saved_as_the_other_kind(leaf, tmp_path):
-    out = tmp_path / "out.svg"
-    with pytest.raises(gradmesh.InputError, match="gradmesh convert"):
-        gradmesh.save(gradmesh.load(leaf), out)
-    assert not out.exists()
-
-
 def test_colors_may_be_made_bilinear(leaf, tmp_path):
-    out, report = tmp_path / "out.hemesh", tmp_path / "report.json"
-    bilinear = ["-o", out, "--color-model", "bilinear", "--report", report]
-    said = refused("simplify", leaf, *bilinear, "--epsilon", 0.001)
+    out, bilinear = tmp_path / "out.hemesh", ("--color-model", "bilinear")
+    said = refused("simplify", leaf, "-o", out, *bilinear, "--epsilon", 0.001)
     assert str(leaf) in said and "bilinear" in said and not out.exists()
-    printed("simplify", leaf, *bilinear, "--epsilon", 0.1)
-    (told,) = json.loads(report.read_text())["meshes"]
+    (told,) = simplified(leaf, out, *bilinear, "--epsilon", 0.1)
     assert (told["color_model"], told["patches_before"]) == ("bilinear", 20)
     assert 1 < told["patches_after"] < 20 and 0.001 < told["error"] <= 0.1
     assert error(leaf, out) == pytest.approx(told["error"], abs=1e-6)
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the authors' meshes are not in ../shared/meshes")
+@of_the_authors
 @pytest.mark.parametrize("name", NUMBERS)
 def test_the_authors_meshes(tmp_path, name):
     path, out = SHARED / f"{name}.hemesh", tmp_path / "out.hemesh"

@@ -6,8 +6,8 @@ import xml.etree.ElementTree as ET
 import pytest
 
 import built
-import inkscape_harness
 from extreme_meshes import CASES, DEGENERATE, OTHER, REFUSED, SAME, TRANSFORMED, document
+from in_inkscape import inkscape  # noqa: F401
 from test_robustness import expect_one_sentence
 
 gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not there")
@@ -94,8 +94,7 @@ def test_painted_and_converted(name):
     expect_plain_numbers(back.document.to_bytes())
 
 
-@pytest.mark.skipif(bool(inkscape_harness.missing()), reason=inkscape_harness.missing() or "")
-def test_inkscape_shows_the_same_wherever_the_mesh_lies(tmp_path):
+def test_inkscape_shows_the_same_wherever_the_mesh_lies(inkscape, tmp_path):
     """The blocks' paths hold what they paint, too."""
     pictures = pytest.importorskip("pictures", reason="Debian package python3-pil is absent")
     names = [*SAME, *TRANSFORMED]
@@ -106,8 +105,7 @@ def test_inkscape_shows_the_same_wherever_the_mesh_lies(tmp_path):
         simplified = gradmesh.load(source)
         gradmesh.simplify(simplified, method="gqe", epsilon=EPSILON, resolution=RESOLUTION)
         gradmesh.save(simplified, out)
-    with inkscape_harness.Inkscape() as inkscape:
-        pngs = pictures.export(inkscape, [*before, *after])
+    pngs = pictures.export(inkscape, [*before, *after])
     for png in pngs:
         with pictures.Image.open(png) as picture:
             opacity = pictures.np.asarray(picture)[..., 3]

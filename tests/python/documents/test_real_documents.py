@@ -6,11 +6,14 @@ from typing import NamedTuple, Optional
 
 import pytest
 
-import inkscape_harness
 from built import ROOT, gradmesh
+from in_inkscape import inkscape, needs  # noqa: F401
+from program import error, listed
 
 etree = pytest.importorskip("lxml.etree")
-Image = pytest.importorskip("PIL.Image")
+pytest.importorskip("PIL.Image")
+
+from pictures import on_white
 
 REAL = ROOT.parent / "shared" / "real"
 DOCUMENTS = sorted(REAL.glob("*.svg"))
@@ -22,10 +25,9 @@ UNREAD = {"svgmatrix-mesh-gradient-basic", "svgmatrix-mesh-gradient-02"}
 #: No object is painted by their meshes.
 UNUSED = {"morewaita-bleachbit", "morewaita-texts-symbolic"}
 
-REASON = inkscape_harness.missing()
 pytestmark = [
     pytest.mark.skipif(not DOCUMENTS, reason="the documents are not in ../shared/real"),
-    pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing"),
+    needs(),
 ]
 
 
@@ -41,20 +43,13 @@ def simplified(path, folder):
     options = [part for option in BALANCED.items() for part in option]
     done = gradmesh("simplify", path, "-o", out, *options, "--report", report)
     assert (done.returncode == 0) == out.exists()
-    info = json.loads(gradmesh("info", "--json", path).stdout)
     meshes = json.loads(report.read_text())["meshes"] if out.exists() else []
-    return Simplified(out, info, meshes, done.stderr)
+    return Simplified(out, listed(path), meshes, done.stderr)
 
 
 def page(inkscape, path, png):
     """Inkscape's picture of the page, on white."""
-    command = ["inkscape", f"--export-filename={png}", f"--export-width={PIXELS}"]
-    command += ["--export-area-page", "--export-background=white", "--export-background-opacity=1"]
-    done = inkscape_harness.run([*command, str(path)], inkscape.env, inkscape.timeout)
-    assert png.exists(), done.stderr
-    with Image.open(png) as picture:
-        picture.convert("RGB").save(png)
-    return png
+    return on_white(inkscape.export_png(path, png, width=PIXELS))
 
 
 class Real(NamedTuple):
@@ -63,18 +58,17 @@ class Real(NamedTuple):
 
 
 @pytest.fixture(scope="module")
-def real(tmp_path_factory):
+def real(inkscape, tmp_path_factory):
     """Of each document what became of it."""
     folder = tmp_path_factory.mktemp("real")
     found = {}
-    with inkscape_harness.Inkscape() as inkscape:
-        for path in DOCUMENTS:
-            result, flip = simplified(path, folder), None
-            if result.out.exists():
-                before = page(inkscape, path, folder / f"{path.stem}-before.png")
-                after = page(inkscape, result.out, folder / f"{path.stem}-after.png")
-                flip = float(gradmesh("compare", before, after).stdout)
-            found[path.stem] = Real(result, flip)
+    for path in DOCUMENTS:
+        result, flip = simplified(path, folder), None
+        if result.out.exists():
+            before = page(inkscape, path, folder / f"{path.stem}-before.png")
+            after = page(inkscape, result.out, folder / f"{path.stem}-after.png")
+            flip = error(before, after)
+        found[path.stem] = Real(result, flip)
     return found
 
 

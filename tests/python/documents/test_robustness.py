@@ -5,6 +5,8 @@ import random
 import pytest
 
 import built
+from lattices import gradient
+from random_meshes import Kind
 
 gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not there")
 hypothesis = pytest.importorskip("hypothesis", reason="Debian package python3-hypothesis is absent")
@@ -69,42 +71,11 @@ def test_spoiled_documents(sample, seed, kind):
 
 def grid_document(chance, rows, columns, noise, opacity):
     """A rectangular mesh with random corners, handles and colours."""
-
-    def shake():
-        return complex(chance.uniform(-noise, noise), chance.uniform(-noise, noise)) * 50
-
-    corners = [[complex(50 * j, 50 * i) + shake() for j in range(columns + 1)] for i in range(rows + 1)]
-    paints = [
-        ["#%02x%02x%02x" % tuple(chance.randrange(256) for _ in range(3)) for _ in range(columns + 1)]
-        for _ in range(rows + 1)
-    ]
-
-    def stop(a, b, corner, is_known):
-        c1, c2 = a + (b - a) / 3 + shake(), a + 2 * (b - a) / 3 + shake()
-        path = "C " + " ".join(f"{p.real:.6f},{p.imag:.6f}" for p in (c1, c2, b))
-        color = f'stop-color="{paints[corner[0]][corner[1]]}" stop-opacity="{opacity}"'
-        return f'<stop path="{path}" {"" if is_known else color}/>'
-
-    text = []
-    for i in range(rows):
-        text.append("<meshrow>")
-        for j in range(columns):
-            around = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
-            text.append("<meshpatch>")
-            for side in range(4):
-                if (side == 0 and i > 0) or (side == 3 and j > 0):
-                    continue
-                a, b = around[side], around[(side + 1) % 4]
-                known = (side == 0 and j > 0) or (side == 1 and i > 0)
-                text.append(stop(corners[a[0]][a[1]], corners[b[0]][b[1]], a, known))
-            text.append("</meshpatch>")
-        text.append("</meshrow>")
-    start = corners[0][0]
+    mesh = Kind(noise=noise).mesh(chance, rows, columns)
+    mesh.colours = [[(*colour[:3], opacity) for colour in line] for line in mesh.colours]
     return (
-        '<svg xmlns="http://www.w3.org/2000/svg" width="500" height="500"><defs>'
-        f'<meshgradient id="m" x="{start.real:.6f}" y="{start.imag:.6f}" gradientUnits="userSpaceOnUse">'
-        + "".join(text)
-        + '</meshgradient></defs><rect id="r" width="500" height="500" fill="url(#m)"/></svg>'
+        '<svg xmlns="http://www.w3.org/2000/svg" width="500" height="500">'
+        f'<defs>{gradient(mesh)}</defs><rect id="r" width="500" height="500" fill="url(#m)"/></svg>'
     )
 
 

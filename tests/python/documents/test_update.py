@@ -5,14 +5,14 @@ import pytest
 np = pytest.importorskip("numpy")
 
 import svg_meshes
-from built import SAMPLES, gradmesh as run
-from edited_blocks import Group, update
-from svg_meshes import GRADMESH, SVG
+from built import SAMPLES
+from edited_blocks import group, update  # noqa: F401
+from program import error, printed
+from svg_meshes import GRADMESH, LABEL, SVG
 
 import gradmesh
 
 FRUIT = SAMPLES / "fruit.svg"
-LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 ROUNDING = 1e-6
 
 
@@ -26,10 +26,11 @@ def simplified(tmp_path_factory):
 
 
 @pytest.fixture
-def group(simplified, tmp_path):
-    path = tmp_path / "fruit.svg"
-    path.write_bytes(simplified.read_bytes())
-    return Group(path)
+def edited(group):
+    """The group with a corner of three blocks moved in one of them."""
+    corner = group.shared_corner(3)
+    group.move(group.owners(corner)[0], corner, 4 + 3j)
+    return group
 
 
 def label(group, patches):
@@ -71,69 +72,56 @@ def test_a_point_moved_in_one_block_moves_in_all(group):
     assert update(group).changed is False
 
 
-def test_blocks_keep_their_ids(group):
+def test_blocks_keep_their_ids(edited):
     """So what was selected stays selected."""
-    nets = group.blocks
-    before = {block: group.gradient(block).get("id") for block in nets}
-    corner = group.shared_corner(3)
-    group.move(group.owners(corner)[0], corner, 4 + 3j)
-    assert update(group).changed
-    assert {block: group.gradient(block).get("id") for block in group.blocks} == before
+    nets = edited.blocks
+    before = {block: edited.gradient(block).get("id") for block in nets}
+    assert update(edited).changed
+    assert {block: edited.gradient(block).get("id") for block in edited.blocks} == before
     assert len(before) > 10
     for block, net in nets.items():
-        assert group.blocks[block].shape == net.shape
-        assert abs(group.blocks[block] - net).max() <= 6
+        assert edited.blocks[block].shape == net.shape
+        assert abs(edited.blocks[block] - net).max() <= 6
 
 
 def test_without_memory_a_block_that_was_cut_or_removed_is_refused(group):
-    paths = sorted(group.paths(), key=lambda path: int(path.get(GRADMESH + "face")))
-    second = paths[1]
+    second = group.paths()[1]
     face = int(second.get(GRADMESH + "face"))
     assert face > 1
     del group.node.attrib[GRADMESH + "written"]
     for number, sentence in ((face - 1, "more rows or columns"), (face + 1, "undo what removed it")):
         second.set(GRADMESH + "face", str(number))
         group.save()
-        paths = sorted(group.paths(), key=lambda path: int(path.get(GRADMESH + "face")))
-        second = paths[1]
+        second = group.paths()[1]
         with pytest.raises(gradmesh.InputError, match=sentence):
             update(group)
 
 
-def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(group):
-    corner = group.shared_corner(3)
-    original = group.node.get(GRADMESH + "original")
-    group.move(group.owners(corner)[0], corner, 5)
-    update(group)
-    error = float(run("compare", FRUIT, group.path).stdout)
-    assert group.node.get(LABEL) == label(group, 64) + f", FLIP {error:.4f}"
-    assert group.node.get(GRADMESH + "handles-before") == "660"
-    assert group.node.get(GRADMESH + "patches-before") == "132"
-    assert group.node.get(GRADMESH + "original") not in (None, original)
-    edited = gradmesh.load(group.path)
-    (result,) = gradmesh.simplify(edited, method="random", epsilon=0.005)
+def test_the_label_counts_from_the_first_mesh_and_the_memory_is_the_edited_one(edited):
+    original = edited.node.get(GRADMESH + "original")
+    update(edited)
+    assert edited.node.get(LABEL) == label(edited, 64) + f", FLIP {error(FRUIT, edited.path):.4f}"
+    assert edited.node.get(GRADMESH + "handles-before") == "660"
+    assert edited.node.get(GRADMESH + "patches-before") == "132"
+    assert edited.node.get(GRADMESH + "original") not in (None, original)
+    document = gradmesh.load(edited.path)
+    (result,) = gradmesh.simplify(document, method="random", epsilon=0.005)
     assert result.patches_before == 64 and 0 < result.error <= 0.005
-    gradmesh.save(edited, group.path)
-    group.read()
-    assert group.node.get(LABEL).startswith(label(group, result.patches_after))
+    gradmesh.save(document, edited.path)
+    edited.read()
+    assert edited.node.get(LABEL).startswith(label(edited, result.patches_after))
 
 
-def test_without_an_original_the_label_knows_no_error(group):
-    corner = group.shared_corner(3)
-    del group.node.attrib[GRADMESH + "original"]
-    group.move(group.owners(corner)[0], corner, 5)
-    update(group)
-    assert group.node.get(LABEL) == label(group, 64)
-    assert group.node.get(GRADMESH + "original") is None
-
-
-def test_a_group_of_an_older_gradmesh_has_not_counted_its_handles(group):
-    corner = group.shared_corner(3)
-    del group.node.attrib[GRADMESH + "handles-before"]
-    group.move(group.owners(corner)[0], corner, 5)
-    update(group)
-    assert group.node.get(LABEL).startswith(label(group, 64).replace(" of 660", ""))
-    assert group.node.get(GRADMESH + "handles-before") is None
+@pytest.mark.parametrize("name", ["original", "handles-before"])
+def test_the_label_says_nothing_that_the_group_has_not_remembered(edited, name):
+    del edited.node.attrib[GRADMESH + name]
+    edited.save()
+    update(edited)
+    if name == "original":
+        assert edited.node.get(LABEL) == label(edited, 64)
+    else:  # a group of an older gradmesh has not counted its handles
+        assert edited.node.get(LABEL).startswith(label(edited, 64).replace(" of 660", ""))
+    assert edited.node.get(GRADMESH + name) is None
 
 
 def test_paths_grow_with_the_mesh(group):
@@ -220,13 +208,11 @@ def test_other_meshes_are_left_alone(simplified, tmp_path):
         gradmesh.update(gradmesh.convert(document, "hemesh", "stalk").document)
 
 
-def test_on_the_command_line(group, tmp_path):
-    corner = group.shared_corner(3)
-    group.move(group.owners(corner)[0], corner, 5)
-    done = run("update", group.path, "-o", tmp_path / "out.svg")
-    (mesh,) = gradmesh.load(tmp_path / "out.svg").meshes
-    counts = f"pear: {mesh.handles} handles, 64 patches, {len(group.paths())} objects"
-    assert (done.returncode, done.stdout) == (0, f"{counts}, updated\n")
-    done = run("update", tmp_path / "out.svg", "-o", tmp_path / "again.svg")
-    assert done.stdout == f"{counts}, not edited\n"
-    assert (tmp_path / "again.svg").read_bytes() == (tmp_path / "out.svg").read_bytes()
+def test_on_the_command_line(edited, tmp_path):
+    out, again = tmp_path / "out.svg", tmp_path / "again.svg"
+    said = printed("update", edited.path, "-o", out)
+    (mesh,) = gradmesh.load(out).meshes
+    counts = f"pear: {mesh.handles} handles, 64 patches, {len(edited.paths())} objects"
+    assert said == f"{counts}, updated\n"
+    assert printed("update", out, "-o", again) == f"{counts}, not edited\n"
+    assert again.read_bytes() == out.read_bytes()

@@ -42,6 +42,9 @@ def linked(*links):
 
 
 TWO_PATCHES = document(row(FIRST, NEXT))
+#: A mesh `n` that cannot be read, and what is said of it.
+RAGGED = f'<meshgradient id="n">{row(FIRST, NEXT)}{row(BELOW)}</meshgradient>'
+REASON = 'meshgradient "n": row 2 does not have as many patches as row 1: 1, not 2.'
 MESH = 'meshgradient "m"'
 
 

@@ -4,6 +4,8 @@ import json
 import shutil
 from contextlib import contextmanager
 
+import pytest
+
 try:
     from selenium import webdriver
     from selenium.webdriver.chrome.options import Options
@@ -36,6 +38,15 @@ def chromium(width, height):
         yield browser
     finally:
         browser.quit()
+
+
+@pytest.fixture(scope="module", name="chromium")
+def one_chromium():
+    """One for all tests of a file."""
+    if MISSING:
+        pytest.skip(MISSING)
+    with chromium(1200, 900) as browser:
+        yield browser
 
 
 def resize(browser, width, height):

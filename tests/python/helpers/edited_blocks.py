@@ -4,6 +4,7 @@ import xml.etree.ElementTree as ET
 from collections import Counter
 
 import numpy as np
+import pytest
 
 import random_meshes  # noqa: F401, which knows where meshgrid is
 import svg_meshes
@@ -33,7 +34,13 @@ class Group:
         self.read()
 
     def paths(self):
-        return [e for e in self.node if e.get(GRADMESH + "face")]
+        """The paths of the blocks, in the order of their faces."""
+        return sorted(
+            (e for e in self.node if e.get(GRADMESH + "face")), key=lambda e: int(e.get(GRADMESH + "face"))
+        )
+
+    def in_face_order(self):
+        return [path.get("id") for path in self.paths()]
 
     def gradient(self, block):
         return self.document.paint(self.document.by_id[block])
@@ -95,6 +102,14 @@ class Group:
         self.save()
 
 
+@pytest.fixture
+def group(simplified, tmp_path):
+    """A copy of the document of the module's fixture `simplified`."""
+    path = tmp_path / "mesh.svg"
+    path.write_bytes(simplified.read_bytes())
+    return Group(path)
+
+
 def update(group):
     """Updates the document of a group, which is read again; the result."""
     document = gradmesh.load(group.path)
@@ -128,7 +143,7 @@ def read_mesh(gradient):
 
 
 def _colour(stop):
-    style = dict(part.split(":", 1) for part in stop.get("style", "").split(";") if part)
+    style = svg_meshes.declared(stop)
     text = style.get("stop-color", stop.get("stop-color"))
     alpha = float(style.get("stop-opacity", stop.get("stop-opacity", 1)))
     return (*(int(text[k : k + 2], 16) / 255 for k in (1, 3, 5)), alpha) if text else None

@@ -1,8 +1,13 @@
 """Writes .hemesh files of our own: grids that are exact parts of one bicubic patch."""
 
+import pytest
+
 from built import ROOT
 
 SHARED = ROOT.parent / "shared" / "meshes"
+of_the_authors = pytest.mark.skipif(
+    not SHARED.is_dir(), reason="the authors' meshes are not in ../shared/meshes"
+)
 
 
 class Surface:

@@ -22,7 +22,7 @@ import subprocess
 import tempfile
 import time
 from pathlib import Path
-from typing import Mapping, NamedTuple, Optional, Sequence
+from typing import Mapping, Optional, Sequence
 from xml.sax.saxutils import quoteattr
 
 INKSCAPE = os.environ.get("GRADMESH_INKSCAPE", "inkscape")
@@ -40,12 +40,6 @@ WINDOW_PROGRAMS = ("xdotool", "import")
 
 class Timeout(AssertionError):
     """Inkscape did not end in time; it and everything it started has been killed."""
-
-
-class Finished(NamedTuple):
-    returncode: int
-    stdout: str
-    stderr: str
 
 
 def kill_group(process: subprocess.Popen) -> None:
@@ -82,7 +76,7 @@ def is_busy(session: int) -> bool:
     return False
 
 
-def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> Finished:
+def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> subprocess.CompletedProcess:
     """Runs a command in its own process group; past `timeout` seconds the whole group is killed."""
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         # Files, not pipes: a grandchild that keeps a pipe open would block the reader.
@@ -110,7 +104,7 @@ def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> Finis
             f"no end after {timeout:g} s (an extension that writes to stderr opens a dialog, which "
             f"waits for ever): {' '.join(command)}\n{texts[0]}{texts[1]}"
         )
-    return Finished(process.returncode, *texts)
+    return subprocess.CompletedProcess(command, process.returncode, *texts)
 
 
 class Display:
@@ -235,7 +229,7 @@ class Inkscape:
 
     def run_actions(
         self, svg_in, actions: Sequence[str], timeout: Optional[float] = None
-    ) -> Finished:
+    ) -> subprocess.CompletedProcess:
         """Opens `svg_in`, or several in turn, and runs `actions` one after the other on each; Timeout
         past `timeout` seconds."""
         documents = map(str, [svg_in] if isinstance(svg_in, (str, Path)) else svg_in)
@@ -243,27 +237,15 @@ class Inkscape:
         return run(command, self.env, timeout or self.timeout)
 
     def run_extension(
-        self,
-        raw_id: str,
-        svg_in,
-        svg_out,
-        select: Sequence[str] = (),
-        timeout: Optional[float] = None,
-    ) -> Finished:
+        self, raw_id: str, svg_in, svg_out, select: Sequence[str] = (), timeout: Optional[float] = None
+    ) -> subprocess.CompletedProcess:
         """Runs an extension with the preset values on the objects `select`; writes `svg_out`."""
         actions = [f"select-by-id:{','.join(select)}"] if select else []
         actions += [raw_id.replace("_", "-") + ".noprefs"]
         actions += [f"export-filename:{svg_out}", "export-do"]
         return self.run_actions(svg_in, actions, timeout)
 
-    def said_by_extension(
-        self,
-        raw_id: str,
-        svg_in,
-        svg_out,
-        select: Sequence[str] = (),
-        timeout: Optional[float] = None,
-    ) -> str:
+    def said_by_extension(self, *arguments, **how) -> str:
         """Runs an extension as `run_extension` does; what it says, which a dialog would show.
 
         Inkscape would wait for ever for somebody to close the dialog, so it never gets to know.
@@ -276,7 +258,7 @@ class Inkscape:
         values = self._values
         self.set_values({**values, "python-interpreter": str(python)})
         try:
-            self.run_extension(raw_id, svg_in, svg_out, select, timeout)
+            self.run_extension(*arguments, **how)
         finally:
             self.set_values(values)
         return said.read_text()
@@ -313,46 +295,63 @@ class Inkscape:
         return InkscapeWindow(self, svg, timeout or self.timeout)
 
 
-class InkscapeWindow:
-    """A document open in Inkscape's own window, filling the display; positions are its pixels."""
+class Started:
+    """A program on a display, with all that it starts, until the end of the block."""
 
-    def __init__(self, inkscape: Inkscape, svg, timeout: float):
-        self._env, self._svg, self._timeout = inkscape.env, Path(svg), timeout
+    def __init__(self, command: Sequence, env: Mapping[str, str], timeout: float):
+        self._command, self._env, self._timeout = list(map(str, command)), env, timeout
 
-    def __enter__(self) -> "InkscapeWindow":
+    def __enter__(self):
         self._process = subprocess.Popen(
-            [INKSCAPE, str(self._svg)],
+            self._command,
             env=self._env,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
             start_new_session=True,
         )
-        try:
-            self._id = self._find()
-            self._xdotool("windowmove", self._id, "0", "0")
-            self._xdotool("windowsize", self._id, *map(str, SCREEN))
-            self._xdotool("windowfocus", self._id)
-            self.settle()
-        except BaseException:
-            kill_group(self._process)
-            raise
         return self
 
     def __exit__(self, *_) -> None:
         kill_group(self._process)
 
-    def _xdotool(self, *arguments: str) -> str:
+    def xdotool(self, *arguments: str) -> str:
         return run(["xdotool", *arguments], self._env, 20).stdout
 
-    def _find(self) -> str:
+    def find_window(self, name: str) -> str:
+        """Waits for a window whose title holds `name`."""
         end = time.monotonic() + self._timeout
         while time.monotonic() < end and self._process.poll() is None:
-            found = self._xdotool("search", "--onlyvisible", "--name", self._svg.name).split()
+            found = self.xdotool("search", "--onlyvisible", "--name", name).split()
             if found:
                 return found[0]
-            time.sleep(0.5)
-        raise Timeout(f"Inkscape opened no window for {self._svg}")
+            time.sleep(0.2)
+        raise Timeout(f"there is no window {name}: {self._command}")
+
+    def wait(self) -> None:
+        """Waits until the program has ended by itself."""
+        self._process.wait(self._timeout)
+
+
+class InkscapeWindow(Started):
+    """A document open in Inkscape's own window, filling the display; positions are its pixels."""
+
+    def __init__(self, inkscape: Inkscape, svg, timeout: float):
+        super().__init__([INKSCAPE, svg], inkscape.env, timeout)
+        self._svg = Path(svg)
+
+    def __enter__(self) -> "InkscapeWindow":
+        super().__enter__()
+        try:
+            window = self.find_window(self._svg.name)
+            self.xdotool("windowmove", window, "0", "0")
+            self.xdotool("windowsize", window, *map(str, SCREEN))
+            self.xdotool("windowfocus", window)
+            self.settle()
+        except BaseException:
+            kill_group(self._process)
+            raise
+        return self
 
     def _pixels(self) -> bytes:
         with tempfile.NamedTemporaryFile(suffix=".rgb") as shot:
@@ -374,24 +373,25 @@ class InkscapeWindow:
 
     def key(self, *keys: str) -> None:
         """Presses keys by their X names, such as "5", "ctrl+a", "Escape"."""
-        self._xdotool("key", "--delay", "100", *keys)
+        self.xdotool("key", "--delay", "100", *keys)
         self.settle()
 
     def click(self, x: int, y: int, button: int = 1, repeat: int = 1) -> None:
-        self._xdotool("mousemove", str(x), str(y))
-        self._xdotool("click", "--repeat", str(repeat), "--delay", "80", str(button))
+        self.xdotool("mousemove", str(x), str(y))
+        self.xdotool("click", "--repeat", str(repeat), "--delay", "80", str(button))
         self.settle()
 
     def double_click(self, x: int, y: int) -> None:
         self.click(x, y, repeat=2)
 
     def drag(self, x: int, y: int, to_x: int, to_y: int) -> None:
-        self._xdotool("mousemove", str(x), str(y), "mousedown", "1")
+        self.xdotool("mousemove", str(x), str(y), "mousedown", "1")
         for i in range(1, 6):  # a single jump would be a click to Inkscape
             at = (str(round(a + (b - a) * i / 5)) for a, b in ((x, to_x), (y, to_y)))
-            self._xdotool("mousemove", *at)
+            self.xdotool("mousemove", *at)
             time.sleep(0.1)
-        self._xdotool("mouseup", "1")
+        self.settle()  # or a busy Inkscape would end the drag before its last step
+        self.xdotool("mouseup", "1")
         self.settle()
 
     def screenshot(self, path) -> Path:

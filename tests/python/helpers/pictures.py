@@ -1,7 +1,6 @@
 """Pictures by Inkscape and by gradmesh of the same mesh, and how much they differ."""
 
 import copy
-import json
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import NamedTuple
@@ -9,26 +8,19 @@ from typing import NamedTuple
 import numpy as np
 from PIL import Image
 
-import built
 import inkscape_harness
 import svg_meshes
+from program import error, meshes, printed as gradmesh  # noqa: F401, for all who draw
 from svg_meshes import GRADMESH, SVG
-
-
-def gradmesh(*arguments):
-    """Runs the command line program, which must succeed; what it prints."""
-    done = built.gradmesh(*arguments)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
 
 
 def info(svg):
     """What gradmesh says of the meshes in a document, by id."""
-    return {mesh["id"]: mesh for mesh in json.loads(gradmesh("info", "--json", svg))["meshes"]}
+    return {mesh["id"]: mesh for mesh in meshes(svg)}
 
 
 def flip(a, b):
-    return float(gradmesh("compare", a, b))
+    return error(a, b)
 
 
 def difference(a, b):
@@ -37,6 +29,16 @@ def difference(a, b):
         pair = [np.array(picture.convert("RGB"), int) for picture in (first, second)]
     assert pair[0].shape == pair[1].shape
     return np.abs(pair[0] - pair[1]).max(axis=2)
+
+
+def on_white(png):
+    """Lays a picture on white."""
+    with Image.open(png) as picture:
+        picture = picture.convert("RGBA")
+        page = Image.new("RGBA", picture.size, "white")
+        page.alpha_composite(picture)
+    page.convert("RGB").save(png)
+    return png
 
 
 def export(inkscape, documents, kind="png", dpi=96):

@@ -32,8 +32,8 @@ class Kind:
         self.smooth, self.transformed = smooth, transformed
         self.straight, self.most = straight, most
 
-    def mesh(self, chance):
-        rows, columns = chance.randint(1, self.most), chance.randint(1, self.most)
+    def mesh(self, chance, rows=None, columns=None):
+        rows, columns = (count or chance.randint(1, self.most) for count in (rows, columns))
         corners = [
             [complex(SIDE * j, SIDE * i) + _shake(chance, self.noise) for j in range(columns + 1)]
             for i in range(rows + 1)

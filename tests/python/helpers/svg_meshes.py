@@ -3,6 +3,7 @@
 Points are complex numbers x + 1j * y; an affine map is (a, b, c, d, e, f) as in SVG's matrix().
 """
 
+import copy
 import re
 import xml.etree.ElementTree as ET
 from math import cos, radians, sin, tan
@@ -12,6 +13,7 @@ import numpy as np
 SVG = "{http://www.w3.org/2000/svg}"
 HREF = "{http://www.w3.org/1999/xlink}href"
 GRADMESH = "{urn:gradmesh}"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 IDENTITY = (1, 0, 0, 1, 0, 0)
 # Which corners of a patch's 4 x 4 net begin its sides, and the steps along them.
@@ -20,6 +22,27 @@ SIDES = (((0, 0), (0, 1)), ((0, 3), (1, 0)), ((3, 3), (0, -1)), ((3, 0), (-1, 0)
 
 def numbers(text):
     return [float(found) for found in NUMBER.findall(text)]
+
+
+def declared(element):
+    """What the style of an element declares."""
+    parts = [part.split(":", 1) for part in element.get("style", "").split(";") if part.strip()]
+    return {name.strip(): value.strip() for name, value in parts}
+
+
+def all_but(root, is_gone, painted=()):
+    """A document as a text that is the same for equal documents, without the elements of which
+    `is_gone(parent, child)` is true, and with empty places for those with ids in `painted`."""
+    root = copy.deepcopy(root)
+    for parent in list(root.iter()):
+        for child in list(parent):
+            if is_gone(parent, child):
+                parent.remove(child)
+            elif child.get("id") in painted:
+                place = ET.Element("place", id=child.get("id"))
+                place.tail = child.tail
+                parent[list(parent).index(child)] = place
+    return ET.canonicalize(ET.tostring(root), strip_text=True, rewrite_prefixes=True)
 
 
 def apply(matrix, points):
@@ -74,7 +97,7 @@ class Document:
 
     def paint(self, element):
         """The mesh gradient that fills the element, or else is its stroke."""
-        style = dict(part.split(":", 1) for part in element.get("style", "").split(";") if part)
+        style = declared(element)
         for role in ("fill", "stroke"):
             found = re.match(r"url\(#([^)]+)\)", style.get(role, element.get(role, "")))
             if found and self.by_id[found[1]].tag == SVG + "meshgradient":

@@ -4,12 +4,11 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-import inkscape_harness
 from built import SAMPLES, install_extension
-from inkscape_harness import Inkscape
+from in_inkscape import needs
+from inkscape_harness import WINDOW_PROGRAMS, Inkscape
 
-reason = inkscape_harness.missing(*inkscape_harness.WINDOW_PROGRAMS)
-pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
+pytestmark = needs(*WINDOW_PROGRAMS)
 
 # Where things are on the harness's screen once the page fits the window.
 PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 339)

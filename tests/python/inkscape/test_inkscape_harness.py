@@ -8,6 +8,7 @@ import pytest
 
 import inkscape_harness
 from built import SAMPLES
+from in_inkscape import needs
 from inkscape_harness import Inkscape, Timeout
 
 RAW_ID = "org.gradmesh.test_opacity"
@@ -36,11 +37,6 @@ def extension(folder, code):
     (folder / "test_opacity.inx").write_text(INX)
     (folder / "test_opacity.py").write_text(code)
     return folder / "test_opacity.inx", folder / "test_opacity.py"
-
-
-def needs(*programs):
-    reason = inkscape_harness.missing(*programs)
-    return pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
 
 
 @needs()

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pytest
 
-import inkscape_harness
+from in_inkscape import inkscape, needs  # noqa: F401
 
 pytest.importorskip("PIL.Image")
 np = pytest.importorskip("numpy")
@@ -17,8 +17,7 @@ from svg_meshes import SVG, read_net
 
 gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not there")
 
-REASON = inkscape_harness.missing()
-pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
+pytestmark = needs()
 
 PIXELS = 96
 USER = 'gradientUnits="userSpaceOnUse"'
@@ -213,14 +212,13 @@ def document(case):
 
 
 @pytest.fixture(scope="module")
-def painted(tmp_path_factory):
+def painted(inkscape, tmp_path_factory):
     """Of each case the document, and the picture that Inkscape makes of it."""
     folder = tmp_path_factory.mktemp("cases")
     paths = {name: folder / f"{number}.svg" for number, name in enumerate(CASES)}
     for name, path in paths.items():
         path.write_text(document(CASES[name]), encoding="utf-8")
-    with inkscape_harness.Inkscape() as inkscape:
-        return dict(zip(paths, zip(paths.values(), pictures.export(inkscape, paths.values()))))
+    return dict(zip(paths, zip(paths.values(), pictures.export(inkscape, paths.values()))))
 
 
 @pytest.mark.parametrize("name", CASES)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pytest
 
-import inkscape_harness
+from in_inkscape import inkscape, needs  # noqa: F401
 
 Image = pytest.importorskip("PIL.Image")
 np = pytest.importorskip("numpy")
@@ -17,8 +17,7 @@ from svg_meshes import SVG, apply, compose, read_net
 
 gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not there")
 
-REASON = inkscape_harness.missing()
-pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
+pytestmark = needs()
 
 PIXELS = 96  # along a mesh's longer side
 ACROSS, IN_STEP, OUT_OF_STEP = 101, 128, 101  # from cell to cell
@@ -99,7 +98,7 @@ def levels_beyond_neighbours(theirs, ours):
 
 
 @pytest.fixture(scope="module")
-def drawn(tmp_path_factory):
+def drawn(inkscape, tmp_path_factory):
     """How far all pixels of a sheet are off, by a measure: levels of Inkscape's picture."""
     folder = tmp_path_factory.mktemp("sheets")
     sheets = {key: Sheet([key[0]], key[1]) for key in SHEETS}
@@ -108,8 +107,7 @@ def drawn(tmp_path_factory):
     for number, (key, sheet) in enumerate(sheets.items()):
         paths[key] = folder / f"sheet{number}.svg"
         ET.ElementTree(sheet.root).write(paths[key])
-    with inkscape_harness.Inkscape() as inkscape:
-        pngs = dict(zip(paths, pictures.export(inkscape, paths.values())))
+    pngs = dict(zip(paths, pictures.export(inkscape, paths.values())))
 
     def differences(key, measure, **how):
         pairs = sheets[key].pairs(paths[key], pngs[key], **how)

@@ -2,21 +2,18 @@
 
 import pytest
 
-import inkscape_harness
 
 pytest.importorskip("PIL")
 pytest.importorskip("numpy")
 
 import pictures
 import svg_meshes
-from built import PROGRAM, SAMPLES
+from built import SAMPLES
+from in_inkscape import inkscape, needs  # noqa: F401
 from pictures import difference, export, flip, gradmesh, info
 from sample_meshes import OBJECTS, PAINTED
 
-REASON = inkscape_harness.missing()
-if not REASON and not PROGRAM.exists():
-    REASON = f"not built: {PROGRAM}"
-pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
+pytestmark = needs()
 
 # FLIP charges 0.03 for a single level everywhere: at most one pixel in a thousand may be a level
 # off, where transforms are multiplied in another order.
@@ -25,12 +22,6 @@ EPSILON = 0.01
 # Enough merges for several blocks and nested T-junctions in every sample.
 COARSE = 0.03
 RESOLUTIONS = (350, 700, 1400)
-
-
-@pytest.fixture(scope="module")
-def inkscape():
-    with inkscape_harness.Inkscape() as running:
-        yield running
 
 
 def simplified(folder, epsilon, method="grid"):

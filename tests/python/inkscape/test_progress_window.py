@@ -1,7 +1,6 @@
 """The small window beside long work: what it shows, and that stopping keeps the best so far."""
 
 import json
-import os
 import re
 import subprocess
 import xml.etree.ElementTree as ET
@@ -10,7 +9,7 @@ import pytest
 
 import inkscape_harness
 from built import PYTHON, SAMPLES
-from extension_runs import INKEX, extension  # noqa: F401
+from extension_runs import extension, run  # noqa: F401
 
 import gradmesh
 
@@ -33,7 +32,7 @@ gi.require_version("Gtk", "3.0")
 from gi.repository import GLib, Gtk
 import gradmesh_simplify, gradmesh_window
 
-stop, all_of_it, seen_file, *arguments = sys.argv[1:]
+stop, all_of_it, seen_file, _script, *arguments = sys.argv[1:]
 seen, stopped = [], threading.Event()
 
 class Waiting(gradmesh_window.LongWork):
@@ -91,25 +90,13 @@ def display():
 
 
 @pytest.mark.parametrize("stop, result", [("button", "gqe"), ("close", "gqe"), ("button", "one-mesh")])
-def test_the_window_tells_and_stops(extension, display, tmp_path, stop, result):
+def test_the_window_tells_and_stops(run, display, tmp_path, stop, result):
     seen = tmp_path / "seen.json"
     what, before = ALL[result]
     options = ["--id=photo", f"--result={result}", "--amount=strong", "--resolution=100"]
-    done = subprocess.run(
-        [PYTHON, "-c", DRIVER, stop, str(before), seen, *options, SAMPLES / "photo.svg"],
-        cwd=extension,
-        env={
-            **os.environ,
-            "PYTHONPATH": f"{extension.parent}{os.pathsep}{INKEX}",
-            "XDG_CACHE_HOME": str(tmp_path / "cache"),
-            "LANGUAGE": "en",
-            "DISPLAY": display,
-        },
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        timeout=120,
-    )
-    assert (done.returncode, done.stderr) == (0, b"")
+    driver = (PYTHON, "-c", DRIVER, stop, str(before), str(seen))
+    done = run(SAMPLES / "photo.svg", *options, python=driver, DISPLAY=display)
+    assert (done.returncode, done.stderr) == (0, "")
 
     running, stopped = json.loads(seen.read_text())
     assert (running["window"], running["title"]) == ("Gradient Mesh", "photo is simplified.")

@@ -12,20 +12,21 @@ import pytest
 
 import browser as browsers
 import inkscape_harness
+from browser import one_chromium  # noqa: F401
 from built import SAMPLES, install_extension
-from inkscape_harness import Inkscape
+from in_inkscape import needs
+from inkscape_harness import Inkscape, Started
 
 np = pytest.importorskip("numpy")
 Image = pytest.importorskip("PIL.Image")
 
 import gradmesh
-from pictures import difference, export, flip
+from pictures import difference, export, flip, on_white
 from random_meshes import KINDS
 from sample_meshes import PAINTED
 from svg_meshes import SVG
 
-reason = inkscape_harness.missing()
-pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
+pytestmark = needs()
 
 DPI = 192  # twice the document's pixels, as pictures have by default
 INKSCAPE_AGAIN, OTHERS = 0.01, 0.015  # FLIP against the original
@@ -60,6 +61,8 @@ LINEAR = (
     '<stop path="l -50,-25" stop-color="#c03030"/></meshpatch></meshrow></meshgradient>'
 )
 RECT = '<rect id="{}" x="50" y="50" width="80" height="80" rx="12" {}/>'
+FILLED = RECT.format("a", 'fill="url(#mesh)"')
+CIRCLE = '<clipPath id="c"><circle cx="80" cy="90" r="40"/></clipPath>'
 STAR = '<path id="star" d="M 90,30 L 120,140 30,70 150,70 60,140 Z" {}/>'
 WAVE = '<path id="wave" d="M 40,60 C 80,20 100,160 140,110" {}/>'
 STROKED = 'style="fill:none;stroke:url(#mesh);stroke-width:14;stroke-linecap:round"'
@@ -72,7 +75,7 @@ def mesh(kind="tensor", name="mesh", seed=11, more=""):
 
 #: What is drawn, and definitions, beside the mesh.
 CASES = {
-    "fill": (RECT.format("a", 'fill="url(#mesh)"'), ""),
+    "fill": (FILLED, ""),
     "even-odd": (STAR.format('fill="url(#mesh)" fill-rule="evenodd"'), ""),
     "stroke": (WAVE.format(STROKED), ""),
     "dashes": (WAVE.format(STROKED.replace(":14", ":9;stroke-dasharray:12 16")), ""),
@@ -91,35 +94,25 @@ CASES = {
     ),
     "use": (
         '<use xlink:href="#a" transform="translate(-20 10) rotate(8 90 90)"/><use xlink:href="#a" x="25"/>',
-        RECT.format("a", 'fill="url(#mesh)"'),
+        FILLED,
     ),
-    "symbol": (
-        '<use xlink:href="#s" x="5"/>',
-        f"""<symbol id="s" overflow="visible">{RECT.format("a", 'fill="url(#mesh)"')}</symbol>""",
-    ),
+    "symbol": ('<use xlink:href="#s" x="5"/>', f'<symbol id="s" overflow="visible">{FILLED}</symbol>'),
     "handed on": (f"""<g fill="url(#mesh)" opacity="0.7">{RECT.format("a", "")}{STAR.format("")}</g>""", ""),
     "effects": (
-        RECT.format(
-            "a",
-            'fill="url(#mesh)" transform="rotate(15 90 90) skewX(10)" opacity="0.8" filter="url(#soft)"',
-        ),
+        FILLED.replace("/>", ' transform="rotate(15 90 90) skewX(10)" opacity="0.8" filter="url(#soft)"/>'),
         '<filter id="soft" x="-0.3" y="-0.3" width="1.6" height="1.6"><feGaussianBlur stdDeviation="3"/></filter>',
     ),
     "clipped and masked": (
-        f"""<g clip-path="url(#c)">{RECT.format("a", 'fill="url(#mesh)" mask="url(#k)"')}</g>""",
-        '<clipPath id="c"><circle cx="80" cy="90" r="40"/></clipPath>'
-        '<mask id="k"><path d="M 60,60 H 140 V 140 Z" fill="#fff" fill-opacity="0.7"/></mask>',
+        f"""<g clip-path="url(#c)">{FILLED.replace("/>", ' mask="url(#k)"/>')}</g>""",
+        CIRCLE + '<mask id="k"><path d="M 60,60 H 140 V 140 Z" fill="#fff" fill-opacity="0.7"/></mask>',
     ),
-    "clipped itself": (
-        RECT.format("a", 'fill="url(#mesh)" clip-path="url(#c)"'),
-        '<clipPath id="c"><circle cx="80" cy="90" r="40"/></clipPath>',
-    ),
+    "clipped itself": (FILLED.replace("/>", ' clip-path="url(#c)"/>'), CIRCLE),
     "sheet": (
         RECT.format("a", 'class="soft"'),
         "<style>.soft { opacity: 0.6; fill: url(#mesh); stroke: #123; stroke-width: 4 }</style>",
     ),
     "hidden": (
-        RECT.format("a", 'fill="url(#mesh)"')
+        FILLED
         + STAR.format('fill="url(#mesh)" style="display:none"')
         + WAVE.format('fill="url(#mesh)" visibility="hidden"'),
         "",
@@ -202,15 +195,6 @@ class Shown:
         self.again = {name: on_white(pictures[self.copy[name]]) for name in [*PAINTED, *MADE]}
 
 
-def on_white(png):
-    with Image.open(png) as picture:
-        picture = picture.convert("RGBA")
-        page = Image.new("RGBA", picture.size, "white")
-        page.alpha_composite(picture)
-    page.convert("RGB").save(png)
-    return png
-
-
 @pytest.fixture(scope="module")
 def inkscape(tmp_path_factory):
     with Inkscape() as running:
@@ -251,14 +235,6 @@ def test_all_ways_to_show_a_mesh_are_among_these(shown):
 
 
 # --- in a browser ---
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    if browsers.MISSING:
-        pytest.skip(browsers.MISSING)
-    with browsers.chromium(640, 640) as browser:
-        yield browser
 
 
 def screenshot(browser, svg, size):
@@ -340,67 +316,28 @@ def counts(svg):
     return tags.count(SVG + "image"), tags.count(SVG + "meshgradient")
 
 
-class Asking:
-    """Inkscape at work on an export, which may ask for parameters in a window."""
-
-    def __init__(self, inkscape, *arguments):
-        self.env, self.command = inkscape.env, [inkscape_harness.INKSCAPE, *map(str, arguments)]
-
-    def __enter__(self):
-        self.process = subprocess.Popen(
-            self.command,
-            env=self.env,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        )
-        return self
-
-    def __exit__(self, *_):
-        inkscape_harness.kill_group(self.process)
-
-    def xdotool(self, *arguments):
-        return inkscape_harness.run(["xdotool", *arguments], self.env, 20).stdout
-
-    def wait(self, what, found, seconds=60):
-        end = time.monotonic() + seconds
-        while not (result := found()):
-            assert time.monotonic() < end, f"no {what} after {seconds} s"
-            time.sleep(0.2)
-        return result
-
-    def window(self, name):
-        search = ("search", "--onlyvisible", "--name", name)
-        return self.wait(f"window {name}", lambda: self.xdotool(*search).split())[0]
-
-    def place(self, window):
-        """Where a window is once it stays there: x, y, width, height."""
-        before = None
-        while True:
-            lines = self.xdotool("getwindowgeometry", "--shell", window).split()
-            values = dict(line.split("=") for line in lines)
-            now = [int(values[name]) for name in ("X", "Y", "WIDTH", "HEIGHT")]
-            if now == before:
-                return now
-            before = now
-            time.sleep(0.5)
+def settled_place(program, window):
+    """Where a window is once it stays there: x, y, width, height."""
+    before = None
+    while True:
+        values = dict(line.split("=") for line in program.xdotool("getwindowgeometry", "--shell", window).split())
+        now = [int(values[name]) for name in ("X", "Y", "WIDTH", "HEIGHT")]
+        if now == before:
+            return now
+        before = now
+        time.sleep(0.5)
 
 
-no_window = inkscape_harness.missing("xdotool")
-
-
-@pytest.mark.skipif(bool(no_window), reason=no_window or "nothing is missing")
+@needs("xdotool")
 def test_a_copy_is_saved_from_its_dialog(inkscape, tmp_path):
     copy = tmp_path / "copy.svg"
     export = (f"--export-extension={ACTION}", f"--export-filename={copy}", SAMPLES / "tensor.svg")
-    with Asking(inkscape, *export) as asking:
-        dialog = asking.window(DIALOG)
-        x, y, width, height = asking.place(dialog)
+    with Started([inkscape_harness.INKSCAPE, *export], inkscape.env, 60) as asking:
+        x, y, width, height = settled_place(asking, asking.find_window(DIALOG))
         assert not copy.exists()
         # "Save" is in the lower right corner.
         asking.xdotool("mousemove", str(x + width - 60), str(y + height - 30), "click", "1")
-        asking.wait("end", lambda: asking.process.poll() is not None)
+        asking.wait()
     assert counts(copy) == (1, 0)
     document = gradmesh.load(SAMPLES / "tensor.svg")
     (told,) = gradmesh.publish(document)

@@ -8,10 +8,10 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-import inkscape_harness
 from bad_documents import BAD
 from built import PYTHON, ROOT, SAMPLES, install_extension
 from extension_runs import extension, run  # noqa: F401
+from in_inkscape import needs
 from inkscape_harness import Inkscape
 from svg_meshes import Document
 
@@ -21,8 +21,7 @@ ITEMS = sorted(file.stem.removeprefix("gradmesh_") for file in (ROOT / "inx").gl
 REAL = ROOT.parent / "shared" / "real"
 SODIPODI = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}"
 
-reason = inkscape_harness.missing()
-pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
+pytestmark = needs()
 
 
 # Who is there.
@@ -118,6 +117,17 @@ def chosen(action, *ids):
     return ["select-clear", *select, f"org.gradmesh.{action}.noprefs"]
 
 
+def expect_left_alone(inkscape, svg, actions, folder):
+    """Runs actions on a document, which they leave as it is."""
+    plain, after = folder / "plain.svg", folder / "after.svg"
+    inkscape.run_actions(svg, [*written(plain), *actions, *written(after)])
+    assert content(after) == content(plain)
+
+
+def set_simplify(inkscape, **values):
+    inkscape.set_values({f"org.gradmesh.simplify.{name}": value for name, value in values.items()})
+
+
 @pytest.fixture(scope="module")
 def inkscape(extension):
     with Inkscape(timeout=100) as running:
@@ -159,22 +169,19 @@ REFUSALS = [
 
 
 def test_no_refusal_stops_the_run(inkscape, simple, report, tmp_path):
-    plain, after = tmp_path / "plain.svg", tmp_path / "after.svg"
     actions = [action for item, ids, *_ in REFUSALS for action in chosen(item, *ids)]
-    inkscape.run_actions(simple, [*written(plain), *actions, *written(after)])
+    expect_left_alone(inkscape, simple, actions, tmp_path)
     found = lines(report)
     for line, (item, ids, outcome, words) in zip(found, REFUSALS):
         assert (line["action"], line["ids"]) == (f"org.gradmesh.{item}", ids)
         assert line["outcome"] == outcome and words in line["message"]
         assert line["document"] == str(simple)
     assert len(found) == len(REFUSALS)
-    assert content(after) == content(plain)
 
 
-def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
+def test_what_was_done_is_reported_too(inkscape, simple, report):
     # The mesh remembers what it was before it was simplified, so that more must be allowed now.
-    values = {"resolution": "100", "amount": "custom", "epsilon": "0.06"}
-    inkscape.set_values({f"org.gradmesh.simplify.{name}": value for name, value in values.items()})
+    set_simplify(inkscape, resolution=100, amount="custom", epsilon=0.06)
     items = ["show-analysis", "remove-analysis", "refine", "to-one-mesh", "simplify"]
     block = next(iter(Document(simple).blocks()))
     ids = ["pear", "pear", block, "pear", "pear"]
@@ -202,14 +209,11 @@ def test_what_was_done_is_reported_too(inkscape, simple, report, tmp_path):
     ],
 )
 def test_settings(inkscape, report, tmp_path, values, outcome, words):
-    plain, after = tmp_path / "plain.svg", tmp_path / "after.svg"
     values = {"amount": "custom", "resolution": 2000, "visible_only": "false", **values}
-    inkscape.set_values({f"org.gradmesh.simplify.{name}": value for name, value in values.items()})
-    actions = [*written(plain), *chosen("simplify", "stalk"), *written(after)]
-    inkscape.run_actions(SAMPLES / "two.svg", actions)
+    set_simplify(inkscape, **values)
+    expect_left_alone(inkscape, SAMPLES / "two.svg", chosen("simplify", "stalk"), tmp_path)
     (line,) = lines(report)
     assert line["outcome"] == outcome and words in line["message"]
-    assert content(after) == content(plain)
 
 
 #: Of the documents that gradmesh refuses those that Inkscape opens. With missing stops it paints points
@@ -258,19 +262,24 @@ FAULTS = {
 }
 
 
+def log_of_a_run_with(file, change, item, folder):
+    """The log of an item's run whose installed file was changed."""
+    with Inkscape() as inkscape:
+        inkscape.install(install_extension(folder / "installed"))
+        path = inkscape.extensions / "gradmesh" / file
+        path.write_text(change(path.read_text()))
+        if item == "refine":
+            inkscape.run_actions(SAMPLES / "tensor.svg", chosen(item, "silk"))
+        else:
+            expect_left_alone(inkscape, SAMPLES / "tensor.svg", chosen(item, "silk"), folder)
+        return (inkscape.home / "cache" / "gradmesh" / "extension.log").read_text()
+
+
 @pytest.mark.parametrize("fault", FAULTS)
 def test_faults(report, tmp_path, fault):
     """Where the report cannot be written either, the log says that there was a run."""
-    plain, after = tmp_path / "plain.svg", tmp_path / "after.svg"
     file, broken, words = FAULTS[fault]
-    with Inkscape() as inkscape:
-        installed = inkscape.extensions / "gradmesh"
-        inkscape.install(install_extension(tmp_path / "installed"))
-        (installed / file).write_text(broken((installed / file).read_text()))
-        actions = [*written(plain), *chosen("simplify", "silk"), *written(after)]
-        inkscape.run_actions(SAMPLES / "tensor.svg", actions)
-        log = (inkscape.home / "cache" / "gradmesh" / "extension.log").read_text()
-    assert content(after) == content(plain)
+    log = log_of_a_run_with(file, broken, "simplify", tmp_path)
     found = lines(report)
     if words:
         (line,) = found
@@ -281,12 +290,7 @@ def test_faults(report, tmp_path, fault):
 
 
 def test_warnings_and_libraries_are_heard_by_nobody(report, tmp_path):
-    with Inkscape() as inkscape:
-        inkscape.install(install_extension(tmp_path / "installed"))
-        text = inkscape.extensions / "gradmesh" / "gradmesh_text.py"
-        text.write_text(LOUD + text.read_text())
-        inkscape.run_actions(SAMPLES / "tensor.svg", chosen("refine", "silk"))
-        log = (inkscape.home / "cache" / "gradmesh" / "extension.log").read_text()
+    log = log_of_a_run_with("gradmesh_text.py", lambda text: LOUD + text, "refine", tmp_path)
     (line,) = lines(report)
     assert line["outcome"] == "done"
     assert "a warning" in log and "of a library" in log
@@ -294,7 +298,7 @@ def test_warnings_and_libraries_are_heard_by_nobody(report, tmp_path):
 
 @pytest.mark.skipif(not REAL.is_dir(), reason=f"there is no {REAL}")
 def test_documents_of_others_do_not_hold_up_the_run(inkscape, report, tmp_path):
-    inkscape.set_values({"org.gradmesh.simplify.resolution": "200"})
+    set_simplify(inkscape, resolution=200)
     files = [REAL / "elementary-wallpaper-64.svg", REAL / "nordzy-carla.svg", SAMPLES / "tensor.svg"]
     copies = [tmp_path / file.name for file in files]
     for file, copy in zip(files, copies):

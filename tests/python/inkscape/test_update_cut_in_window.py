@@ -10,7 +10,7 @@ from inkscape_harness import Inkscape
 from pictures import difference, flip, gradmesh
 from test_pictures import SAME
 from test_update_in_window import painted
-from test_window_edit import MESH_TOOL, SAMPLES, Editing, corners, pixels, pytestmark  # noqa: F401
+from test_window_edit import MESH_TOOL, SAMPLES, Editing, corners, pytestmark  # noqa: F401
 
 import gradmesh as core
 
@@ -27,18 +27,12 @@ class Cutting(Editing):
         self.before = svg_meshes.Document(self.svg).blocks()
         net = max(self.before.values(), key=lambda net: abs(net[3, 0] - net[0, 0]))
         with Inkscape() as inkscape, inkscape.window(self.svg) as window:
-            window.key("5")  # fits the page into the window
-            self.place_page(pixels(window.screenshot(folder / "page.png")))
-            middle = self.on_screen(240 + 340j)
-            window.double_click(round(middle.real), round(middle.imag))
-            inside = self.on_screen(corners(net)[:2, :2].mean())
-            window.click(round(inside.real), round(inside.imag))
+            self.open(window)
+            self.enter(window)
+            window.click(*self.pixel(corners(net)[:2, :2].mean()))
             window.click(*MESH_TOOL)
-            side = self.on_screen(np.array([1, 3, 3, 1]) @ net[:4, 0] / 8)
-            window.double_click(round(side.real), round(side.imag))
-            window.screenshot(folder / "cut.png")
+            window.double_click(*self.pixel(np.array([1, 3, 3, 1]) @ net[:4, 0] / 8))
             window.key("ctrl+s")
-            window.screenshot(folder / "saved.png")
         self.after = svg_meshes.Document(self.svg).blocks()
         self.updated = folder / "updated.svg"
         self.said = gradmesh("update", self.svg, "-o", self.updated)

@@ -22,8 +22,7 @@ class EditingOne(Editing):
         net = min(owners, key=lambda net: net.size)
         row, column = np.argwhere(corners(net) == self.corner)[0]
         i, j = (min(k, n - 2) for k, n in zip((row, column), corners(net).shape))
-        place = self.on_screen(corners(net)[i : i + 2, j : j + 2].mean())
-        window.click(round(place.real), round(place.imag))
+        window.click(*self.pixel(corners(net)[i : i + 2, j : j + 2].mean()))
 
     def copies_of_corner(self, blocks):
         """Where the blocks have the corner now, that had it before."""

@@ -4,20 +4,17 @@ from collections import Counter
 
 import pytest
 
-import inkscape_harness
-from inkscape_harness import Inkscape
+from in_inkscape import needs
+from inkscape_harness import WINDOW_PROGRAMS, Inkscape
 
 np = pytest.importorskip("numpy")
 image = pytest.importorskip("PIL.Image")
 
 import svg_meshes
-from built import PROGRAM, SAMPLES
+from built import SAMPLES
 from pictures import gradmesh, info
 
-REASON = inkscape_harness.missing(*inkscape_harness.WINDOW_PROGRAMS)
-if not REASON and not PROGRAM.exists():
-    REASON = f"not built: {PROGRAM}"
-pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
+pytestmark = needs(*WINDOW_PROGRAMS)
 
 PAGE = 480 + 600j  # of the sample "fruit"
 MESH_TOOL = (16, 511)
@@ -36,11 +33,9 @@ class Editing:
         self.counts_before = counts(self.svg)
         self.before = svg_meshes.Document(self.svg).blocks()
         with Inkscape() as inkscape, inkscape.window(self.svg) as window:
-            window.key("5")  # fits the page into the window
-            self.place_page(pixels(window.screenshot(folder / "page.png")))
+            self.open(window)
             self.corner = self.lone_shared_corner()
-            middle = self.on_screen(240 + 340j)
-            window.double_click(round(middle.real), round(middle.imag))
+            self.enter(window)
             self.select(window)
             self.selected = pixels(window.screenshot(folder / "selected.png"))
             window.click(*MESH_TOOL)
@@ -48,22 +43,31 @@ class Editing:
             start = self.on_screen(self.corner)
             end = start + DRAG
             window.drag(*(round(v) for v in (start.real, start.imag, end.real, end.imag)))
-            window.screenshot(folder / "dragged.png")
             window.key("ctrl+s")
-            window.screenshot(folder / "saved.png")
         self.after = svg_meshes.Document(self.svg).blocks()
 
     def select(self, window):
         """All blocks of the group that has been entered."""
         window.key("ctrl+a")
 
-    def place_page(self, shot):
-        """Finds the page, the only large thing on the screen that is not grey."""
+    def open(self, window):
+        """Fits the page, the only large thing on the screen that is not grey, into the window."""
+        window.key("5")
+        shot = pixels(window.screenshot(self.svg.with_name("page.png")))
         beige = shot[:, :, 0] - shot[:, :, 2] > 20
         columns, rows = (longest_run(beige.sum(axis=axis) > 200) for axis in (0, 1))
         self.origin = complex(columns[0], rows[0])
         self.zoom = (columns[-1] + 1 - columns[0]) / PAGE.real
         assert abs(self.zoom * PAGE.imag - (rows[-1] + 1 - rows[0])) < 3
+
+    def enter(self, window):
+        """Enters the group of blocks."""
+        window.double_click(*self.pixel(240 + 340j))
+
+    def pixel(self, point):
+        """Where a point of the page is on the screen."""
+        place = self.on_screen(point)
+        return round(place.real), round(place.imag)
 
     def on_screen(self, points):
         return self.origin + self.zoom * points

@@ -1,7 +1,6 @@
 """A simplified object that was copied into another document is what it was, or one sentence says why not."""
 
 import copy
-import json
 import re
 import xml.etree.ElementTree as ET
 
@@ -9,8 +8,9 @@ import pytest
 
 pytest.importorskip("numpy")
 
-from built import SAMPLES, gradmesh as run
-from svg_meshes import GRADMESH, SVG
+from built import SAMPLES
+from program import meshes
+from svg_meshes import GRADMESH, SVG, all_but
 
 import gradmesh
 
@@ -98,12 +98,10 @@ def paste(source, name, into, ending="", transform="", comes_along=lambda elemen
 
 def without(data, name):
     """All of a document but the object `name`, which the program may write anew, and definitions."""
-    root = ET.fromstring(data)
-    for parent in list(root.iter()):
-        for child in list(parent):
-            if child.get("id") == name or child.tag == SVG + "defs":
-                parent.remove(child)
-    return ET.canonicalize(ET.tostring(root), strip_text=True)
+    def is_gone(_, child):
+        return child.get("id") == name or child.tag == SVG + "defs"
+
+    return all_but(ET.fromstring(data), is_gone)
 
 
 def error_now(data, name):
@@ -115,8 +113,7 @@ def error_now(data, name):
 def remembers(data, tmp_path):
     path = tmp_path / "document.svg"
     path.write_bytes(data)
-    meshes = json.loads(run("info", "--json", path).stdout)["meshes"]
-    return [mesh.get("remembers") for mesh in meshes]
+    return [mesh.get("remembers") for mesh in meshes(path)]
 
 
 def expect_left_alone_in_a_sentence(data, name, words):

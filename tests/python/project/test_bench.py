@@ -3,12 +3,11 @@
 Nothing here is timed: what a figure is does not matter, only what is made of it."""
 
 import json
-import os
-import subprocess
 import sys
 
 import pytest
-from built import BUILD, PYTHON, ROOT, gradmesh
+from built import BUILD, ROOT, script
+from program import printed
 
 sys.path.insert(0, str(ROOT / "benchmarks"))
 
@@ -16,16 +15,6 @@ import figures  # noqa: E402
 import measure  # noqa: E402
 import tables  # noqa: E402
 from drawing import cloth  # noqa: E402
-
-
-def bench(*arguments):
-    return subprocess.run(
-        [PYTHON, ROOT / "scripts" / "bench", *map(str, arguments)],
-        env={**os.environ, "GRADMESH_BUILD": str(BUILD)},
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
 
 
 def require_benchmarks():
@@ -40,7 +29,7 @@ def test_tables_are_printed_and_kept(tmp_path):
     require_benchmarks()
     kept = tmp_path / "bench.json"
     only = r"^ssim/1-thread$|^skimage|^growth/(ssim/resolution/|gqe/patches/25$)|^candidate/ssim"
-    done = bench("--quick", "--no-build", "--only", only, "--json", kept)
+    done = script("bench", "--quick", "--no-build", "--only", only, "--json", kept)
     assert done.returncode == 0, done.stderr
     found = json.loads(kept.read_text())
 
@@ -66,10 +55,10 @@ def test_tables_are_printed_and_kept(tmp_path):
 
 def test_what_cannot_be_selected_is_said():
     require_benchmarks()
-    done = bench("--no-build", "--only", "^no such line$")
+    done = script("bench", "--no-build", "--only", "^no such line$")
     assert done.returncode == 1
     assert done.stderr.endswith("No line has a name in which ^no such line$ is found.\n")
-    assert bench("--only", "(").returncode == 2
+    assert script("bench", "--only", "(").returncode == 2
 
 
 def test_the_exponent_is_that_of_a_power():
@@ -141,5 +130,5 @@ def test_revisions_side_by_side():
 def test_drawings_have_their_patches(tmp_path):
     file = tmp_path / "cloth.svg"
     file.write_text(cloth(5, 6))
-    assert gradmesh("info", file).stdout.startswith("cloth (fill): 579 handles, 120 patches, ")
+    assert printed("info", file).startswith("cloth (fill): 579 handles, 120 patches, ")
     assert cloth(5, 6) == cloth(5, 6)

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
+import in_inkscape
 from built import BUILD, PROGRAM, PYTHON, ROOT, SAMPLES, install_extension
-from inkscape_harness import Inkscape, missing
+from inkscape_harness import Inkscape
 
 import gradmesh
 from gradmesh.helper import find_program
@@ -58,6 +59,9 @@ PACKAGE = sorted((ROOT / "python" / "gradmesh").glob("*.py"))
 
 #: The program that scripts/package builds for other people's Linux.
 PORTABLE = BUILD / "linux-x86_64" / "gradmesh"
+needs_portable = pytest.mark.skipif(
+    not PORTABLE.exists(), reason="not built: scripts/package builds what is carried to others"
+)
 
 
 @pytest.fixture(scope="module")
@@ -122,7 +126,7 @@ def test_the_extension_runs_from_the_zip(unpacked_zip, tmp_path):
     assert "Gradient mesh: " in done.stdout
 
 
-@pytest.mark.skipif(not PORTABLE.exists(), reason="not built: scripts/package builds what is carried to others")
+@needs_portable
 def test_the_licenses_of_what_a_program_holds_lie_beside_it(unpacked_zip):
     for system in (unpacked_zip / "gradmesh" / "bin").iterdir():
         licenses = {path.name: path.read_text(errors="replace") for path in (system / "licenses").iterdir()}
@@ -134,7 +138,7 @@ def test_the_licenses_of_what_a_program_holds_lie_beside_it(unpacked_zip):
         assert "APPENDIX: How to apply the Apache License" in licenses["tbb"]
 
 
-@pytest.mark.skipif(not PORTABLE.exists(), reason="not built: scripts/package builds what is carried to others")
+@needs_portable
 def test_the_program_for_others_needs_next_to_nothing():
     needed = set(re.findall(r"NEEDED\s+(\S+)", run("objdump", "-p", PORTABLE)))
     assert needed <= {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
@@ -143,7 +147,7 @@ def test_the_program_for_others_needs_next_to_nothing():
     assert max((int(a), int(b)) for a, b in versions) <= (2, 35)
 
 
-@pytest.mark.skipif(not PORTABLE.exists(), reason="not built: scripts/package builds what is carried to others")
+@needs_portable
 @pytest.mark.parametrize("sample", sorted(SAMPLES.glob("*.svg")), ids=lambda path: path.stem)
 def test_the_program_for_others_writes_the_same_bytes(sample, tmp_path):
     written = []
@@ -185,7 +189,7 @@ ExtensionsTarget("extension", "Extensions", "extensions")._install(sys.argv[1], 
 """
 
 
-@pytest.mark.skipif(bool(missing()), reason=missing())
+@in_inkscape.needs()
 @pytest.mark.skipif(not (INKEX / "inkman").is_dir(), reason="there is no extension manager")
 def test_the_extension_manager_installs_the_zip(archive, tmp_path):
     with Inkscape(values={"org.gradmesh.simplify.method": "grid"}) as inkscape:

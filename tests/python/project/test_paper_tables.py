@@ -1,23 +1,11 @@
 """scripts/paper_tables, on meshes of our own under the names of the authors' files."""
 
 import json
-import os
-import subprocess
 
-from built import BUILD, PYTHON, ROOT
+from built import script
 from hemesh_files import grid
 
 METHODS = ["random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best"]
-
-
-def run(*arguments):
-    return subprocess.run(
-        [PYTHON, ROOT / "scripts" / "paper_tables", *map(str, arguments)],
-        env={**os.environ, "GRADMESH_BUILD": str(BUILD)},
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
 
 
 def test_every_table_is_run_on_the_meshes_present(tmp_path):
@@ -27,7 +15,7 @@ def test_every_table_is_run_on_the_meshes_present(tmp_path):
     out, data = tmp_path / "tables.md", tmp_path / "tables.json"
     quick = ["--iterations", 2, "--resolution", 64]
     note = ["--note", "Others were at work."]
-    done = run("--meshes", tmp_path, *quick, *note, "-o", out, "--json", data)
+    done = script("paper_tables", "--meshes", tmp_path, *quick, *note, "-o", out, "--json", data)
     assert done.returncode == 0, done.stderr
     assert "Watermelon is not there and left out" in done.stderr
 
@@ -53,6 +41,6 @@ def test_every_table_is_run_on_the_meshes_present(tmp_path):
 
 
 def test_a_folder_that_is_not_there_is_named(tmp_path):
-    done = run("--meshes", tmp_path / "nowhere")
+    done = script("paper_tables", "--meshes", tmp_path / "nowhere")
     assert done.returncode == 1
     assert done.stderr == f"{tmp_path / 'nowhere'}: there is no such folder.\n"

@@ -7,9 +7,8 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-import inkscape_harness
 from built import SAMPLES
-from inkscape_harness import Inkscape
+from in_inkscape import inkscape  # noqa: F401
 from sample_meshes import OBJECTS, PAINTED, mesh_of
 
 
@@ -38,15 +37,6 @@ def test_patches_form_a_grid_with_the_right_sides(sample, painted):
     other = [3] + [2] * (len(counts[0]) - 1)
     assert counts == [first] + [other] * (len(counts) - 1)
     assert sum(map(len, counts)) == PAINTED[sample][painted]
-
-
-@pytest.fixture(scope="module")
-def inkscape():
-    reason = inkscape_harness.missing()
-    if reason:
-        pytest.skip(reason)
-    with Inkscape() as running:
-        yield running
 
 
 @pytest.fixture(scope="module")

@@ -1,28 +1,34 @@
-"""Whatever is simplest leaves the object as it is, painted by one mesh gradient with few handles."""
+"""Whatever is simplest leaves the object as it is, painted by one mesh gradient with few handles, and
+so does the method lines."""
 
+import io
 import re
 import xml.etree.ElementTree as ET
 from typing import NamedTuple
 
 import pytest
 
-pytest.importorskip("numpy")
+np = pytest.importorskip("numpy")
 
-import inkscape_harness
-from built import SAMPLES, gradmesh as run
+import svg_meshes
+from built import SAMPLES
+from in_inkscape import inkscape  # noqa: F401
+from program import error
 from sample_meshes import OBJECTS, PAINTED, mesh_of
-from svg_meshes import GRADMESH, SVG
+from svg_meshes import GRADMESH, SVG, declared
 
 import gradmesh
 
 NAMES = ("fruit", "face", "ellipse", "two", "transformed")
-PAINTED_BY = [(sample, painted) for sample, painted in OBJECTS if sample in NAMES]
 EPSILON = 0.01
 #: The whole mesh is measured, so that its picture has the error that is told.
 OPTIONS = {"resolution": 300, "epsilon": EPSILON, "visible_only": False}
+RUNS = {"plain": OPTIONS, "lines": {"resolution": 700, "epsilon": 0.02, "visible_only": False, "method": "lines"}}
+#: By which method a sample is simplified, the name of its object too.
+BY = [("plain", sample) for sample in NAMES] + [("lines", sample) for sample in PAINTED]
+OBJECTS_BY = [(method, *pair) for method, sample in BY for pair in OBJECTS if pair[0] == sample]
 PAGE = 0.002  # the page has other pixels than the mesh was measured at
 PAINTS = ("fill", "stroke")
-REASON = inkscape_harness.missing()
 
 
 class Simplified(NamedTuple):
@@ -35,18 +41,17 @@ class Simplified(NamedTuple):
 
 
 @pytest.fixture(scope="module")
-def plain():
-    """What becomes of a sample by default."""
+def simplified():
+    """What becomes of a sample by default, or by the method lines."""
     found = {}
 
-    def simplify(sample):
-        if sample not in found:
+    def simplify(method, sample):
+        if (method, sample) not in found:
             document = gradmesh.load(SAMPLES / f"{sample}.svg")
             before = document.to_bytes()
-            results = gradmesh.simplify(document, **OPTIONS)
-            by_id = {result.id: result for result in results}
-            found[sample] = Simplified(before, document.to_bytes(), by_id)
-        return found[sample]
+            by_id = {result.id: result for result in gradmesh.simplify(document, **RUNS[method])}
+            found[method, sample] = Simplified(before, document.to_bytes(), by_id)
+        return found[method, sample]
 
     return simplify
 
@@ -54,9 +59,7 @@ def plain():
 def declarations(element):
     """What an element that is painted by a mesh gradient declares in its style or, of its paints,
     in attributes, whatever the name of the gradient is."""
-    parts = [part.split(":", 1) for part in element.get("style", "").split(";") if part.strip()]
-    found = {name: element.get(name) for name in PAINTS if element.get(name)}
-    found |= {name.strip(): value.strip() for name, value in parts}
+    found = {name: element.get(name) for name in PAINTS if element.get(name)} | declared(element)
     return {name: re.sub(r"url\(#[^)]*\)", "url()", value) for name, value in found.items()}
 
 
@@ -90,46 +93,69 @@ def sides(gradient):
     return [stop.get("path")[0] for stop in gradient.iter(SVG + "stop")]
 
 
-@pytest.mark.parametrize("sample", NAMES)
-def test_only_the_mesh_gradients_are_others(plain, sample):
-    before, after = plain(sample).roots()
+@pytest.mark.parametrize("method, sample", BY)
+def test_only_the_mesh_gradients_are_others(simplified, method, sample):
+    before, after = simplified(method, sample).roots()
     assert all_but_meshes(after) == all_but_meshes(before)
     # Of the rows that are taken from another gradient (href) each mesh has its own now.
     assert len(list(after.iter(SVG + "meshgradient"))) == len(PAINTED[sample])
 
 
-@pytest.mark.parametrize("sample, painted", PAINTED_BY)
-def test_one_object_with_fewer_handles_is_left(plain, sample, painted):
-    result = plain(sample).results[painted]
-    assert (result.method, result.objects, result.changed) == ("plain", 1, True)
+@pytest.mark.parametrize("method, sample, painted", OBJECTS_BY)
+def test_one_object_with_fewer_handles_or_patches_is_left(simplified, method, sample, painted):
+    found = simplified(method, sample)
+    result = found.results[painted]
+    assert (result.method, result.objects, result.changed) == (method, 1, True)
     assert result.patches_before == PAINTED[sample][painted] >= result.patches_after
-    assert result.handles_after < result.handles_before
-    assert 0 < result.error <= EPSILON
-    (mesh,) = [mesh for mesh in gradmesh.loads(plain(sample).after).meshes if mesh.id == painted]
+    fewer = "handles" if method == "plain" else "patches"
+    assert getattr(result, f"{fewer}_after") < getattr(result, f"{fewer}_before")
+    assert 0 < result.error <= RUNS[method]["epsilon"]
+    (mesh,) = [mesh for mesh in gradmesh.loads(found.after).meshes if mesh.id == painted]
     assert not mesh.simplified and mesh.patches == result.patches_after
-
-
-@pytest.mark.parametrize("sample, painted", PAINTED_BY)
-def test_straight_sides_are_lines_and_all_is_counted_in_the_file(plain, sample, painted):
-    result, gradient = plain(sample).results[painted], mesh_of(plain(sample).roots()[1], painted)
+    gradient = mesh_of(found.roots()[1], painted)
     rows = [list(row.iter(SVG + "meshpatch")) for row in gradient.iter(SVG + "meshrow")]
-    assert len({len(row) for row in rows}) == 1
+    assert {len(row) for row in rows} == {result.patches_after / len(rows)}
+
+
+@pytest.mark.parametrize("sample, painted", [pair for pair in OBJECTS if pair[0] in NAMES])
+def test_straight_sides_are_lines_and_all_is_counted_in_the_file(simplified, sample, painted):
+    result = simplified("plain", sample).results[painted]
+    gradient = mesh_of(simplified("plain", sample).roots()[1], painted)
+    rows = [list(row.iter(SVG + "meshpatch")) for row in gradient.iter(SVG + "meshrow")]
     assert not [patch for row in rows for patch in row if patch.get("tensor")]
     letters = "".join(sides(gradient)).upper()
     lines, columns = len(rows), len(rows[0])
     assert len(letters) == lines * (columns + 1) + columns * (lines + 1)
     assert set(letters) <= {"L", "C"} and "L" in letters
     assert result.handles_after == (lines + 1) * (columns + 1) + 2 * letters.count("C")
-    assert result.patches_after == lines * columns
 
 
-@pytest.mark.parametrize("sample, painted", PAINTED_BY)
-def test_what_is_told_is_found_again(plain, sample, painted):
-    result = plain(sample).results[painted]
-    before, after = (gradmesh.loads(data) for data in plain(sample)[:2])
-    frame = {"id": painted, "resolution": OPTIONS["resolution"]}
+@pytest.mark.parametrize("sample, painted", OBJECTS)
+def test_without_lines_a_gradient_is_where_it_was_and_of_its_kind(simplified, sample, painted):
+    found = simplified("lines", sample)
+    before, after = (svg_meshes.Document(io.BytesIO(data)) for data in found[:2])
+    elements = [document.by_id[painted] for document in (before, after)]
+    old, new = (document.paint(element) for document, element in zip((before, after), elements))
+    assert old.get("id") not in after.by_id
+    assert re.search(r"url\(#[^)]*\) .", " ".join(elements[0].attrib.values()))  # the fallback colour
+    for attribute in ("gradientTransform", "type"):
+        assert new.get(attribute) == old.get(attribute)
+    # The corners of the whole mesh have not moved.
+    nets = [document.net(element) for document, element in zip((before, after), elements)]
+    corners = [net[np.ix_((0, -1), (0, -1))] for net in nets]
+    assert abs(corners[0] - corners[1]).max() <= 1e-7 * abs(corners[0]).max()
+
+
+@pytest.mark.parametrize("method, sample, painted", OBJECTS_BY)
+def test_what_is_told_is_found_again(simplified, method, sample, painted):
+    result = simplified(method, sample).results[painted]
+    before, after = (gradmesh.loads(data) for data in simplified(method, sample)[:2])
+    frame = {"id": painted, "resolution": RUNS[method]["resolution"]}
     pictures = gradmesh.render(before, **frame), gradmesh.render(after, framed_as=before, **frame)
-    assert gradmesh.compare(*pictures) == pytest.approx(result.error, abs=2e-4)
+    near = 2e-4 if method == "plain" else 2e-5
+    assert gradmesh.compare(*pictures) == pytest.approx(result.error, abs=near)
+    if method == "lines":
+        return
     # Without an error allowed nothing more is taken out, and what there is, is measured.
     options = {**OPTIONS, "epsilon": 0, "original": before, "preview": True}
     (again,) = gradmesh.simplify(after, painted, **options)
@@ -141,8 +167,8 @@ def test_what_is_told_is_found_again(plain, sample, painted):
 
 
 @pytest.mark.parametrize("sample", NAMES)
-def test_small_parts_keep_to_their_bound(plain, sample):
-    free = plain(sample).results
+def test_small_parts_keep_to_their_bound(simplified, sample):
+    free = simplified("plain", sample).results
     bound = max(result.local_error for result in free.values()) / 2
     document, before = (gradmesh.load(SAMPLES / f"{sample}.svg") for _ in range(2))
     for result in gradmesh.simplify(document, max_local_error=bound, **OPTIONS):
@@ -154,18 +180,18 @@ def test_small_parts_keep_to_their_bound(plain, sample):
 
 
 @pytest.mark.parametrize("sample", NAMES)
-def test_a_second_run_only_takes_more_out(plain, sample):
-    document = gradmesh.loads(plain(sample).after)
+def test_a_second_run_only_takes_more_out(simplified, sample):
+    document = gradmesh.loads(simplified("plain", sample).after)
     results = gradmesh.simplify(document, **OPTIONS)
     for result in results:
-        first = plain(sample).results[result.id]
+        first = simplified("plain", sample).results[result.id]
         assert (result.handles_before, result.patches_before) == (first.handles_after, first.patches_after)
         assert (result.handles_after < result.handles_before) == result.changed
         assert result.patches_after <= result.patches_before
         assert result.objects == 1 and result.error <= EPSILON
     if not any(result.changed for result in results):
-        assert document.to_bytes() == plain(sample).after
-    before, after = ET.fromstring(plain(sample).before), ET.fromstring(document.to_bytes())
+        assert document.to_bytes() == simplified("plain", sample).after
+    before, after = ET.fromstring(simplified("plain", sample).before), ET.fromstring(document.to_bytes())
     assert all_but_meshes(after) == all_but_meshes(before)
 
 
@@ -177,18 +203,11 @@ def test_nothing_changed_is_byte_for_byte_the_same():
     assert document.to_bytes() == (SAMPLES / "fruit.svg").read_bytes()
 
 
-@pytest.fixture(scope="module")
-def inkscape():
-    with inkscape_harness.Inkscape() as running:
-        yield running
-
-
-@pytest.mark.skipif(bool(REASON), reason=REASON or "nothing is missing")
 @pytest.mark.parametrize("sample", NAMES)
-def test_inkscape_paints_the_same(plain, inkscape, tmp_path, sample):
+def test_inkscape_paints_the_same(simplified, inkscape, tmp_path, sample):
     pictures = []
-    for when, data in zip(("before", "after"), plain(sample)):
+    for when, data in zip(("before", "after"), simplified("plain", sample)):
         svg = tmp_path / f"{when}.svg"
         svg.write_bytes(data)
         pictures.append(inkscape.export_png(svg, tmp_path / f"{when}.png", width=700))
-    assert float(run("compare", *pictures).stdout) <= EPSILON + PAGE
+    assert error(*pictures) <= EPSILON + PAGE
