@@ -1,5 +1,6 @@
 #include "mesh/validate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -95,10 +96,8 @@ class Validator {
   }
 
   void check_face_of(Halfedge leaf) {
-    Halfedge h = mesh_[mesh_.face(leaf)].halfedge;
-    bool found = false;
-    for (int k = 0; k < 4; ++k, h = mesh_.next(h)) found = found || h == leaf;
-    require(found, "face", leaf);
+    const std::array<Halfedge, 4> sides = mesh_.sides(mesh_.face(leaf));
+    require(std::ranges::find(sides, leaf) != sides.end(), "face", leaf);
   }
 
   void check_curve_side(Halfedge h) {

@@ -7,6 +7,7 @@
 #include "form/smooth_colors.h"
 #include "form/written_patch.h"
 #include "raster/hidden.h"
+#include "raster/rasterizer.h"
 
 namespace gradmesh {
 namespace {
@@ -24,6 +25,13 @@ struct ReadyFace {
   Face face;
   std::optional<PatchColor> color;
   FaceShape shape;
+};
+
+class SoftwareRasterizer final : public Rasterizer {
+ public:
+  Image paint(const Mesh& mesh, const Frame& frame) const override {
+    return paint_whole(mesh, frame).image;
+  }
 };
 
 }  // namespace
@@ -122,6 +130,10 @@ void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
       fill_face(f.shape, f.face, *f.color, band, parameters, painting);
     hide(frame, band, painting);
   });
+}
+
+std::unique_ptr<Rasterizer> make_software_rasterizer() {
+  return std::make_unique<SoftwareRasterizer>();
 }
 
 }  // namespace gradmesh

@@ -13,22 +13,19 @@
 namespace gradmesh {
 namespace {
 
-/// Returns the mesh with each colour, or the derivative of one, replaced by what `change` makes of
-/// it, and opaque.
-Mesh recolored(const Mesh& mesh, glm::dvec3 (*change)(const glm::dvec4&)) {
+/// Returns the mesh opaque, with its colours or, in their place, with its opacities as greys.
+Mesh opaque(const Mesh& mesh, bool shows_opacities) {
   MeshParts parts = subdivided(mesh, 1);
   for (Patch& patch : parts.patches)
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) {
         const bool is_corner = i % 3 == 0 && j % 3 == 0;
         glm::dvec4& color = patch.c[i][j].color;
-        color = glm::dvec4(change(color), is_corner ? 1 : 0);
+        const glm::dvec3 shown = shows_opacities ? glm::dvec3(color.a) : glm::dvec3(color);
+        color = glm::dvec4(shown, is_corner ? 1 : 0);
       }
   return build_derived_mesh(parts);
 }
-
-glm::dvec3 to_color(const glm::dvec4& color) { return glm::dvec3(color); }
-glm::dvec3 to_opacity(const glm::dvec4& color) { return glm::dvec3(color.a); }
 
 /// Gives all pixels that are not covered the samples of a nearest one that is, counted in steps to
 /// the side, up and down.
@@ -64,10 +61,10 @@ MeshPicture picture_of(const Mesh& mesh, Frame frame) {
   const std::unique_ptr<Rasterizer> inkscape = make_cairo_like_rasterizer();
   MeshPicture picture{RgbaImage(frame.width, frame.height, 255),
                       Raster<std::uint8_t, 1>(frame.width, frame.height)};
-  std::ranges::copy(inkscape->paint(recolored(painted, to_color), frame).samples,
+  std::ranges::copy(inkscape->paint(opaque(painted, false), frame).samples,
                     picture.samples.samples.begin());
   if (is_translucent(painted)) {
-    const Image opacity = inkscape->paint(recolored(painted, to_opacity), frame);
+    const Image opacity = inkscape->paint(opaque(painted, true), frame);
     std::copy_n(opacity.samples.begin(), opacity.pixels(), picture.samples.at(0, 0, 3));
   }
   std::ranges::transform(

@@ -101,11 +101,9 @@ inline Kernel contrast_sensitivity(int channel, int radius) {
     constexpr double ppd = 67.0206451;
     return a * pi / b * std::exp(-pi * pi * (dx * dx + dy * dy) / (ppd * ppd) / b);
   };
-  if (channel == 0) {
-    return normalised([=](int dx, int dy) { return gaussian(1, 0.0047, dx, dy); }, radius);
-  }
-  if (channel == 1) {
-    return normalised([=](int dx, int dy) { return gaussian(1, 0.0053, dx, dy); }, radius);
+  if (channel < 2) {
+    const double b = channel == 0 ? 0.0047 : 0.0053;
+    return normalised([=](int dx, int dy) { return gaussian(1, b, dx, dy); }, radius);
   }
   // The amplitudes a sqrt(pi / b) of the published code, not the a pi / b of a true transform.
   return normalised(
