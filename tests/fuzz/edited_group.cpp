@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/curves.h"
 #include "formats/svg/xml/node.h"
+#include "formats/text/number.h"
 #include "mesh/build.h"
 #include "ops/split/without_faces.h"
 #include "target.h"
@@ -153,14 +153,7 @@ class Edits {
   Choices& choices_;
 };
 
-std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 9);
-  return {text, end.ptr};
-}
-
-std::string point(glm::dvec2 p) { return number(p.x) + "," + number(p.y); }
-std::string point(const Value& v) { return point(v.position); }
+std::string point(const Value& v) { return format_point(v.position); }
 
 /// Returns `meshpatch` elements in rows, with absolute sides and, of each patch, those that no
 /// patch before has given.
@@ -172,7 +165,7 @@ std::string rows_text(const PatchGrid& grid) {
       const Patch& patch = grid.patches[std::size_t(i * grid.columns + j)];
       const BezierNet net = bezier_net(patch);
       const auto inside = [&](int u, int v) {
-        return point(net[u][v].position - net[u == 1 ? 0 : 3][v == 1 ? 0 : 3].position);
+        return format_point(net[u][v].position - net[u == 1 ? 0 : 3][v == 1 ? 0 : 3].position);
       };
       text += "<meshpatch tensor='" + inside(1, 1) + " " + inside(1, 2) + " " + inside(2, 2) + " " +
               inside(2, 1) + "'>";
@@ -184,7 +177,7 @@ std::string rows_text(const PatchGrid& grid) {
                 point(side.p1) + "' stop-color='rgb(";
         for (int c = 0; c < 3; ++c)
           text += std::to_string(std::lround(255 * color[c])) + (c < 2 ? "," : ")'");
-        text += " stop-opacity='" + number(color.a) + "'/>";
+        text += " stop-opacity='" + format_number(color.a) + "'/>";
       }
       text += "</meshpatch>";
     }
@@ -202,8 +195,8 @@ std::pair<std::string, std::string> texts(const std::vector<Block>& blocks,
     const Value start = grid.patches.front().corner(0);
     const std::string id = name + std::to_string(b);
     texts.first += "<meshgradient id='" + id + "' gradientUnits='userSpaceOnUse' x='" +
-                   number(start.position.x) + "' y='" + number(start.position.y) + "'>" +
-                   rows_text(grid) + "</meshgradient>";
+                   format_number(start.position.x) + "' y='" + format_number(start.position.y) +
+                   "'>" + rows_text(grid) + "</meshgradient>";
     texts.second += "<path id='p" + id + "' gradmesh:face='" + std::to_string(face) +
                     "' fill='url(#" + id + ")'" +
                     (transform.empty() ? "" : " transform='" + transform + "'") + "/>";
