@@ -30,7 +30,7 @@ nlohmann::ordered_json result_json(const Document& document, const MeshReport& r
 /// where "unused" are mesh gradients that paint nothing.
 nlohmann::ordered_json info_json(const Document& document);
 
-/// Returns the same as text, with one element on each line.
+/// Returns what info_json() returns as text, with one element on each line.
 std::string info_text(const Document& document);
 
 }  // namespace gradmesh

@@ -11,7 +11,7 @@ namespace gradmesh {
 /// InputError if there are several; the message says that one is chosen with `option`.
 MeshEntry one_mesh(const Document& document, const std::vector<std::string>& ids,
                    const std::string& option = "--id");
-/// Does the same with one id, or with none if it is empty.
+/// Returns the mesh that `id` names, as above; the only one of the document if `id` is empty.
 MeshEntry one_mesh(const Document& document, const std::string& id);
 
 }  // namespace gradmesh

@@ -2,7 +2,7 @@
 
 #include "app/devices.h"
 #include "app/one_mesh.h"
-#include "app/report_on_mesh.h"
+#include "app/page_on_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
@@ -14,15 +14,13 @@ namespace {
 struct ReportArguments {
   std::filesystem::path before, after, out, original, run;
   std::string id, renderer = name(Renderer::automatic);
-  ReportOptions options;
+  PageOptions options;
   bool quiet = false;
 };
 
 void run_report(ReportArguments& a, const CLI::App& command) {
-  const RunOptions& given = a.options.pricing;
-  if (command.count("--metric") > 0) a.options.metric = given.metric;
-  if (command.count("--epsilon") > 0) a.options.epsilon = given.epsilon;
-  if (command.count("--resolution") > 0) a.options.resolution = given.resolution;
+  for (const std::string name : {"metric", "epsilon", "resolution", "color_model"})
+    if (command.count(flag_of(name)) > 0) a.options.given.push_back(name);
   const auto before = Document::read_file(a.before), after = Document::read_file(a.after);
   if (!a.run.empty()) {
     a.options.run = read_bytes(a.run);
@@ -31,13 +29,13 @@ void run_report(ReportArguments& a, const CLI::App& command) {
   const MeshEntry entry = one_mesh(*before, a.id), entry_after = one_mesh(*after, a.id);
   take_renderer(a.renderer, a.options.pricing);
   const std::unique_ptr<Document> original = take_original(a.original, *before);
-  Report report;
+  Page page;
   {
     ProgressBar bar(a.quiet);
     a.options.pricing.progress = bar.callback();
-    report = report_on_mesh(*before, entry, *after, entry_after, a.options);
+    page = page_on_mesh(*before, entry, *after, entry_after, a.options);
   }
-  write_bytes(a.out, report_html(report));
+  write_bytes(a.out, page_html(page));
 }
 
 }  // namespace

@@ -83,9 +83,9 @@ Json heeded_by() {
   return result;
 }
 
-Json mesh_json(const ReportedMesh& reported, const Image& picture) {
-  const Mesh& mesh = reported.mesh;
-  const Affine& to_pixels = reported.frame.to_pixels;
+Json mesh_json(const PageMesh& shown, const Image& picture) {
+  const Mesh& mesh = shown.mesh;
+  const Affine& to_pixels = shown.frame.to_pixels;
   // To a hundredth of a pixel, in mesh units.
   const int decimals =
       std::max(0, int(std::ceil(2 + 0.5 * std::log10(std::abs(to_pixels.determinant())))));
@@ -94,12 +94,12 @@ Json mesh_json(const ReportedMesh& reported, const Image& picture) {
   for (const Halfedge h : mesh.halfedges())
     curves.push_back(pixels(mesh.is_leaf(h) ? mesh.side_of(h) : mesh.curve_of(h), to_pixels));
   for (const Face f : mesh.faces()) matrices.push_back(hermite(mesh.patch(f), decimals));
-  return {{"file", reported.file},
+  return {{"file", shown.file},
           {"picture", address(picture)},
           {"color_model", mesh.color_model() == ColorModel::bicubic ? "bicubic" : "bilinear"},
           {"handles", count_handles(mesh)},
           {"patches", mesh.face_count()},
-          {"objects", reported.objects},
+          {"objects", shown.objects},
           {"points", std::ranges::distance(mesh.points())},
           {"t_junctions", std::ranges::count_if(mesh.points(), is_junction)},
           {"elements", elements_json(mesh)},
@@ -127,25 +127,24 @@ Json errors_json(const Plane& map) {
 
 }  // namespace
 
-Json page_data(const Report& report) {
+Json page_data(const Page& page) {
   const auto rasterizer = make_software_rasterizer();
-  const ReportedMesh &before = report.before, &after = report.after;
-  const Image first =
-      rasterizer->paint(report.original ? *report.original : before.mesh, before.frame);
+  const PageMesh &before = page.before, &after = page.after;
+  const Image first = rasterizer->paint(page.original ? *page.original : before.mesh, before.frame);
   const Image second = rasterizer->paint(after.mesh, after.frame);
-  const Plane map = make_metric(report.metric, first)->map(second);
+  const Plane map = make_metric(page.metric, first)->map(second);
   Json before_json = mesh_json(before, first);
-  before_json["merging"] = merging(before.mesh, report.edges);
-  before_json["regions"] = regions_json(report.regions, report.fitted);
-  return {{"id", report.id},
+  before_json["merging"] = merging(before.mesh, page.edges);
+  before_json["regions"] = regions_json(page.regions, page.fitted);
+  return {{"id", page.id},
           {"width", first.width},
           {"height", first.height},
-          {"metric", label(report.metric)},
+          {"metric", label(page.metric)},
           {"error", mean(map)},
           {"local_error", largest_local_mean(map)},
-          {"epsilon", report.epsilon},
+          {"epsilon", page.epsilon},
           {"errors", errors_json(map)},
-          {"run", report.run},
+          {"run", page.run},
           {"heeded_by", heeded_by()},
           {"before", std::move(before_json)},
           {"after", mesh_json(after, second)}};

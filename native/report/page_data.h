@@ -21,6 +21,6 @@ namespace gradmesh {
 ///    "merging": [...],   for each half-edge the price of merging it, why it cannot be, or null
 ///    "regions": [{"rows", "columns", "error", "fitted", "faces": [...]}, ...]}  by rising size
 /// In "after" the last two are empty; "fitted" is null if it was not worked out.
-nlohmann::ordered_json page_data(const Report& report);
+nlohmann::ordered_json page_data(const Page& page);
 
 }  // namespace gradmesh

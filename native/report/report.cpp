@@ -28,14 +28,14 @@ std::string as_script(const nlohmann::ordered_json& data) {
 
 }  // namespace
 
-std::string report_html(const Report& report) {
-  std::string page(report_page::index_html);
-  fill(page, "/* style */", report_page::style_css);
-  fill(page, "/* script */",
+std::string page_html(const Page& page) {
+  std::string html(report_page::index_html);
+  fill(html, "/* style */", report_page::style_css);
+  fill(html, "/* script */",
        std::string(report_page::dom_js) + report_page::mesh_js + report_page::stage_js +
            report_page::inspector_js + report_page::main_js);
-  fill(page, "/* data */", as_script(page_data(report)));
-  return page;
+  fill(html, "/* data */", as_script(page_data(page)));
+  return html;
 }
 
 }  // namespace gradmesh

@@ -13,22 +13,22 @@
 
 namespace gradmesh {
 
-/// A mesh as a report shows it.
-struct ReportedMesh {
+/// A mesh as a page shows it.
+struct PageMesh {
   /// Name of the file on the page.
   std::string file;
   Mesh mesh;
-  /// Both meshes of a report have frames of one size.
+  /// Both meshes of a page have frames of one size.
   Frame frame;
   /// The number of objects that paint the mesh in its document.
   int objects = 1;
 };
 
 /// A mesh before and after its simplification, and what is known about it.
-struct Report {
+struct Page {
   /// Name of the mesh on the page.
   std::string id;
-  ReportedMesh before, after;
+  PageMesh before, after;
   /// The mesh whose picture counts, in the frame of `before`; null if it is `before` itself.
   std::shared_ptr<const Mesh> original;
   MetricKind metric = MetricKind::flip;
@@ -39,12 +39,12 @@ struct Report {
   std::vector<double> fitted;
   /// The error up to which regions were priced.
   double epsilon = 0;
-  /// The simplification's own report, an object of names and values; null if not known.
+  /// The result of the simplification, an object of names and values; null if not known.
   nlohmann::ordered_json run;
 };
 
 /// Returns one page of HTML in UTF-8 that needs no other files: both pictures, the error map, the
 /// patches and how they are connected (B.1), the regions (B.3), the counts and the options.
-std::string report_html(const Report& report);
+std::string page_html(const Page& page);
 
 }  // namespace gradmesh

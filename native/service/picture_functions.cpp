@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "app/draw_document.h"
-#include "app/report_on_mesh.h"
+#include "app/page_on_mesh.h"
 #include "files/atomic_file.h"
 #include "report/report.h"
 #include "service/functions.h"
@@ -60,19 +60,18 @@ Json draw_mesh(const Call& call) {
 Json write_report(const Call& call) {
   Document& before = call.document();
   const Document& after = call.document("after");
-  ReportOptions options;
+  PageOptions options;
   options.run = call.get<std::string>("run", "");
   options.pricing = run_options(call);
   check(options.pricing);
   take_renderer(options.pricing, call);
-  if (call.has("metric")) options.metric = options.pricing.metric;
-  if (call.has("epsilon")) options.epsilon = options.pricing.epsilon;
-  if (call.has("resolution")) options.resolution = options.pricing.resolution;
+  for (const OptionEntry& option : all_options())
+    if (call.has(option.name)) options.given.push_back(option.name);
   options.analyses = analysis_paths(call);
   const MeasuredAgainst measured(before, call);
   write_bytes(path_argument(call, "path"),
-              report_html(report_on_mesh(before, one_mesh(before, call), after,
-                                         one_mesh(after, call), options)));
+              page_html(page_on_mesh(before, one_mesh(before, call), after, one_mesh(after, call),
+                                     options)));
   return nullptr;
 }
 

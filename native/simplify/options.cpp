@@ -4,7 +4,6 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <type_traits>
 
 #include "base/limits.h"
 
@@ -89,21 +88,6 @@ void check(const OptionEntry::Range& range, double value) {
   throw std::invalid_argument(text.str());
 }
 
-/// Checks one option that has a range.
-struct Checking {
-  const Options& options;
-  const OptionEntry::Range& range;
-
-  template <class T>
-  void operator()(T Options::*member) const {
-    if constexpr (std::is_convertible_v<T, double>) check(range, double(options.*member));
-  }
-  void operator()(std::optional<double> Options::*member) const {
-    if (options.*member) check(range, *(options.*member));
-  }
-  void operator()(const NamedValue&) const {}
-};
-
 }  // namespace
 
 const std::vector<OptionEntry>& all_options() {
@@ -163,8 +147,15 @@ const std::vector<Amount>& all_amounts() {
 }
 
 void check(const SimplifyOptions& options) {
-  for (const OptionEntry& option : all_options())
-    if (option.range) std::visit(Checking{options, *option.range}, option.value);
+  for (const OptionEntry& option : all_options()) {
+    if (!option.range) continue;
+    if (const auto* const member = std::get_if<int Options::*>(&option.value))
+      check(*option.range, options.**member);
+    else if (const auto* const bound = std::get_if<std::optional<double> Options::*>(&option.value))
+      check(*option.range, (options.**bound).value_or(option.range->least));
+    else
+      check(*option.range, options.*std::get<double Options::*>(option.value));
+  }
 }
 
 void check_resolution(int resolution) { check(*option_named("resolution").range, resolution); }

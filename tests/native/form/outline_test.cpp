@@ -43,7 +43,7 @@ TEST(Boundary, is_found_as_closed_loops) {
   EXPECT_EQ(loop_lengths(build_mesh(test::l_branch())), Lengths{8});
   EXPECT_EQ(loop_lengths(build_mesh(test::ring(7))), (Lengths{7, 7}));
   MeshParts both = test::ring(5);
-  test::append(both, test::u_branch());
+  append(both, test::u_branch());
   EXPECT_EQ(loop_lengths(build_mesh(both)), (Lengths{5, 5, 10}));
   for (unsigned seed = 0; seed < 20; ++seed) {
     std::mt19937 random(seed);
@@ -55,7 +55,7 @@ TEST(Boundary, is_found_as_closed_loops) {
 
 TEST(Boundary, faces_are_connected_across_curves) {
   MeshParts both = test::ring(5);
-  test::append(both, test::u_branch());
+  append(both, test::u_branch());
   const Mesh mesh = build_mesh(both);
   EXPECT_EQ(face_components(mesh), (std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 1}));
   Mesh divided = test::grid_mesh({.rows = 2, .columns = 2});
@@ -109,7 +109,7 @@ TEST(MeshOutline, holes_turn_against_their_outside) {
 
 TEST(MeshOutline, parts_that_lie_over_one_another_turn_the_same_way) {
   MeshParts parts = one_square(false);
-  test::append(parts, one_square(true));
+  append(parts, one_square(true));
   for (const double area : areas(outline_path(build_mesh(parts)))) EXPECT_NEAR(area, 2, 1e-6);
   EXPECT_EQ(areas(outline_path(build_mesh(parts))).size(), 2u);
 }

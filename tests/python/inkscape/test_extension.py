@@ -145,16 +145,6 @@ def test_a_broken_mesh_elsewhere_does_not_matter(run):
     assert by_id(run(text, "--id=pear", "--result=blocks", SMALL).stdout)["pear"].tag == SVG + "g"
 
 
-def test_settings_are_used(run):
-    def label(*options):
-        options = ("--amount=custom", "--result=blocks", SMALL, *options)
-        return by_id(run(SAMPLES / "fruit.svg", "--id=pear", *options).stdout)["pear"].get(LABEL)
-
-    assert "SSIM" in label("--metric=ssim")
-    assert label("--epsilon=0.002") != label("--epsilon=0.03")
-    assert label("--resolution=100") != label("--resolution=200")
-
-
 #: What the dialog of Simplify has a default of its own for: targets, and bounds that may be off.
 OWN_DEFAULTS = {"handles", "patches", "max_local_error", "time_budget"}
 

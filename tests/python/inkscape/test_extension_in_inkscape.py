@@ -330,20 +330,6 @@ def untouched(inkscape, tmp_path_factory):
     return plain
 
 
-def test_preferences_reach_the_extension(inkscape, tmp_path):
-    def label(**values):
-        values = {"result": "blocks", **values}
-        elements = simplified(inkscape, "fruit", tmp_path / "after.svg", ["pear"], **values)
-        return LABEL_TEXT.fullmatch(elements["pear"].get(LABEL)).groups()
-
-    coarse = label(amount="custom", epsilon="0.03", resolution=200)
-    fine = label(amount="custom", epsilon="0.003", resolution=200)
-    assert int(coarse[0]) < int(fine[0])
-    assert float(fine[3]) <= 0.003 < float(coarse[3]) <= 0.03
-    assert label(metric="ssim", resolution=200)[2] == "1 - SSIM"
-    assert int(label(amount="patches", patches=40, resolution=200)[0]) <= 40
-
-
 STALK = 36  # patches, so few that every method is quick
 #: Of a method that the dialog has no longer, and its settings, as preferences may still hold them.
 OLD_CHOICE = {"method": "manual", "edges": "100, 120", "kappa": 0.2, "seed": 2}
@@ -356,16 +342,24 @@ NO_ERROR = {"amount": "custom", "epsilon": 0, "resolution": 2000, "visible_only"
         ({"result": "blocks", "omega": 0.6}, {"method": "best", "count": "handles", "omega": 0.6}),
         ({"result": "gqe", "omega": 0.3}, {"method": "gqe", "omega": 0.3}),
         ({"result": "gqe", **OLD_CHOICE}, {"method": "gqe"}),
+        ({"result": "gqe", "metric": "ssim"}, {"method": "gqe", "metric": "ssim"}),
+        *(
+            ({"result": "gqe", "amount": "custom", "epsilon": epsilon}, {"method": "gqe", "epsilon": epsilon})
+            for epsilon in (0.03, 0.003)
+        ),
+        ({"result": "blocks", "amount": "patches", "patches": 20}, {"method": "best", "patches": 20}),
     ],
 )
 def test_blocks_with_their_settings(inkscape, tmp_path, values, options):
-    """The same comes out as from Python: so every value has reached the core."""
+    """The same comes out as from Python: so every value of the preferences has reached the core."""
     document = gradmesh.load(SAMPLES / "two.svg")
-    (expected,) = gradmesh.simplify(document, "stalk", amount="balanced", resolution=100, **options)
+    bound = {} if "amount" in values else {"amount": "balanced"}
+    (expected,) = gradmesh.simplify(document, "stalk", resolution=100, **bound, **options)
     elements = simplified(inkscape, "two", tmp_path / "after.svg", ["stalk"], resolution=100, **values)
     left, _, metric, error = LABEL_TEXT.fullmatch(elements["stalk"].get(LABEL)).groups()
     assert int(left) == expected.patches_after < STALK
-    assert (metric, error) == ("FLIP", f"{expected.error:.4f}") and 0 < float(error) <= EPSILON
+    assert metric == ("1 - SSIM" if "metric" in values else "FLIP")
+    assert error == f"{expected.error:.4f}" and 0 < float(error) <= options.get("epsilon", 0.05)
     assert info(tmp_path / "after.svg")["stalk"]["patches"] == int(left)
 
 

@@ -120,19 +120,6 @@ def test_what_cannot_be_merged_is_told_why(simplified):
     assert simplified.to_bytes() == before
 
 
-@pytest.mark.parametrize(
-    "ids, words",
-    [
-        ([], "no blocks are chosen"),
-        (["pear"], "no block of a simplified mesh"),
-        (["gone"], "no object with the id"),
-    ],
-)
-def test_what_is_no_block(simplified, ids, words):
-    with pytest.raises(gradmesh.InputError, match=words):
-        gradmesh.merge(simplified, ids)
-
-
 def test_blocks_of_two_meshes():
     document = gradmesh.load(SAMPLES / "two.svg")
     gradmesh.simplify(document, method="best", epsilon=0.02, resolution=100)
@@ -199,26 +186,26 @@ def test_a_refined_mesh_merges_back(simplified):
     assert result.patches_after <= patches + 3
 
 
-def test_a_whole_group_is_too_much_to_refine(simplified):
-    with pytest.raises(gradmesh.InputError, match="made of blocks; choose one of them"):
-        gradmesh.refine(simplified, "pear")
-
-
 @pytest.mark.parametrize(
-    "options, words",
+    "edit, chosen, options, words",
     [
-        ({"place": 0}, "place of a split"),
-        ({"place": 1}, "place of a split"),
-        ({"direction": "up"}, "'up'"),
-        ({"row": 99}, "no row 99"),
-        ({"column": -1}, "no column -1"),
-        ({"resolution": 3}, "resolution"),
+        (gradmesh.merge, [], {}, "no blocks are chosen"),
+        (gradmesh.merge, ["pear"], {}, "no block of a simplified mesh"),
+        (gradmesh.merge, ["gone"], {}, "no object with the id"),
+        (gradmesh.refine, "pear", {}, "made of blocks; choose one of them"),
+        (gradmesh.refine, None, {"place": 0}, "place of a split"),
+        (gradmesh.refine, None, {"place": 1}, "place of a split"),
+        (gradmesh.refine, None, {"direction": "up"}, "'up'"),
+        (gradmesh.refine, None, {"row": 99}, "no row 99"),
+        (gradmesh.refine, None, {"column": -1}, "no column -1"),
+        (gradmesh.refine, None, {"resolution": 3}, "resolution"),
     ],
 )
-def test_bad_options(simplified, options, words):
+def test_what_cannot_be_edited_is_left(simplified, edit, chosen, options, words):
     before = simplified.to_bytes()
-    with pytest.raises(ValueError, match=words):
-        gradmesh.refine(simplified, list(blocks(simplified))[0], **options)
+    with pytest.raises(ValueError, match=words) as refused:
+        edit(simplified, list(blocks(simplified))[0] if chosen is None else chosen, **options)
+    assert options or isinstance(refused.value, gradmesh.InputError)
     assert simplified.to_bytes() == before
 
 

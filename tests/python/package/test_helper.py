@@ -107,33 +107,26 @@ def test_a_greeting_of_another_version(fake):
     assert "is of another version than the rest of gradmesh (99, not 2): install" in failure()
 
 
-@pytest.mark.parametrize(
-    "lines",
-    [
-        "print('Segmentation fault', flush=True); time.sleep(60)",
-        "sys.stdout.buffer.write(b'5\\nabcde'); sys.stdout.flush(); time.sleep(60)",
-        "sys.stdout.buffer.write(b'99999999999\\n{}'); sys.stdout.flush(); time.sleep(60)",
-        "say('[1, 2]'); time.sleep(60)",
-        "say('{}'); time.sleep(60)",
-        "say('{\"error\": \"input\", \"message\": 3}'); time.sleep(60)",
-        "say('{\"error\": \"value\"}'); time.sleep(60)",
-    ],
-    ids=["text", "no JSON", "too long", "a list", "empty", "no message", "no text"],
-)
-def test_a_program_that_talks_nonsense(fake, lines):
+NO_SENSE, DIED = "answered what makes no sense.", "ended before its work was done."
+FAULTY = {
+    "text": ("print('Segmentation fault', flush=True); time.sleep(60)", NO_SENSE),
+    "no JSON": ("sys.stdout.buffer.write(b'5\\nabcde'); sys.stdout.flush(); time.sleep(60)", NO_SENSE),
+    "too long": ("sys.stdout.buffer.write(b'99999999999\\n{}'); sys.stdout.flush(); time.sleep(60)", NO_SENSE),
+    "a list": ("say('[1, 2]'); time.sleep(60)", NO_SENSE),
+    "empty": ("say('{}'); time.sleep(60)", NO_SENSE),
+    "no message": ("say('{\"error\": \"input\", \"message\": 3}'); time.sleep(60)", NO_SENSE),
+    "no text": ("say('{\"error\": \"value\"}'); time.sleep(60)", NO_SENSE),
+    "dies": ("sys.exit(3)", DIED),
+    "dies at work": ("hear(); os.kill(os.getpid(), 9)", DIED),
+    "dies within a message": ("sys.stdout.buffer.write(b'50\\n{')", NO_SENSE),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTY)
+def test_a_program_that_is_no_helper(fake, fault):
+    lines, words = FAULTY[fault]
     fake(lines)
-    assert "answered what makes no sense" in failure()
-
-
-@pytest.mark.parametrize("lines", ["sys.exit(3)", "hear(); os.kill(os.getpid(), 9)"])
-def test_a_program_that_dies(fake, lines):
-    fake(lines)
-    assert failure().endswith("ended before its work was done.")
-
-
-def test_a_program_that_dies_within_a_message(fake):
-    fake("sys.stdout.buffer.write(b'50\\n{')")
-    assert failure().endswith("answered what makes no sense.")
+    assert failure().endswith(words)
 
 
 @pytest.mark.parametrize(
@@ -281,10 +274,28 @@ def ends(pid, seconds=20):
     return False
 
 
+def start_python(code, **environment):
+    """Starts Python by itself, with the helper unless the environment says otherwise."""
+    return subprocess.Popen(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": str(PACKAGES), cores.CHOICE: "helper", **environment},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+def python(code, **environment):
+    """What Python has said and complained, once it has ended."""
+    running = start_python(code, **environment)
+    return running.communicate(timeout=100)
+
+
 @pytest.mark.parametrize("at_work", [False, True], ids=["idle", "at work"])
 def test_the_helper_ends_with_python(at_work):
     work = "gradmesh.simplify(d, resolution=2000, method='best', progress=tell)"
-    code = (
+    running = start_python(
         "import gradmesh, gradmesh.core, time\n"
         "told = []\n"
         "def tell(*_):\n"
@@ -293,13 +304,9 @@ def test_the_helper_ends_with_python(at_work):
         f"d = gradmesh.load({str(SAMPLES / 'photo.svg')!r})\n"
         f"{work if at_work else 'tell(); time.sleep(600)'}\n"
     )
-    environment = {**os.environ, "PYTHONPATH": str(PACKAGES), cores.CHOICE: "helper"}
-    python = subprocess.Popen(
-        [sys.executable, "-c", code], env=environment, stdout=subprocess.PIPE, text=True
-    )
-    pid = int(python.stdout.readline())
-    python.kill()
-    python.wait()
+    pid = int(running.stdout.readline())
+    running.kill()
+    running.communicate()
     assert ends(pid)
 
 
@@ -315,7 +322,7 @@ def hears_ctrl_c():
 
 
 def test_ctrl_c_gives_the_run_up_and_keeps_the_document():
-    code = (
+    running = start_python(
         f"{HEARS_CTRL_C}import gradmesh, gradmesh.core\n"
         f"d = gradmesh.load({str(SAMPLES / 'photo.svg')!r})\n"
         "try:\n"
@@ -323,24 +330,16 @@ def test_ctrl_c_gives_the_run_up_and_keeps_the_document():
         "except KeyboardInterrupt:\n"
         "    print('given up', len(d.to_bytes()), gradmesh.core.core().works)\n"
     )
-    environment = {**os.environ, "PYTHONPATH": str(PACKAGES), cores.CHOICE: "helper"}
-    python = subprocess.Popen(
-        [sys.executable, "-c", code],
-        env=environment,
-        stdout=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-    assert python.stdout.readline() == "at work\n"
-    os.killpg(python.pid, signal.SIGINT)  # as a terminal does
-    said, _ = python.communicate(timeout=60)
+    assert running.stdout.readline() == "at work\n"
+    os.killpg(running.pid, signal.SIGINT)  # as a terminal does
+    said, _ = running.communicate(timeout=60)
     size = (SAMPLES / "photo.svg").stat().st_size
     assert said.splitlines()[-1] == f"given up {size} True"
 
 
 def test_ctrl_c_loses_no_document_whenever_it_comes():
     """Seeded moments, of which many lie between two steps of a conversation."""
-    code = (
+    said, complained = python(
         f"{HEARS_CTRL_C}import gradmesh, gradmesh.core, _thread, random, threading\n"
         "moments = random.Random(20)\n"
         f"d = gradmesh.load({str(SAMPLES / 'tensor.svg')!r})\n"
@@ -358,12 +357,7 @@ def test_ctrl_c_loses_no_document_whenever_it_comes():
         "    assert gradmesh.core.core().works and len(d.to_bytes()) == size\n"
         "print(given_up)\n"
     )
-    environment = {**os.environ, "PYTHONPATH": str(PACKAGES), cores.CHOICE: "helper"}
-    done = subprocess.run(
-        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, timeout=100
-    )
-    assert done.returncode == 0, done.stderr
-    assert int(done.stdout) == 200
+    assert said == "200\n", complained
 
 
 def test_ctrl_c_twice_does_not_wait(hears_ctrl_c):
@@ -415,23 +409,12 @@ def test_a_forked_process_has_a_helper_of_its_own(use, monkeypatch):
     assert core.works and document.to_bytes() == TWO.read_bytes()
 
 
-def python(code, **environment):
-    return subprocess.run(
-        [sys.executable, "-c", code],
-        env={**os.environ, "PYTHONPATH": str(PACKAGES), **environment},
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
-
-
 def test_what_computes_can_be_chosen():
     kind = "import gradmesh.core as c; print(type(c.core()._service).__name__)"
-    assert python(kind, GRADMESH_CORE="module").stdout == "Service\n"
-    assert python(kind, GRADMESH_CORE="helper").stdout == "Helper\n"
-    assert python(kind, GRADMESH_CORE="").stdout == "Service\n"
-    wrong = python(kind, GRADMESH_CORE="both")
-    assert "ImportError: GRADMESH_CORE is module or helper, not 'both'" in wrong.stderr
+    for choice, said in {"module": "Service\n", "helper": "Helper\n", "": "Service\n", "both": ""}.items():
+        outcome = python(kind, GRADMESH_CORE=choice)
+        assert outcome[0] == said
+    assert "ImportError: GRADMESH_CORE is module or helper, not 'both'" in outcome[1]
 
 
 def test_the_helper_where_the_module_does_not_load(tmp_path):
@@ -439,12 +422,11 @@ def test_the_helper_where_the_module_does_not_load(tmp_path):
     package.mkdir()
     for file in (PACKAGES / "gradmesh").glob("*.py"):
         (package / file.name).write_bytes(file.read_bytes())
-    (package / "_core.py").write_text("raise ImportError('of another Python')")
     code = f"import gradmesh; print(gradmesh.load({str(TWO)!r}).ids)"
-    alone = python(code, PYTHONPATH=str(tmp_path), GRADMESH_CORE="", GRADMESH_HELPER="")
-    assert "ImportError: of another Python" in alone.stderr
-    helped = python(code, PYTHONPATH=str(tmp_path), GRADMESH_CORE="", GRADMESH_HELPER=str(PROGRAM))
-    assert helped.stdout == "['stalk', 'cap']\n"
-    (package / "_core.py").write_text("protocol = 0")
-    helped = python(code, PYTHONPATH=str(tmp_path), GRADMESH_CORE="", GRADMESH_HELPER=str(PROGRAM))
-    assert helped.stdout == "['stalk', 'cap']\n"
+    alone = {"PYTHONPATH": str(tmp_path), "GRADMESH_CORE": "", "GRADMESH_HELPER": ""}
+    for module in ("raise ImportError('of another Python')", "protocol = 0"):
+        (package / "_core.py").write_text(module)
+        said, _ = python(code, **{**alone, "GRADMESH_HELPER": str(PROGRAM)})
+        assert said == "['stalk', 'cap']\n"
+        if "raise" in module:
+            assert "ImportError: of another Python" in python(code, **alone)[1]

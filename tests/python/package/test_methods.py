@@ -19,18 +19,34 @@ def simplified(**options):
     return result, document.to_bytes()
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_every_method_from_both_sides(tmp_path, method):
+FROM_BOTH_SIDES = [
+    *({"method": method, "seed": 3} for method in METHODS),
+    *({"method": "gqe", "omega": omega} for omega in (0, 1)),
+    *({"method": "motorcycle", "kappa": kappa} for kappa in (0, 20)),
+    {"amount": "strong", "metric": "ssim"},
+]
+
+
+@pytest.mark.parametrize("options", FROM_BOTH_SIDES, ids=str)
+def test_every_option_from_both_sides(tmp_path, options):
     out, report = tmp_path / "out.svg", tmp_path / "report.json"
-    options = ["--method", method, "--resolution", 200, "--seed", 3, "--report", report]
-    done = run("simplify", FRUIT, "-o", out, *options)
+    flags = [text for name, value in options.items() for text in (f"--{name}", value)]
+    done = run("simplify", FRUIT, "-o", out, "--resolution", 200, "--report", report, *flags)
     assert (done.returncode, done.stderr) == (0, "")
     (told,) = json.loads(report.read_text())["meshes"]
-    assert told["method"] == method
+    assert {name: told[name] for name in options if name != "amount"} == options or "amount" in options
     assert told["patches_after"] < 132 and 0 < told["error"] <= told["epsilon"]
-    result, data = simplified(method=method, seed=3)
+    result, data = simplified(**options)
     assert data == out.read_bytes()
-    assert (result.patches_after, result.error) == (told["patches_after"], told["error"])
+    assert {**result.run, "seconds": 0} == {**told, "changed": True, "refused": None, "seconds": 0}
+
+
+@pytest.mark.parametrize(
+    "method, name, values", [("random", "seed", (1, 2)), ("gqe", "omega", (0, 1)), ("motorcycle", "kappa", (0, 20))]
+)
+def test_settings_reach_the_methods(method, name, values):
+    made = [simplified(method=method, **{name: value})[1] for value in values]
+    assert made[0] != made[1]
 
 
 def test_by_default_one_object_with_few_handles_is_left(tmp_path):
@@ -88,11 +104,42 @@ def test_of_hemesh_files_patches_are_counted():
         ({"patches": 9, "count": "handles"}, "a number of patches is no target"),
         ({"count": "corners"}, "handles or patches, not 'corners'"),
         ({"handles": 0}, "at least 1"),
+        ({"amount": "huge"}, "there are: gentle, balanced, strong"),
+        ({"amount": "strong", "epsilon": 0.1}, "there is no epsilon"),
+        ({"method": "magic"}, "'magic'"),
+        ({"method": "manual"}, "needs the edges"),
+        ({"edges": [1]}, "manual only"),
+        ({"edges": [2**31]}, "half-edges are below"),
+        ({"metric": "taste"}, "'taste'"),
+        ({"epsilon": -0.1}, "epsilon"),
+        ({"epsilon": float("nan")}, "epsilon"),
+        ({"max_local_error": -0.1}, "local error"),
+        ({"max_local_error": 2}, "local error"),
+        ({"resolution": 15}, "resolution"),
+        ({"seed": -1}, "seed"),
+        ({"seed": 2**64}, "seed"),
+        ({"omega": 1.5}, "omega"),
+        ({"omega": float("nan")}, "omega"),
+        ({"kappa": -1}, "kappa"),
+        ({"time_budget": -1}, "time budget"),
+        ({"time_budget": float("inf")}, "time budget"),
+        ({"threads": -1}, "threads"),
+        ({"kapa": 1}, "no option 'kapa'; there are: .*kappa"),
     ],
 )
-def test_targets_that_contradict_themselves_are_refused(options, words):
-    with pytest.raises(ValueError, match=words):
-        simplified(**options)
+def test_options_that_make_no_sense_are_refused(options, words):
+    document = gradmesh.load(FRUIT)
+    with pytest.raises(TypeError if "kapa" in options else ValueError, match=words) as refused:
+        gradmesh.simplify(document, **options)
+    assert not isinstance(refused.value, gradmesh.InputError)
+    assert document.to_bytes() == FRUIT.read_bytes()
+
+
+def test_the_options_are_listed_with_their_defaults():
+    options = gradmesh.options()
+    defaults = {"epsilon": 0.01, "resolution": 700, "metric": "flip", "method": "simplest", "visible_only": True}
+    assert {name: options[name]["default"] for name in defaults} == defaults
+    assert options["method"]["names"] == ["simplest", *METHODS[:7], "lines", "plain", "manual"]
 
 
 def test_best_is_the_default_of_hemesh_files():
@@ -112,24 +159,6 @@ def test_best_is_the_default_of_blocks():
         (result,) = gradmesh.simplify(document, resolution=200, epsilon=0.02, **method)
         assert (result.method, document.meshes[0].simplified) == ("best", True)
         assert result.patches_after < result.patches_before
-
-
-def test_random_choices_follow_the_seed():
-    assert simplified(method="random", seed=1) != simplified(method="random", seed=2)
-
-
-@pytest.mark.parametrize(
-    "name, method, values", [("omega", "gqe", (0, 1)), ("kappa", "motorcycle", (0, 20))]
-)
-def test_weights_reach_the_methods(tmp_path, name, method, values):
-    results = [simplified(method=method, **{name: value}) for value in values]
-    assert results[0][1] != results[1][1]
-    for value, (_, data) in zip(values, results):
-        out, report = tmp_path / "out.svg", tmp_path / "report.json"
-        options = ["--method", method, f"--{name}", value, "--report", report]
-        assert run("simplify", FRUIT, "-o", out, "--resolution", 200, *options).returncode == 0
-        assert out.read_bytes() == data
-        assert json.loads(report.read_text())["meshes"][0][name] == value
 
 
 def mergeable_edge(document):
@@ -174,22 +203,6 @@ def test_a_preview_says_what_a_run_does(tmp_path):
     both = run("simplify", FRUIT, "--preview", "-o", tmp_path / "out.svg")
     neither = run("simplify", FRUIT)
     assert (both.returncode, neither.returncode) == (2, 2)
-
-
-@pytest.mark.parametrize(
-    "options, words",
-    [
-        ({"method": "manual"}, "needs the edges"),
-        ({"edges": [1]}, "manual only"),
-        ({"omega": 1.5}, "omega"),
-        ({"omega": float("nan")}, "omega"),
-        ({"kappa": -1}, "kappa"),
-    ],
-)
-def test_options_that_make_no_sense(options, words):
-    with pytest.raises(ValueError, match=words) as refused:
-        gradmesh.simplify(gradmesh.load(FRUIT), **options)
-    assert not isinstance(refused.value, gradmesh.InputError)
 
 
 @pytest.mark.parametrize("edges", [[100000], [-1]])

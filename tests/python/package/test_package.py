@@ -146,30 +146,6 @@ def test_an_exception_in_the_callback_comes_out(fruit, error):
     assert gradmesh.simplify(fruit, method="grid")[0].stopped == "done"
 
 
-@pytest.mark.parametrize(
-    "options, words",
-    [
-        ({"method": "magic"}, "'magic'"),
-        ({"metric": "taste"}, "'taste'"),
-        ({"epsilon": -0.1}, "epsilon"),
-        ({"epsilon": float("nan")}, "epsilon"),
-        ({"max_local_error": -0.1}, "local error"),
-        ({"max_local_error": 2}, "local error"),
-        ({"resolution": 15}, "resolution"),
-        ({"seed": -1}, "seed"),
-        ({"seed": 2**64}, "seed"),
-        ({"time_budget": -1}, "time budget"),
-        ({"time_budget": float("inf")}, "time budget"),
-        ({"threads": -1}, "threads"),
-    ],
-)
-def test_bad_options(fruit, options, words):
-    with pytest.raises(ValueError, match=words) as refused:
-        gradmesh.simplify(fruit, **options)
-    assert not isinstance(refused.value, gradmesh.InputError)
-    assert fruit.to_bytes() == FRUIT.read_bytes()
-
-
 def test_bad_ids(fruit):
     with pytest.raises(gradmesh.InputError, match='no object with the id "gone"'):
         gradmesh.simplify(fruit, ["pear", "gone"])
