@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "fit/damping.h"
 #include "fit/equations.h"
+#include "fit/refit.h"
 #include "raster/folds.h"
 
 namespace gradmesh {
@@ -28,6 +29,8 @@ double squares_of(const Patch& patch, const std::array<bool, 4>& are_outlines,
   return normal_equations(patch, {}, are_outlines, Columns(0), target, by_size).squares;
 }
 
+/// The patches of a grid as a surface of refit(): a step is accepted if it lowers the sum of the
+/// squares. What did harm are the unknowns of patches that begin to fold.
 class GridFit {
  public:
   GridFit(PlainGrid& grid, const Reference& target, const GridPoints& points, bool with_colors)
@@ -39,27 +42,45 @@ class GridFit {
   }
 
   double run(int steps) {
-    // One for all unknowns.
-    Damping damping(1);
-    Equations now = equations(grid_);
-    while (steps-- > 0) {
-      const Eigen::VectorXd step =
-          solve(now.parts,
-                Eigen::VectorXd::Constant(unknowns_.columns().count, damping.values().front()));
-      if (!step.allFinite()) break;
-      PlainGrid moved = without_new_folds(step);
-      Equations then = steps > 0 ? equations(moved) : squares(moved);
-      if (then.squares < now.squares) {
-        const double drop = now.squares - then.squares;
-        grid_ = std::move(moved);
-        now = std::move(then);
-        damping.lower(0);
-        if (drop < little * now.squares) break;
-      } else {
-        damping.raise(0);
-      }
+    constexpr int attempts = 5;
+    now_ = equations(grid_);
+    for (steps_left_ = steps; steps_left_-- > 0;) {
+      const double before = now_.squares;
+      const bool better = refit(*this, attempts);
+      if (!is_finite_ || (better && before - now_.squares < little * now_.squares)) break;
+      better ? damping_.lower(0) : damping_.raise(0);
     }
-    return now.squares;
+    return now_.squares;
+  }
+
+  std::size_t unknown_count() const { return unknowns_.columns().place.size(); }
+  Eigen::VectorXd step() {
+    const Eigen::VectorXd damping =
+        Eigen::VectorXd::Constant(unknowns_.columns().count, damping_.values().front());
+    Eigen::VectorXd step = solve(now_.parts, damping);
+    is_finite_ = step.allFinite();
+    return step;
+  }
+  void move(const Eigen::VectorXd& step, const std::vector<bool>& held) {
+    if (is_finite_) moved_ = unknowns_.moved(grid_, step, to_mesh_, held);
+  }
+  void take_back() {}
+
+  Verdict judge(int /*attempt*/) {
+    if (!is_finite_) return {};
+    std::vector<bool> folds(unknown_count(), false);
+    bool any = false;
+    for (const InfluencedPatch& p : patches_)
+      if (may_fold(moved_->patch(p.row, p.column)) && !may_fold(grid_.patch(p.row, p.column))) {
+        any = true;
+        for (const Influence& by : p.by) folds[std::size_t(by.unknown)] = true;
+      }
+    if (any) return {false, true, std::move(folds)};
+    Equations then = steps_left_ > 0 ? equations(*moved_) : squares(*moved_);
+    if (!(then.squares < now_.squares)) return {};
+    grid_ = *std::move(moved_);
+    now_ = std::move(then);
+    return {.is_accepted = true};
   }
 
  private:
@@ -112,28 +133,17 @@ class GridFit {
     return {{}, std::accumulate(of_patches.begin(), of_patches.end(), 0.0)};
   }
 
-  /// Returns the grid after a step, without the moves at patches that would begin to fold.
-  PlainGrid without_new_folds(const Eigen::VectorXd& step) const {
-    std::vector<bool> stays(unknowns_.columns().place.size(), false);
-    constexpr int most_attempts = 4;
-    for (int attempt = 0;; ++attempt) {
-      PlainGrid moved = unknowns_.moved(grid_, step, to_mesh_, stays);
-      bool folds = false;
-      for (const InfluencedPatch& p : patches_)
-        if (may_fold(moved.patch(p.row, p.column)) && !may_fold(grid_.patch(p.row, p.column))) {
-          folds = true;
-          for (const Influence& by : p.by) stays[std::size_t(by.unknown)] = true;
-        }
-      if (!folds) return moved;
-      if (attempt == most_attempts) return grid_;
-    }
-  }
-
   PlainGrid& grid_;
   const Reference& target_;
   const glm::dmat2 to_mesh_;
   const GridUnknowns unknowns_;
   std::vector<InfluencedPatch> patches_;
+  /// One for all unknowns.
+  Damping damping_{1};
+  Equations now_;
+  std::optional<PlainGrid> moved_;
+  bool is_finite_ = true;
+  int steps_left_ = 0;
 };
 
 }  // namespace

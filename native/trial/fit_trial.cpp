@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "fit/refit.h"
 #include "ops/merge/merge_region.h"
 #include "ops/straighten.h"
 #include "raster/folds.h"
@@ -52,6 +53,53 @@ std::vector<bool> unknowns_of(const Fit& fit, const std::function<bool(Face)>& i
 }
 
 }  // namespace
+
+/// The faces of a fit as a surface of refit(): a step is accepted if it lowers the measured error
+/// and folds none of the faces that did not fold. What did harm are the unknowns of faces that fold
+/// or where the error rises.
+class FitTrial::Surface {
+ public:
+  Surface(FitTrial& trial, const std::vector<Face>& faces)
+      : journal_(trial.journal_),
+        error_(trial.error_),
+        fit_(journal_, trial.reference(), faces, trial.plainness()),
+        unfolded_(unfolded_faces(trial.mesh(), fit_)),
+        damping_(fit_.unknowns().size(), most_damping) {}
+
+  std::size_t unknown_count() const { return fit_.unknowns().size(); }
+  std::vector<Value> step() const { return fit_.step(damping_); }
+  void move(const std::vector<Value>& step, const std::vector<bool>& held) {
+    depth_ = journal_.depth();
+    fit_.apply(step, held);
+  }
+  void take_back() { journal_.undo_to(depth_); }
+
+  Verdict judge(int attempt) {
+    const Mesh& mesh = journal_.mesh();
+    std::vector<bool> folded(mesh.face_slots(), false);
+    for (const Face f : unfolded_) folded[std::size_t(f.value)] = may_fold(mesh.patch(f));
+    const bool better = error_.after_edits(journal_, depth_) < error_.error() &&
+                        std::ranges::find(folded, true) == folded.end();
+    const std::vector<double> change = error_.change_by_face(mesh.face_slots());
+    std::vector<bool> worse = unknowns_of(fit_, [&](Face f) {
+      return folded[std::size_t(f.value)] || change[std::size_t(f.value)] > noticeable;
+    });
+    for (std::size_t u = 0; u < worse.size(); ++u) {
+      if (worse[u]) damping_.raise(u, attempt > 0);
+      if (!worse[u] && attempt == 0) damping_.lower(u);
+    }
+    if (better) error_.accept(journal_);
+    return {better, true, std::move(worse)};
+  }
+
+ private:
+  Journal& journal_;
+  EditError& error_;
+  Fit fit_;
+  const std::vector<Face> unfolded_;
+  Damping damping_;
+  std::size_t depth_ = 0;
+};
 
 double FitTrial::price(const Region& region, double limit) {
   const std::size_t depth = journal_.depth();
@@ -132,47 +180,17 @@ void FitTrial::improve(const std::vector<Face>& faces, int steps) {
 }
 
 void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
-  Fit fit(journal_, reference(), faces, plainness());
-  const std::vector<Face> unfolded = unfolded_faces(mesh(), fit);
-  Damping damping(fit.unknowns().size(), most_damping);
+  constexpr int attempts = 2;
+  Surface surface(*this, faces);
   for (int left = steps; left-- > 0;) {
     const double before = error();
-    const bool better = try_step(fit, unfolded, damping);
+    const bool better = refit(surface, attempts);
     // Each step does less than the one before.
     const double drop = before - error();
     if (better && error() - left * drop > limit) return;
     constexpr double little = 0.02;
     if (better && error() <= limit && drop < little * error()) return;
   }
-}
-
-bool FitTrial::try_step(Fit& fit, const std::vector<Face>& unfolded, Damping& damping) {
-  const std::vector<Value> step = fit.step(damping);
-  std::vector<bool> stays(fit.unknowns().size(), false);
-  // At first all of the step, then without what did harm.
-  for (const bool again : {false, true}) {
-    const std::size_t depth = journal_.depth();
-    fit.apply(step, stays);
-    std::vector<bool> folded(mesh().face_slots(), false);
-    for (const Face f : unfolded) folded[std::size_t(f.value)] = may_fold(mesh().patch(f));
-    const bool better = error_.after_edits(journal_, depth) < error() &&
-                        std::ranges::find(folded, true) == folded.end();
-    const std::vector<double> change = error_.change_by_face(mesh().face_slots());
-    const std::vector<bool> worse = unknowns_of(fit, [&](Face f) {
-      return folded[std::size_t(f.value)] || change[std::size_t(f.value)] > noticeable;
-    });
-    for (std::size_t u = 0; u < worse.size(); ++u) {
-      if (worse[u]) damping.raise(u, again);
-      if (!worse[u] && !again) damping.lower(u);
-      stays[u] = stays[u] || worse[u];
-    }
-    if (better) {
-      error_.accept(journal_);
-      return true;
-    }
-    journal_.undo_to(depth);
-  }
-  return false;
 }
 
 std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {

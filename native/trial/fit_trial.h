@@ -67,6 +67,8 @@ class FitTrial {
   std::unique_ptr<Fork> fork();
 
  private:
+  class Surface;
+
   /// Merges the regions that can be merged. Returns the merged faces.
   std::vector<Face> merge_possible(const std::vector<Region>& regions);
   /// Keeps the operations after the first `depth`, which changed these faces, once the faces are
@@ -80,9 +82,6 @@ class FitTrial {
   /// Fits the faces in at most `steps` steps. Gives up early if the error falls too slowly to come
   /// down to `limit` in that many steps.
   void fit(const std::vector<Face>& faces, int steps, double limit);
-  /// Makes one step, if that lowers the error, and returns true if it does. `unfolded` are the
-  /// faces that do not fold, and must not. Adapts the damping.
-  bool try_step(Fit& fit, const std::vector<Face>& unfolded, Damping& damping);
 
   Journal journal_;
   EditError error_;
