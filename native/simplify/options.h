@@ -37,14 +37,14 @@ struct SimplifyOptions : MethodOptions {
   std::optional<Count> count;
   /// Pixels along the longer side of the frame, as of check_resolution.
   int resolution = 700;
-  /// The colour model in which a document's mesh is merged (Document::simplify); nothing for the
+  /// The colour model in which a document's mesh is merged (app/runs.h); nothing for the
   /// mesh's own. simplify() itself always uses the mesh's own.
   std::optional<ColorModel> color_model;
   /// The seconds after which the best mesh so far is taken; 0 for no limit.
   double time_budget = 0;
   /// The number of threads; 0 for all cores. The result does not depend on the number.
   int threads = 0;
-  /// True if only the visible area of a document's mesh counts (Document::simplify).
+  /// True if only the visible area of a document's mesh counts (app/runs.h).
   bool visible_only = true;
 
   bool has_target() const { return handles || patches || ratio; }

@@ -10,7 +10,7 @@
 
 namespace gradmesh {
 
-/// The text of curves with more than one block along them (formats/svg/group/read_group.h).
+/// The text of curves with more than one block along them (formats/svg/group/mesh_group.h).
 /// Half-edge 4 * face + side is side `side` (0 top, 1 right, 2 bottom, 3 left) of a patch. A curve
 /// is `side | side`, a side `halfedge break halfedge ... halfedge`; curves are separated by
 /// semicolons. A side that is not named is joined as in a grid inside its block, or is on the
