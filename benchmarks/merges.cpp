@@ -45,7 +45,9 @@ void price(benchmark::State& state, const MeshFile& file, MetricKind metric) {
   Input input(file);
   const auto regions = candidates(input.mesh, 2, 2);
   const Mesh start = input.mesh;
-  MergeTrial trial(input.mesh, EditError(std::make_shared<const Reference>(start, input.frame(700), metric), start), 1);
+  MergeTrial trial(
+      input.mesh,
+      EditError(std::make_shared<const Reference>(start, input.frame(700), metric), start), 1);
   for (auto _ : state)
     for (const Region& region : regions)
       benchmark::DoNotOptimize(RegionTrial(trial, start).price(region));

@@ -1,5 +1,5 @@
-#include "cases.h"
 #include "app/runs.h"
+#include "cases.h"
 #include "mesh/rectangle.h"
 
 namespace gradmesh::bench {

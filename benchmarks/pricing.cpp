@@ -42,7 +42,9 @@ void describe(benchmark::State& state) {
   const Mesh start = mesh;
   RunOptions options;
   const Frame frame = fit_frame(mesh, options.view, resolution, options.padding);
-  MergeTrial trial(mesh, EditError(std::make_shared<const Reference>(start, frame, options.metric), start), options.epsilon);
+  MergeTrial trial(
+      mesh, EditError(std::make_shared<const Reference>(start, frame, options.metric), start),
+      options.epsilon);
   ParallelTrials trials(trial);
   std::vector<Region> regions;
   for (const Halfedge edge : inner_edges(start))

@@ -118,8 +118,8 @@ class Document {
   virtual int objects(const MeshEntry&) const { return 1; }
   /// Returns the frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
-  /// Returns how a mesh is laid out on pictures. Leaves out what is visible of it if all of the mesh
-  /// counts.
+  /// Returns how a mesh is laid out on pictures. Leaves out what is visible of it if all of the
+  /// mesh counts.
   Layout layout(const MeshEntry& entry, bool visible_only) const;
   /// Paints a mesh in its own frame. If there is a document `framed_as`, paints the mesh in the
   /// frame of its counterpart there (common_frames.h), so that the two pictures can be laid on each

@@ -60,8 +60,8 @@ class Draw {
   }
 
   std::string measure() const {
-    return subject_.say(
-        Message("{0} at {1} pixels", label(options_.simplify.metric), options_.simplify.resolution));
+    return subject_.say(Message("{0} at {1} pixels", label(options_.simplify.metric),
+                                options_.simplify.resolution));
   }
 
   Drawing regions(const std::vector<RegionPrice>& all) const {

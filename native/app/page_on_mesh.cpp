@@ -78,9 +78,8 @@ Page page_on_mesh(const Document& before, const MeshEntry& entry, const Document
   page.after = {path_of(after).filename().string(), after.mesh(entry_after), {}};
   page.after.objects = after.objects(entry_after);
   Frame &first = page.before.frame, &second = page.after.frame;
-  std::tie(first, second) =
-      common_frames({&before, entry, problem.mesh()}, {&after, entry_after, page.after.mesh},
-                    pricing.resolution);
+  std::tie(first, second) = common_frames(
+      {&before, entry, problem.mesh()}, {&after, entry_after, page.after.mesh}, pricing.resolution);
   // What the run did not count is not shown either.
   const Layout layout = before.layout(entry, pricing.visible_only);
   if (layout.visible && before.format() == after.format())

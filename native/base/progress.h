@@ -34,9 +34,7 @@ class StopWatch {
   }
   Reason reason() const { return reason_; }
   /// Returns true if the run has to stop, or has no time left to begin something else.
-  bool is_over() const {
-    return reason_ != Reason::none || (budget_ > 0 && seconds() >= budget_);
-  }
+  bool is_over() const { return reason_ != Reason::none || (budget_ > 0 && seconds() >= budget_); }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
  private:

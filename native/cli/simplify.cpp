@@ -38,7 +38,8 @@ std::unique_ptr<Document> to_be_written(std::unique_ptr<Document> in, SimplifyAr
 const char* how_it_ended(const SimplifyResult& result) {
   if (result.changed) return name(result.stopped);
   if (result.stopped == Stopped::budget) return "no time left";
-  if (result.stopped == Stopped::nothing_to_merge && method_named(result.method).count == Count::handles)
+  if (result.stopped == Stopped::nothing_to_merge &&
+      method_named(result.method).count == Count::handles)
     return "no handle could be taken out";
   return name(result.stopped);
 }

@@ -16,8 +16,8 @@ namespace {
 constexpr double anchor = 0.5 / 255;
 /// The difference of colour that counts as much as an outline that is off by a pixel.
 constexpr double outline_weight = 0.2;
-/// The difference of colour for a hidden outline. It is held loosely, so that a person who opens the mesh
-/// tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
+/// The difference of colour for a hidden outline. It is held loosely, so that a person who opens
+/// the mesh tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
 constexpr double hidden_outline_weight = 0.05;
 
 /// A patch at its samples, and its difference from the target there.

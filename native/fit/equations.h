@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "reference/reference.h"
 #include "fit/unknowns.h"
+#include "reference/reference.h"
 
 namespace gradmesh {
 

@@ -4,12 +4,12 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "reference/outlines.h"
 #include "form/handles.h"
 #include "form/written_patch.h"
 #include "mesh/dependence.h"
 #include "ops/refresh.h"
 #include "ops/straighten.h"
+#include "reference/outlines.h"
 
 namespace gradmesh {
 namespace {

@@ -341,8 +341,7 @@ MeshParts block_parts(const Mesh& mesh, const BlockForm& form) {
     for (const Halfedge top : block.tops) {
       for (int side = 0; side < 4; ++side)
         numbers[mesh.sides(top)[side]] = 4 * int(parts.patches.size()) + side;
-      parts.patches.push_back(
-          written_patch(mesh.patch(top), form.precision, form.masks_opacity));
+      parts.patches.push_back(written_patch(mesh.patch(top), form.precision, form.masks_opacity));
     }
   const auto side_parts = [&](Halfedge side) {
     CurveSide result;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "reference/reference.h"
 #include "plain/plain_grid.h"
+#include "reference/reference.h"
 
 namespace gradmesh {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "reference/reference.h"
 #include "plain/grid_unknowns.h"
 #include "plain/plain_grid.h"
+#include "reference/reference.h"
 
 namespace gradmesh {
 
@@ -15,8 +15,9 @@ double fit_grid(PlainGrid& grid, const Reference& target, int steps, const GridP
 double fit_grid(PlainGrid& grid, const Reference& target, int steps);
 
 /// Fits as fit_grid does, and changes the colours of those points as well that are opaque. These
-/// stay whole levels of 8 bits, as an SVG document has them. A colour stays as it is where another one would hardly
-/// be better: it is exactly that of the original picture there, and rounding is seen.
+/// stay whole levels of 8 bits, as an SVG document has them. A colour stays as it is where another
+/// one would hardly be better: it is exactly that of the original picture there, and rounding is
+/// seen.
 void fit_grid_and_colors(PlainGrid& grid, const Reference& target, int steps,
                          const GridPoints& points);
 

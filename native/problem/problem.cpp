@@ -106,8 +106,8 @@ Candidate Problem::measure(Mesh mesh) const {
   Candidate found{.mesh = std::move(mesh), .changed = true};
   if (rules) found.form = rules->form(found.mesh, frame());
   const LocalBound* const bound = bounds.local ? start().local_bound() : nullptr;
-  const FrameError error = whole_frame_error(*reference(), found.surface(),
-                                             found.form.masks_opacity(), bound);
+  const FrameError error =
+      whole_frame_error(*reference(), found.surface(), found.form.masks_opacity(), bound);
   found.error = error.mean;
   found.local_error = error.local;
   found.keeps = error.keeps_to(bounds.epsilon);

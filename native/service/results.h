@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "app/runs.h"
 #include "app/edits.h"
 #include "app/publish.h"
+#include "app/runs.h"
 #include "service/arguments.h"
 
 namespace gradmesh {

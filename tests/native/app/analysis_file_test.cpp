@@ -197,10 +197,11 @@ TEST(AnalysisFile, refuses_other_and_empty_files) {
                 ": this analysis has the format version 7, but only version 2 is known here.");
   write(path, {});
   const Mesh mesh = grid_mesh();
-  EXPECT_EQ(refusal([&] {
-              AnalysisFiles({path, {}}).start(test::problem(mesh, small_options()).price_key(), mesh);
-            }),
-            path.string() + ": this analysis holds no mesh.");
+  EXPECT_EQ(
+      refusal([&] {
+        AnalysisFiles({path, {}}).start(test::problem(mesh, small_options()).price_key(), mesh);
+      }),
+      path.string() + ": this analysis holds no mesh.");
 }
 
 TEST(AnalysisFile, no_damage_passes) {

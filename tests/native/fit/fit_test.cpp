@@ -173,9 +173,10 @@ TEST(Fit, finds_back_what_was_moved) {
       const double before = trial.error();
       trial.improve({Face{4}}, 8);
       EXPECT_LT(trial.error(), 0.5 * before) << "seed " << seed;
-      EXPECT_NEAR(trial.error(),
-                  test::edit_error(original, original, frame, MetricKind::flip).whole_frame(mesh).mean,
-                  1e-9);
+      EXPECT_NEAR(
+          trial.error(),
+          test::edit_error(original, original, frame, MetricKind::flip).whole_frame(mesh).mean,
+          1e-9);
     }
 }
 

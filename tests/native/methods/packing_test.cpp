@@ -166,7 +166,8 @@ TEST(Packing, is_the_same_on_every_thread) {
 /// The regions of a mesh that cost at most epsilon.
 Items priced_items(Mesh mesh, MetricKind metric, double epsilon) {
   const Mesh original = mesh;
-  MergeTrial trial(mesh, test::edit_error(original, mesh, fit_frame(mesh, {}, 150), metric), epsilon);
+  MergeTrial trial(mesh, test::edit_error(original, mesh, fit_frame(mesh, {}, 150), metric),
+                   epsilon);
   PriceTable analysis;
   StopWatch watch{0, {}};
   Items items;

@@ -86,7 +86,8 @@ TEST(HiddenPixels, windows_still_add_up_to_the_whole_frame) {
     }
     EXPECT_GT(error.error(), 0);
     frame.hidden = nullptr;
-    EXPECT_GT(test::edit_error(original, original, frame, metric).whole_frame(mesh).mean, error.error());
+    EXPECT_GT(test::edit_error(original, original, frame, metric).whole_frame(mesh).mean,
+              error.error());
   }
 }
 

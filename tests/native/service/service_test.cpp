@@ -9,8 +9,8 @@
 #include <optional>
 #include <thread>
 
-#include "app/runs.h"
 #include "app/info.h"
+#include "app/runs.h"
 #include "base/error.h"
 #include "raster/rasterizer.h"
 #include "requests.h"

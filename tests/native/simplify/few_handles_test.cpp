@@ -1,5 +1,5 @@
-// Blocks with few handles (methods/handle_drops.h): what is merged and fitted stays plain, or becomes
-// so.
+// Blocks with few handles (methods/handle_drops.h): what is merged and fitted stays plain, or
+// becomes so.
 #include <gtest/gtest.h>
 
 #include "base/parallel.h"

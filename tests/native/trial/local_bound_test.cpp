@@ -75,7 +75,8 @@ void check_edits(const Mesh& original, const Mesh& start, unsigned seed, double 
                  int& broken) {
   std::mt19937 random(seed);
   Mesh mesh = start;
-  EditError error = test::edit_error(original, start, fit_frame(original, {}, 180), MetricKind::flip, true, bound);
+  EditError error = test::edit_error(original, start, fit_frame(original, {}, 180),
+                                     MetricKind::flip, true, bound);
   Journal journal(mesh);
   for (int step = 0; step < 20; ++step) {
     test::change_at_random(journal, random);
@@ -112,7 +113,8 @@ TEST(LocalBound, a_window_above_it_from_the_start_may_stay_and_not_get_worse) {
   Journal journal(start);
   for (int i = 0; i < 8; ++i) test::change_at_random(journal, random);
   const Frame frame = fit_frame(original, {}, 180);
-  const double there = test::edit_error(original, start, frame, MetricKind::flip).whole_frame(start).local;
+  const double there =
+      test::edit_error(original, start, frame, MetricKind::flip).whole_frame(start).local;
   ASSERT_GT(there, 0.05);
   const EditError error = test::edit_error(original, start, frame, MetricKind::flip, true, 0.01);
   EXPECT_TRUE(error.whole_frame(start).keeps_local_bound);
