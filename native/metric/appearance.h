@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "metric/appearance_taps.h"
 #include "metric/padded_rows.h"
@@ -21,8 +22,9 @@ inline constexpr int appearance_planes = 5;
 /// Returns row y, from column x on, of planes that hold the appearance of the pixels of a window.
 template <class Planes>
 auto appearance_row(Planes& planes, int x, int y) {
-  return AppearanceRow{planes.at(0, x, y), planes.at(1, x, y), planes.at(2, x, y),
-                       planes.at(3, x, y), planes.at(4, x, y)};
+  using Sample = std::remove_pointer_t<decltype(planes.at(0, x, y))>;
+  return AppearanceRow<Sample>{planes.at(0, x, y), planes.at(1, x, y), planes.at(2, x, y),
+                               planes.at(3, x, y), planes.at(4, x, y)};
 }
 
 /// Returns the linear light of the 256 values of an sRGB sample (IEC 61966-2-1).

@@ -110,7 +110,7 @@ def test_the_zip_holds_the_whole_extension(archive, unpacked_zip):
 def test_the_extension_runs_from_the_zip(unpacked_zip, tmp_path):
     """With a Python in which no module of ours loads, as there is none."""
     done = subprocess.run(
-        [PYTHON, "-B", "gradmesh_simplify.py", "--id=face", "--method=grid", FACE],
+        [PYTHON, "-B", "gradmesh_simplify.py", "--id=face", "--result=gqe", FACE],
         cwd=unpacked_zip / "gradmesh",
         env={
             **{name: value for name, value in os.environ.items() if not name.startswith("GRADMESH")},
@@ -192,7 +192,7 @@ ExtensionsTarget("extension", "Extensions", "extensions")._install(sys.argv[1], 
 @in_inkscape.needs()
 @pytest.mark.skipif(not (INKEX / "inkman").is_dir(), reason="there is no extension manager")
 def test_the_extension_manager_installs_the_zip(archive, tmp_path):
-    with Inkscape(values={"org.gradmesh.simplify.method": "grid"}) as inkscape:
+    with Inkscape(values={"org.gradmesh.simplify.result": "gqe"}) as inkscape:
         manager = os.pathsep.join(map(str, (INKEX, INKEX / "inkman" / "inkman")))
         run(PYTHON, "-B", "-c", MANAGE, archive, env={**inkscape.env, "PYTHONPATH": manager})
         assert len(list(inkscape.extensions.rglob("gradmesh_simplify.inx"))) == 1
@@ -222,7 +222,7 @@ def test_the_debian_package_runs_from_any_root(debian_package, tmp_path):
     extensions, packages = usr / "share/inkscape/extensions", usr / "lib/python3/dist-packages"
     path = os.pathsep.join(map(str, (extensions, INKEX, packages)))
     written = run(
-        *(PYTHON, "-B", extensions / "gradmesh/gradmesh_simplify.py", "--id=face", "--method=grid", FACE),
+        *(PYTHON, "-B", extensions / "gradmesh/gradmesh_simplify.py", "--id=face", "--result=gqe", FACE),
         env={**os.environ, "PYTHONPATH": path, "XDG_CACHE_HOME": str(tmp_path / "cache")},
     )
     assert "gradmesh:" in written

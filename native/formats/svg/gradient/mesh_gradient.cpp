@@ -179,7 +179,8 @@ std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
                                              const std::vector<MeshObject>& objects) {
   std::vector<UnusedGradient> list;
   for (const xmlNode* gradient : unused_mesh_gradients(tree, objects)) {
-    UnusedGradient& unused = list.emplace_back(attribute(gradient, "id").value_or(""));
+    UnusedGradient& unused = list.emplace_back();
+    unused.id = attribute(gradient, "id").value_or("");
     for (const xmlNode* row : mesh_rows(gradient)) unused.patches += int(mesh_patches(row).size());
   }
   return list;

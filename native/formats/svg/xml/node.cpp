@@ -1,7 +1,6 @@
 #include "formats/svg/xml/node.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "base/error.h"
 #include "formats/text/excerpt.h"
@@ -174,7 +173,9 @@ void remove_node(xmlNode* node) {
 
 void remove_elements(xmlNode* root, const std::function<bool(const xmlNode*)>& is_unwanted) {
   // From the inside out, as an element takes those inside it along.
-  for (xmlNode* node : elements_from(root) | std::views::reverse)
+  std::vector<xmlNode*> elements = elements_from(root);
+  std::ranges::reverse(elements);
+  for (xmlNode* node : elements)
     if (node != root && is_unwanted(node)) remove_node(node);
 }
 
