@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 /// Returns the result of the run for one mesh. Throws InputError if there is none.
 ordered_json read_run(const PageOptions& options, const std::string& id) {
-  const ordered_json results = ordered_json::parse(options.run, nullptr, false);
+  const ordered_json results = ordered_json::parse(*options.run, nullptr, false);
   if (!results.is_object() || !results.contains("meshes") || !results["meshes"].is_array())
     throw InputError("{0}: this is no report of gradmesh simplify.", options.run_name);
   for (const ordered_json& mesh : results["meshes"])
@@ -69,7 +69,7 @@ std::filesystem::path path_of(const Document& document) { return utf8_path(docum
 Page page_on_mesh(const Document& before, const MeshEntry& entry, const Document& after,
                   const MeshEntry& entry_after, const PageOptions& options) {
   Page page;
-  if (!options.run.empty()) page.run = read_run(options, entry.id);
+  if (options.run) page.run = read_run(options, entry.id);
   AnalysisFiles files(options.analyses);
   const Document::Start start = before.start(entry, pricing_options(page.run, options), files);
   page.before = {path_of(before).filename().string(), start.mesh, {}};

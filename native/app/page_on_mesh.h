@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@ namespace gradmesh {
 
 /// How a page on a mesh is made.
 struct PageOptions {
-  /// The results of the run, as `simplify --report` writes them; empty if they are not known.
-  std::string run;
+  /// The results of the run, as `simplify --report` writes them; nothing if they are not known.
+  std::optional<std::string> run;
   /// What sentences call the results.
   std::string run_name = "run";
   /// How the mesh before is priced, and in which colour model.

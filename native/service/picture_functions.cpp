@@ -61,7 +61,7 @@ Json write_report(const Call& call) {
   Document& before = call.document();
   const Document& after = call.document("after");
   PageOptions options;
-  options.run = call.get<std::string>("run", "");
+  options.run = call.get<std::optional<std::string>>("run");
   options.pricing = run_options(call);
   check(options.pricing);
   take_renderer(options.pricing, call);
