@@ -117,8 +117,8 @@ std::string write_grid(const Writing& form) {
         const bool closes = side == (c == 0 ? 3 : 2);
         std::string path = form.relative ? "c" : "C";
         for (int k = 1; k <= (closes && !form.closing_point ? 2 : 3); ++k)
-          path +=
-              " " + point_text(point(side, k) - (form.relative ? point(side, 0) : glm::dvec2(0.0)));
+          path.append(" ").append(
+              point_text(point(side, k) - (form.relative ? point(side, 0) : glm::dvec2(0.0))));
         const bool is_known = (side == 0 && c > 0) || (side == 1 && r > 0);
         const glm::dvec4 color = is_known
                                      ? glm::dvec4(1, 0, 1, 0)
