@@ -107,11 +107,6 @@ def test_only_formats_know_the_nodes_of_documents():
             assert not re.search(r"\bxml[A-Z]\w+|formats/svg/xml/", path.read_text()), path
 
 
-def test_xml_nodes_stay_in_formats():
-    for path in SOURCES:
-        assert "xmlNode" not in path.read_text() or path.is_relative_to(NATIVE / "formats"), path
-
-
 def test_targets_link_downwards():
     for name, rank in RANK.items():
         text = (NATIVE / name / "CMakeLists.txt").read_text()
