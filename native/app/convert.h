@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/document.h"
+#include "simplify/options.h"
 
 namespace gradmesh {
 
@@ -23,7 +24,7 @@ struct ConvertOptions {
   /// How the error is measured; the resolution in pixels along the longer side, as of
   /// check_resolution.
   MetricKind metric = MetricKind::flip;
-  int resolution = 700;
+  int resolution = usual_resolution;
 };
 
 struct Conversion {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/document.h"
+#include "simplify/options.h"
 
 namespace gradmesh {
 
@@ -14,7 +15,7 @@ namespace gradmesh {
 /// How the error in the label is measured.
 struct MeasureOptions {
   MetricKind metric = MetricKind::flip;
-  int resolution = 700;
+  int resolution = usual_resolution;
 };
 
 struct EditReport {

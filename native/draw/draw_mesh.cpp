@@ -29,7 +29,7 @@ struct Marks {
 
 Layer curves_layer(const Subject& subject, const Style& style) {
   Layer layer{subject.say(Message("Curves")), {}, {}};
-  for (const Halfedge h : subject.curves())
+  for (const Halfedge h : subject.mesh().curves())
     layer.shapes.push_back(
         {subject.curve(h), style, subject.say(Message("Half-edge {0}", h.value))});
   return layer;
@@ -40,7 +40,7 @@ Layer curves_layer(const Subject& subject, const Style& style) {
 Layer edge_numbers_layer(const Subject& subject) {
   const Mesh& mesh = subject.mesh();
   Layer layer{subject.say(Message("Numbers of half-edges")), {}, {}};
-  for (const Halfedge h : subject.curves()) {
+  for (const Halfedge h : subject.mesh().curves()) {
     if (!mesh[h].twin.valid()) continue;
     const Cubic<Value> curve = mesh.curve_of(h);
     const std::string number = std::to_string(h.value);
@@ -57,7 +57,7 @@ Layer edge_numbers_layer(const Subject& subject) {
 /// Adds the layer, and room for handles that stick out.
 void add_handles(Drawing& drawing, const Subject& subject, const Marks& marks) {
   PathText lines = subject.path(), knobs = subject.path();
-  for (const Halfedge h : subject.curves()) {
+  for (const Halfedge h : subject.mesh().curves()) {
     const Cubic<Value> curve = subject.mesh().curve_of(h);
     for (const auto& [end, knob] :
          {std::pair(curve.p0, curve.bezier1()), std::pair(curve.p1, curve.bezier2())}) {
@@ -121,7 +121,7 @@ Drawing draw_edges(const Subject& subject) {
   Legend legend(subject, drawing, subject.say(Message("Gradient mesh")));
   legend.text(subject.say(Message("patches: {0}", mesh.face_count())));
   legend.gap();
-  legend.line(marks.curve, subject.say(Message("curves: {0}", subject.curves().size())));
+  legend.line(marks.curve, subject.say(Message("curves: {0}", subject.mesh().curves().size())));
   legend.circle(marks.point, subject.say(Message("control points: {0}", all - junctions)));
   if (junctions > 0)
     legend.diamond(marks.junction, subject.say(Message("T-junctions: {0}", junctions)));

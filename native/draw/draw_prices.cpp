@@ -23,7 +23,7 @@ Style unmergeable_style(const Subject& subject) {
 /// Returns a layer of the curves with a patch on one side only.
 Layer boundary_layer(const Subject& subject) {
   Layer layer{subject.say(Message("Boundary")), {}, {}};
-  for (const Halfedge h : subject.curves())
+  for (const Halfedge h : subject.mesh().curves())
     if (!subject.mesh()[h].twin.valid())
       layer.shapes.push_back({subject.curve(h), boundary_style(subject), ""});
   return layer;

@@ -65,7 +65,7 @@ Drawing draw_regions(const Subject& subject, Face patch, const std::vector<Regio
                      int shown) {
   Drawing drawing = blank_drawing(subject);
   Layer curves{subject.say(Message("Curves")), {}, {}};
-  for (const Halfedge h : subject.curves())
+  for (const Halfedge h : subject.mesh().curves())
     curves.shapes.push_back(
         {subject.curve(h), {.stroke = "#5b6170", .stroke_width = subject.line_width()}, ""});
   drawing.layers.push_back(std::move(curves));

@@ -44,13 +44,6 @@ std::string Subject::outline(Face face) const {
   return text.text();
 }
 
-std::vector<Halfedge> Subject::curves() const {
-  std::vector<Halfedge> curves;
-  for (const Halfedge h : mesh_.halfedges())
-    if (!mesh_.is_bar(h) && mesh_.curve(h) == h) curves.push_back(h);
-  return curves;
-}
-
 glm::dvec2 Subject::center(Face face) const {
   constexpr int steps = 8;
   std::vector<glm::dvec2> around;

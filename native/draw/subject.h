@@ -34,8 +34,6 @@ class Subject {
   std::string curve(Halfedge side) const;
   /// Returns a closed path around a patch.
   std::string outline(Face face) const;
-  /// Returns every curve once, as Mesh::curve names it.
-  std::vector<Halfedge> curves() const;
   /// Returns the centre of gravity of the patch's outline.
   glm::dvec2 center(Face face) const;
   /// Returns the length of the shorter of the two lines that join the middles of opposite sides, in

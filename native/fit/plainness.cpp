@@ -33,8 +33,7 @@ Plainness::Plainness(const Mesh& mesh)
     is_fixed.resize(std::size_t(p.value) + 1, false);
     is_fixed.back() = mesh[p].is_junction();
   }
-  for (const Halfedge h : mesh.halfedges()) {
-    if (mesh.is_bar(h) || mesh.curve(h) != h) continue;
+  for (const Halfedge h : mesh.curves()) {
     straight_[std::size_t(h.value)] = gradmesh::is_straight(mesh.curve_of(h), same);
     for (const Point p : {mesh.origin(h), mesh.end(h)}) {
       curves_[p].push_back(h);

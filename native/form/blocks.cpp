@@ -351,9 +351,8 @@ MeshParts block_parts(const Mesh& mesh, const BlockForm& form) {
     }
     return result;
   };
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh.curve(h) == h && mesh[h].twin.valid())
-      parts.curves.push_back({side_parts(h), side_parts(mesh[h].twin)});
+  for (const Halfedge h : mesh.curves())
+    if (mesh[h].twin.valid()) parts.curves.push_back({side_parts(h), side_parts(mesh[h].twin)});
   return parts;
 }
 

@@ -192,12 +192,9 @@ class Reconciler {
 
   /// Places the T-junctions of each curve once the curve's ends are placed.
   void place_junctions() {
-    std::vector<Halfedge> curves;
-    for (const Halfedge h : mesh_.halfedges()) {
+    for (const Halfedge h : mesh_.halfedges())
       if (mesh_.is_leaf(h)) starts_.emplace(h, mesh_.span(h).first);
-      if (!mesh_.is_bar(h) && mesh_.curve(h) == h) curves.push_back(h);
-    }
-    for (const Halfedge curve : in_order_of_dependence(mesh_, curves))
+    for (const Halfedge curve : in_order_of_dependence(mesh_, mesh_.curves()))
       for (const Halfedge side : {curve, mesh_[curve].twin})
         if (side.valid())
           for (const Halfedge stem : mesh_.stems(side)) place_junction(side, stem);

@@ -55,9 +55,8 @@ void find_prices(MergeTrial& trial, const std::vector<Region>& regions, PriceTab
 }  // namespace
 
 std::vector<Halfedge> inner_edges(const Mesh& mesh) {
-  std::vector<Halfedge> edges;
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh[h].twin.valid() && mesh.curve(h) == h) edges.push_back(h);
+  std::vector<Halfedge> edges = mesh.curves();
+  std::erase_if(edges, [&](Halfedge h) { return !mesh[h].twin.valid(); });
   return edges;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int halvings = 10, sweeps = 20;
 
-struct Candidate {
+struct PricedRegion {
   Region region;
   int size;
   PatchSet patches;
@@ -50,8 +50,8 @@ class Choice {
  public:
   explicit Choice(std::size_t face_slots) : taken_(face_slots) {}
 
-  bool is_free(const Candidate& c) const { return !taken_.overlaps(c.patches); }
-  void add(const Candidate& c) {
+  bool is_free(const PricedRegion& c) const { return !taken_.overlaps(c.patches); }
+  void add(const PricedRegion& c) {
     taken_.add(c.patches);
     regions_.push_back(c.region);
   }
@@ -66,7 +66,7 @@ class Choice {
 class Planner {
  public:
   /// `patches` and `face_slots` are those of the mesh before anything is merged.
-  Planner(const std::vector<Candidate>& candidates, int patches, std::size_t face_slots,
+  Planner(const std::vector<PricedRegion>& candidates, int patches, std::size_t face_slots,
           double omega, double gamma)
       : candidates_(candidates),
         slots_(face_slots),
@@ -75,7 +75,7 @@ class Planner {
         gamma_(gamma) {
     // Eq. 7, with size and error as shares of the whole mesh and of gamma.
     const double all = gamma > 0 ? gamma : 1;
-    for (const Candidate& c : candidates)
+    for (const PricedRegion& c : candidates)
       scores_.push_back(omega * c.size / patches_ - (1 - omega) * c.error / all);
     by_score_.resize(candidates.size());
     std::iota(by_score_.begin(), by_score_.end(), 0);
@@ -126,7 +126,7 @@ class Planner {
 
  private:
   void take_if_possible(int i, Choice& choice, double& sum, Plan& plan) const {
-    const Candidate& c = candidates_[i];
+    const PricedRegion& c = candidates_[i];
     if (!choice.is_free(c) || sum + c.error > gamma_) return;
     choice.add(c);
     plan.chosen.push_back(i);
@@ -147,7 +147,7 @@ class Planner {
            !candidates_[i].patches.overlaps(candidates_[other].patches);
   }
 
-  const std::vector<Candidate>& candidates_;
+  const std::vector<PricedRegion>& candidates_;
   const std::size_t slots_;
   const double patches_, omega_, gamma_;
   std::vector<double> scores_;
@@ -166,8 +166,8 @@ class Gqe {
         patches_(trial.mesh().face_count()),
         slots_(trial.mesh().face_slots()) {
     for (const RegionPrice& r : regions) {
-      Candidate& candidate =
-          candidates_.emplace_back(Candidate{r.region, r.size(), PatchSet(slots_), r.error});
+      PricedRegion& candidate =
+          candidates_.emplace_back(PricedRegion{r.region, r.size(), PatchSet(slots_), r.error});
       for (const Face patch : r.patches) candidate.patches.add(patch);
     }
     best_.patches = patches_;
@@ -206,7 +206,7 @@ class Gqe {
           RegionTrial alone(own, own.mesh());
           keeps[i] = alone.keeps_local_bound(candidates_[i].region, own.epsilon());
         });
-    std::vector<Candidate> kept;
+    std::vector<PricedRegion> kept;
     for (std::size_t i = 0; i < candidates_.size(); ++i)
       if (keeps[i]) kept.push_back(std::move(candidates_[i]));
     candidates_ = std::move(kept);
@@ -267,7 +267,7 @@ class Gqe {
     if (result.fits)
       for (const int i : plan.chosen) choice.add(candidates_[i]);
     for (const int i : plan.order) {
-      const Candidate& c = candidates_[i];
+      const PricedRegion& c = candidates_[i];
       if (choice.is_free(c) && own.error() + c.error <= own.epsilon() &&
           own.try_regions(std::vector{c.region}))
         choice.add(c);
@@ -298,7 +298,7 @@ class Gqe {
   /// Patches of the mesh as it is at first; while trials run, each changes its own mesh.
   const int patches_;
   const std::size_t slots_;
-  std::vector<Candidate> candidates_;
+  std::vector<PricedRegion> candidates_;
   std::mutex shown_;
   std::atomic<bool> stopped_ = false;
   Outcome best_;

@@ -73,10 +73,9 @@ std::vector<HandleDrops::Way> HandleDrops::ways() const {
   const Mesh& mesh = trial_.mesh();
   const Plainness now(mesh);
   std::vector<Way> ways;
-  for (const Halfedge h : mesh.halfedges())
+  for (const Halfedge h : mesh.curves())
     // Each leaf along a divided side has two handles of its own in its block.
-    if (!mesh.is_bar(h) && mesh.curve(h) == h && may_be_straight(h, now))
-      ways.push_back({{h, {}}, 2 + 2 * leaves_along(mesh, h)});
+    if (may_be_straight(h, now)) ways.push_back({{h, {}}, 2 + 2 * leaves_along(mesh, h)});
   for (const Face f : mesh.faces())
     if (!now.is_coons(f)) ways.push_back({{{}, f}, 4});
   return ways;

@@ -37,9 +37,8 @@ OutlinePoints::OutlinePoints(const Mesh& mesh, const Frame& frame)
     : columns_(int(frame.width / reach) + 1),
       rows_(int(frame.height / reach) + 1),
       cells_(std::size_t(columns_) * std::size_t(rows_)) {
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh.curve(h) == h && is_outline(mesh, h))
-      add(in_pixels(mesh.curve_of(h), frame));
+  for (const Halfedge h : mesh.curves())
+    if (is_outline(mesh, h)) add(in_pixels(mesh.curve_of(h), frame));
 }
 
 std::optional<OutlinePoint> OutlinePoints::closest(glm::dvec2 place) const {

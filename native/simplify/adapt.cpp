@@ -127,13 +127,6 @@ std::vector<Patch> patches_of(const Mesh& mesh) {
   return patches;
 }
 
-std::vector<Halfedge> curves_of(const Mesh& mesh) {
-  std::vector<Halfedge> curves;
-  for (const Halfedge h : mesh.halfedges())
-    if (!mesh.is_bar(h) && mesh.curve(h) == h) curves.push_back(h);
-  return curves;
-}
-
 class Adapter {
  public:
   explicit Adapter(const Problem& problem)
@@ -205,7 +198,7 @@ class Adapter {
         journal.edit(leaf).own_color = std::max({off.r, off.g, off.b, off.a}) > as_good_as;
       }
     }
-    refresh(journal, curves_of(start_));
+    refresh(journal, start_.curves());
   }
 
   /// Gives the corners the colours of the wanted patches, except corners whose colours follow
@@ -231,7 +224,7 @@ class Adapter {
         journal.edit(h).color = glm::round(255.0 * color) / 255.0;
       }
     }
-    refresh(journal, curves_of(mesh));
+    refresh(journal, mesh.curves());
   }
 
   const Problem& problem_;

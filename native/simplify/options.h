@@ -17,6 +17,10 @@ namespace gradmesh {
 /// The smallest resolution at which errors are measured, in pixels.
 inline constexpr int least_resolution = 16;
 
+/// Pixels along the longer side of a mesh at which its error is measured where nobody asks for
+/// another number.
+inline constexpr int usual_resolution = 700;
+
 /// The options of a run that a person may set. The chosen method heeds those MethodOptions that its
 /// Method::options names.
 struct SimplifyOptions : MethodOptions {
@@ -36,7 +40,7 @@ struct SimplifyOptions : MethodOptions {
   /// (simplify/target.h).
   std::optional<Count> count;
   /// Pixels along the longer side of the frame, as of check_resolution.
-  int resolution = 700;
+  int resolution = usual_resolution;
   /// The colour model in which a document's mesh is merged (app/runs.h); nothing for the
   /// mesh's own. simplify() itself always uses the mesh's own.
   std::optional<ColorModel> color_model;

@@ -80,7 +80,7 @@ TEST(Subject, is_seen_through_the_view) {
   EXPECT_EQ(subject.unit(), 8);
   EXPECT_LT(glm::distance(subject.center(Face{0}), glm::dvec2(110, 170)), 1e-9);
   EXPECT_NEAR(subject.narrowness(Face{0}), 200, 1e-9);
-  EXPECT_EQ(subject.curves().size(), 3u * 4 + 2 * 5);
+  EXPECT_EQ(subject.mesh().curves().size(), 3u * 4 + 2 * 5);
 }
 
 TEST(Draw, edges_show_every_curve_point_and_junction) {
