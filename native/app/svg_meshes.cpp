@@ -24,7 +24,7 @@
 #include "ops/split/without_faces.h"
 #include "raster/overlaps.h"
 #include "simplify/options.h"
-#include "trial/edit_error.h"
+#include "trial/measured_surface.h"
 
 namespace gradmesh {
 namespace {
@@ -351,9 +351,8 @@ Message SvgMeshes::updated_label(const MeshEntry& group, const WrittenForm& form
   if (!original) return mesh_label(now, before);
   const SimplifyOptions usual;
   const Reference reference(*original, frame(group, *original, usual.resolution), usual.metric);
-  const FrameError error =
-      whole_frame_error(reference, form.surface, form.masks_opacity(), nullptr);
-  return mesh_label(now, before, usual.metric, error.mean);
+  const MeasuredSurface measured(reference, form.surface, form.masks_opacity(), nullptr);
+  return mesh_label(now, before, usual.metric, measured.error().mean);
 }
 
 std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>& entries) {

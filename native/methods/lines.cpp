@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "mesh/rectangle.h"
+#include "methods/merging.h"
 #include "pricing/parallel_trials.h"
 
 namespace gradmesh {
@@ -145,6 +146,10 @@ class LineSelection {
 
 }  // namespace
 
-void take_out_lines(MergeTrial& trial, StopWatch& watch) { LineSelection(trial, watch).run(); }
+Candidate without_lines(const Problem& problem, StopWatch& watch) {
+  return merge_what_fits(problem, problem.trial()->trial,
+                         [&](MergeTrial& trial, PriceTable&) { LineSelection(trial, watch).run(); },
+                         {.keeps_rectangle = true});
+}
 
 }  // namespace gradmesh

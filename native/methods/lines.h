@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/progress.h"
-#include "trial/merge_trial.h"
+#include "problem/problem.h"
 
 namespace gradmesh {
 
@@ -12,6 +12,6 @@ namespace gradmesh {
 /// stays for good. The curves that cross a line are each split where they change least
 /// (split_share): one place for all of them has left as many patches or more on every sample.
 /// Throws InputError if the mesh is no such grid.
-void take_out_lines(MergeTrial& trial, StopWatch& watch);
+Candidate without_lines(const Problem& problem, StopWatch& watch);
 
 }  // namespace gradmesh

@@ -40,12 +40,6 @@ Candidate by_regions(const Problem& problem, StopWatch& watch) {
       [&](MergeTrial& trial, PriceTable& prices) { merge_by_gqe(trial, prices, options, watch); });
 }
 
-Candidate by_lines(const Problem& problem, StopWatch& watch) {
-  return merge_what_fits(problem, problem.trial()->trial,
-                         [&](MergeTrial& trial, PriceTable&) { take_out_lines(trial, watch); },
-                         {.keeps_rectangle = true});
-}
-
 Candidate by_name(const Problem& problem, StopWatch&) {
   return merge_what_fits(
       problem, problem.trial()->trial,
@@ -105,7 +99,7 @@ const std::vector<Method>& all_methods() {
        .needs_prices = true},
       {.name = line_method,
        .options = {},
-       .run = by_lines,
+       .run = without_lines,
        .why_not = needs_lines,
        .keeps_rectangle = true},
       {.name = plain_method,

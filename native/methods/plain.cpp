@@ -66,13 +66,20 @@ std::vector<double> rises_if_straight(const PlainGrid& grid, const std::vector<S
   return rises;
 }
 
+/// Returns the error that is about as large as the result's.
+double usual_epsilon(const Bounds& bounds) { return bounds.target ? 0.01 : bounds.epsilon; }
+
 /// A grid, and what is found of it as it will be written.
 struct Outcome {
   PlainGrid grid;
   Candidate written;
 
-  Outcome(PlainGrid made, const Problem& problem)
-      : grid(std::move(made)), written(problem.measure(build_derived_mesh(grid.parts()))) {}
+  /// `near` and `limit` as of Problem::measure.
+  Outcome(PlainGrid made, const Problem& problem, const Outcome* near = nullptr,
+          double limit = std::numeric_limits<double>::infinity())
+      : grid(std::move(made)),
+        written(problem.measure(build_derived_mesh(grid.parts()), near ? &near->written : nullptr,
+                                limit)) {}
 };
 
 class Selection {
@@ -92,6 +99,7 @@ class Selection {
     for (const bool may_be_seen : {false, true}) {
       may_be_seen_ = may_be_seen;
       for (Proposal& c : proposals_) c.priced_at = -1;
+      too_much_.clear();
       do pass();
       while (made_ > made_when_too_much_ && !is_over_);
       if (!problem_.bounds.target || is_over_) break;
@@ -115,6 +123,12 @@ class Selection {
     bool is_too_much = false;
   };
 
+  /// A side, and `made_` when it cost too much to be straight.
+  struct TooMuch {
+    Side side;
+    int made;
+  };
+
   /// Lines that are priced at the same time: fixed, so that the result does not depend on the
   /// number of threads.
   static constexpr std::size_t at_once = 2;
@@ -127,6 +141,8 @@ class Selection {
   /// exhausts the bound in one place keeps others from being made, since most change that place a
   /// little.
   static constexpr double local_weight = 0.3;
+  /// Peaks above this share of the local bound do not fall below it by another fit.
+  static constexpr double may_fall = 1.5;
   /// The error that a step adds falls as others are made and the grid is fitted anew, but hardly
   /// below this share.
   static constexpr double least_share_of_rise = 0.5;
@@ -144,7 +160,7 @@ class Selection {
   void pass() {
     // What was too much for this very grid still is.
     for (Proposal& c : proposals_) c.is_too_much = c.is_too_much && c.priced_at == made_;
-    too_much_.clear();
+    std::erase_if(too_much_, [&](const TooMuch& side) { return side.made != made_; });
     too_much_in_a_row_ = 0;
     sides_proposed_at_ = -1;
     made_when_too_much_ = std::numeric_limits<int>::max();
@@ -168,7 +184,7 @@ class Selection {
   }
 
   void list_lines() {
-    const double price = first_line_price * usual_epsilon() / first_handles_;
+    const double price = first_line_price * usual_epsilon(problem_.bounds) / first_handles_;
     for (int i = 1; i < grid().rows(); ++i) proposals_.push_back({{{}, Along::rows, i}, price});
     for (int j = 1; j < grid().columns(); ++j)
       proposals_.push_back({{{}, Along::columns, j}, price});
@@ -183,7 +199,7 @@ class Selection {
     if (too_much_in_a_row_ >= most_in_a_row) return;
     std::vector<Side> sides = curved_sides(grid());
     std::erase_if(sides, [&](const Side& side) {
-      return std::ranges::find(too_much_, side) != too_much_.end() ||
+      return std::ranges::find(too_much_, side, &TooMuch::side) != too_much_.end() ||
              (!may_be_seen_ && makes_corner(grid(), side));
     });
     if (sides.empty()) return;
@@ -198,8 +214,9 @@ class Selection {
     proposals_.push_back({std::move(step), -std::numeric_limits<double>::infinity()});
   }
 
-  Outcome measured(PlainGrid grid) const {
-    Outcome outcome(std::move(grid), problem_);
+  /// Measures a grid; an error above `limit` may be any that is.
+  Outcome measured(PlainGrid grid, double limit) const {
+    Outcome outcome(std::move(grid), problem_, &now_, limit);
     if (!may_be_seen_ && (largest_corner(outcome.grid) > most_corner_ ||
                           border_gap(outcome.grid, picture()) > most_gap_))
       outcome.written.keeps = false;
@@ -217,10 +234,11 @@ class Selection {
       fit_grid_and_colors(grid, picture(), fit_steps, points);
     else
       fit_grid(grid, picture(), fit_steps, points);
-    Outcome first = measured(grid);
-    if (first.written.keeps || first.written.error > epsilon()) return first;
+    Outcome first = measured(grid, hopeless_error());
+    if (first.written.keeps || first.written.error > epsilon() || local_share(first) > may_fall)
+      return first;
     fit_grid_and_colors(grid, picture(), fit_steps, points);
-    Outcome second = measured(std::move(grid));
+    Outcome second = measured(std::move(grid), epsilon());
     return second.written.keeps ? second : first;
   }
 
@@ -237,7 +255,7 @@ class Selection {
       c.outcome = after(c.step);
       c.rise = c.outcome->written.error - now_.written.error;
       const double local_rise = std::max(0.0, local_share(*c.outcome) - local_);
-      c.price = (c.rise + local_weight * usual_epsilon() * local_rise) /
+      c.price = (c.rise + local_weight * usual_epsilon(problem_.bounds) * local_rise) /
                 (grid().handles() - c.outcome->grid.handles());
       c.priced_at = made_;
     });
@@ -245,6 +263,10 @@ class Selection {
 
   bool is_hopeless(const Proposal& proposal) const {
     return now_.written.error + least_share_of_rise * proposal.rise > epsilon();
+  }
+  /// Returns the error of a step above which it is hopeless.
+  double hopeless_error() const {
+    return now_.written.error + (epsilon() - now_.written.error) / least_share_of_rise;
   }
 
   void accept_first() {
@@ -267,8 +289,8 @@ class Selection {
   void renumber_without(const Step& gone) {
     for (Proposal& c : proposals_)
       if (c.step.along == gone.along && c.step.line > gone.line) --c.step.line;
-    std::erase_if(too_much_, [&](Side& side) {
-      int& at = gone.along == Along::rows ? side.row : side.column;
+    std::erase_if(too_much_, [&](TooMuch& too_much) {
+      int& at = gone.along == Along::rows ? too_much.side.row : too_much.side.column;
       if (at > gone.line) --at;
       // The sides beside the line are others now.
       return at == gone.line || at == gone.line - 1;
@@ -281,7 +303,7 @@ class Selection {
     if (polished_at_ == made_) return false;
     PlainGrid grid = now_.grid;
     fit_grid_and_colors(grid, picture(), polish_steps, GridPoints::all(grid));
-    Outcome outcome = measured(std::move(grid));
+    Outcome outcome = measured(std::move(grid), now_.written.error);
     ++evaluations_;
     constexpr double worth_it = 0.99;
     const bool helps =
@@ -302,13 +324,10 @@ class Selection {
     if (first.step.sides.size() > 1) {
       most_sides_ = smaller_portion(first.step.sides.size());
     } else {
-      too_much_.push_back(first.step.sides.front());
+      too_much_.push_back({first.step.sides.front(), made_});
       ++too_much_in_a_row_;
     }
   }
-
-  /// Returns the error that is about as large as the result's.
-  double usual_epsilon() const { return problem_.bounds.target ? 0.01 : epsilon(); }
 
   bool has_reached_target() const {
     return problem_.bounds.target && problem_.bounds.target->is_reached(grid().counts());
@@ -342,8 +361,8 @@ class Selection {
   StopWatch& watch_;
   const int first_handles_;
   std::vector<Proposal> proposals_;
-  /// Sides that cost too much to be straight, in this pass.
-  std::vector<Side> too_much_;
+  /// Sides that cost too much to be straight, in this pass or for this very grid.
+  std::vector<TooMuch> too_much_;
   /// The most sides that are made straight at once, in this pass.
   std::size_t most_sides_ = 0;
   /// The number of steps that were made and of fits of the whole, and how many these were when
@@ -373,7 +392,7 @@ Candidate make_plain(const Problem& problem, StopWatch& watch) {
   }
   Selection selection(std::move(start), problem, watch);
   selection.run();
-  if (selection.now().grid.handles() >= grid.handles()) return unchanged;
+  if (selection.now().grid.handles() >= PlainGrid(problem.mesh()).handles()) return unchanged;
   problem.count_evaluations(selection.evaluations());
   Candidate simpler = selection.now().written;
   simpler.error_added_up = simpler.error;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
+
 #include "form/counts.h"
 #include "form/written_form.h"
 #include "mesh/mesh.h"
+#include "trial/measured_surface.h"
 
 namespace gradmesh {
 
@@ -11,6 +14,8 @@ struct Candidate {
   Mesh mesh = {};
   /// The form that was measured. Empty if there are no rules of writing, or if nothing was changed.
   WrittenForm form = {};
+  /// The surface of that form as it was measured; null where nothing was written.
+  std::shared_ptr<const MeasuredSurface> measured = nullptr;
   /// The error of the surface that will be written, measured on the whole frame.
   double error = 0;
   /// The largest mean of the metric's map in any window of 32 x 32 pixels (metric/local_mean.h).

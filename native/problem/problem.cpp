@@ -102,12 +102,18 @@ std::unique_ptr<MergeTrial::Fork> Problem::pricing_trial() const {
   return fork;
 }
 
-Candidate Problem::measure(Mesh mesh) const {
+Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const {
   Candidate found{.mesh = std::move(mesh), .changed = true};
   if (rules) found.form = rules->form(found.mesh, frame());
   const LocalBound* const bound = bounds.local ? start().local_bound() : nullptr;
-  const FrameError error =
-      whole_frame_error(*reference(), found.surface(), found.form.masks_opacity(), bound);
+  const Mesh& surface = found.surface();
+  if (near && near->measured && near->form.masks_opacity() == found.form.masks_opacity())
+    found.measured =
+        std::make_shared<MeasuredSurface>(*near->measured, *reference(), surface, bound, limit);
+  else
+    found.measured =
+        std::make_shared<MeasuredSurface>(*reference(), surface, found.form.masks_opacity(), bound);
+  const FrameError& error = found.measured->error();
   found.error = error.mean;
   found.local_error = error.local;
   found.keeps = error.keeps_to(bounds.epsilon);

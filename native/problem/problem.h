@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -105,7 +106,11 @@ class Problem {
   std::unique_ptr<MergeTrial::Fork> pricing_trial() const;
 
   /// Measures a mesh as it will be written. May be called concurrently once trial() was called.
-  Candidate measure(Mesh mesh) const;
+  /// Where `near` is given, a candidate of this problem whose surface differs little, only what
+  /// differs is painted and measured; and once the error is certain to be above `limit` it is not
+  /// worked out further, and the candidate does not keep to the bounds.
+  Candidate measure(Mesh mesh, const Candidate* near = nullptr,
+                    double limit = std::numeric_limits<double>::infinity()) const;
   /// Returns the candidate that is the mesh as it was. It is not written, so it has an error only
   /// against another original.
   Candidate unchanged() const;

@@ -20,14 +20,6 @@ bool overlaps(const Painting& painting, Window window) {
 
 }  // namespace
 
-FrameError whole_frame_error(const Reference& reference, const Mesh& surface, bool masks_opacity,
-                             const LocalBound* bound) {
-  Frame frame = reference.frame();
-  frame.masked_opacity = masks_opacity;
-  const Plane map = reference.metric().map(paint_whole(surface, frame).image);
-  return {mean(map), largest_local_mean(map), !bound || bound->holds(map)};
-}
-
 EditError::EditError(std::shared_ptr<const Reference> reference, const Mesh& start,
                      bool masks_opacity, std::optional<double> max_local_error, bool is_original) {
   const auto fixed = std::make_shared<Fixed>();

@@ -13,24 +13,9 @@
 #include "raster/painter.h"
 #include "reference/reference.h"
 #include "trial/local_bound.h"
+#include "trial/measured_surface.h"
 
 namespace gradmesh {
-
-/// The error of a mesh in the whole frame.
-struct FrameError {
-  double mean = 0;
-  /// The largest mean in any window of 32 x 32 pixels (metric/local_mean.h).
-  double local = 0;
-  /// True if no window is above the bound that was asked for.
-  bool keeps_local_bound = true;
-
-  bool keeps_to(double epsilon) const { return mean <= epsilon && keeps_local_bound; }
-};
-
-/// Paints a surface as it will be written and measures the whole frame of the reference. Returns a
-/// local error that keeps to `bound`, or to none if that is null.
-FrameError whole_frame_error(const Reference& reference, const Mesh& surface, bool masks_opacity,
-                             const LocalBound* bound);
 
 /// The error of an edited mesh against the mesh as it was at first (paper, section 5): the mean of
 /// the metric's map over the whole frame. An edit is painted and measured only where it changes
@@ -96,7 +81,7 @@ class EditError {
 
   /// Paints and measures the whole frame afresh, with opacities in a mask as for all edits.
   FrameError whole_frame(const Mesh& mesh) const {
-    return whole_frame_error(reference(), mesh, fixed_->frame.masked_opacity, local_bound());
+    return MeasuredSurface(reference(), mesh, fixed_->frame.masked_opacity, local_bound()).error();
   }
 
   /// Returns a DeviceErrors that measures many edits at once, starting from what has been accepted

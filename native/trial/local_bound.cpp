@@ -21,8 +21,10 @@ LocalBound::LocalBound(double largest, const Plane& start) : largest_(largest) {
   });
 }
 
-bool LocalBound::holds(const Plane& map) const {
-  if (allowed_.samples.empty()) return largest_local_mean(map) <= largest_;
+bool LocalBound::holds(const Plane& map) const { return holds(map, largest_local_mean(map)); }
+
+bool LocalBound::holds(const Plane& map, double largest) const {
+  if (largest <= largest_ || allowed_.samples.empty()) return largest <= largest_;
   bool all = true;
   for_each_local_mean(map,
                       [&](int x, int y, double mean) { all = all && mean <= *allowed_.at(x, y); });

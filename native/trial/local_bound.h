@@ -14,6 +14,8 @@ class LocalBound {
 
   /// Returns true if all windows inside `map`, a part of the frame, keep to the bound.
   bool holds(const Plane& map) const;
+  /// Returns the same of a map whose largest_local_mean is known.
+  bool holds(const Plane& map, double largest) const;
 
  private:
   double largest_;

@@ -75,8 +75,9 @@ TEST(BlockForm, paints_what_lies_over_itself_as_before) {
 void expect_free(const Mesh& mesh, const Frame& frame) {
   const BlockForm form = block_form(mesh, coons_tolerance(frame), find_overlaps(mesh, frame));
   const FrameError error =
-      whole_frame_error(*test::reference(mesh, frame), build_mesh(block_parts(mesh, form)),
-                        form.masks_opacity, nullptr);
+      MeasuredSurface(*test::reference(mesh, frame), build_mesh(block_parts(mesh, form)),
+                      form.masks_opacity, nullptr)
+          .error();
   EXPECT_LT(error.mean, form.masks_opacity ? 0.012 : 0.0005);
   EXPECT_LT(error.local, form.masks_opacity ? 0.05 : 0.02);
 }

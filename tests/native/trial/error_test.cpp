@@ -47,5 +47,39 @@ TEST(EditError, an_exact_split_costs_nothing_visible) {
   EXPECT_LT(error.after_edits(journal, journal.depth() - 1), 0.002);
 }
 
+/// A grid of which a corner has another colour, or whose last row is gone.
+TEST(MeasuredSurface, near_another_has_the_error_of_the_whole) {
+  for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim})
+    for (unsigned seed = 0; seed < 8; ++seed) {
+      const test::GridOptions options{
+          .rows = 5, .columns = 4, .position_noise = 0.1, .color_noise = 0.3};
+      MeshParts parts = test::grid_parts(options, seed);
+      const Mesh mesh = build_mesh(parts);
+      const Frame frame = fit_frame(mesh, {}, 180);
+      const auto reference = test::reference(mesh, frame, metric);
+      const LocalBound bound(0.05, Plane(frame.width, frame.height));
+      const MeasuredSurface start(*reference, mesh, false, &bound);
+      EXPECT_EQ(start.error().mean, 0);
+      if (seed % 2 == 0) {
+        // The corner of the grid, which is of this patch alone.
+        parts.patches[0].c[0][0].color = glm::dvec4(1, 0, seed / 8.0, 1);
+      } else {
+        parts.patches.resize(parts.patches.size() - options.columns);
+        parts.curves = grid_curves(options.rows - 1, options.columns);
+      }
+      const Mesh other = build_mesh(parts);
+      const FrameError whole = MeasuredSurface(*reference, other, false, &bound).error();
+      const FrameError near = MeasuredSurface(start, *reference, other, &bound).error();
+      ASSERT_GT(whole.mean, 0);
+      EXPECT_NEAR(near.mean, whole.mean, 1e-12);
+      EXPECT_EQ(near.local, whole.local);
+      EXPECT_EQ(near.keeps_local_bound, whole.keeps_local_bound);
+      const double limit = whole.mean / 2;
+      const FrameError cut = MeasuredSurface(start, *reference, other, &bound, limit).error();
+      EXPECT_GT(cut.mean, limit);
+      EXPECT_FALSE(cut.keeps_local_bound);
+    }
+}
+
 }  // namespace
 }  // namespace gradmesh
