@@ -143,6 +143,8 @@ class Selection {
   static constexpr double local_weight = 0.3;
   /// Peaks above this share of the local bound do not fall below it by another fit.
   static constexpr double may_fall = 1.5;
+  /// Fits of the whole grid lower its error where much has changed since the last.
+  static constexpr int steps_between_polishes = 5;
   /// The error that a step adds falls as others are made and the grid is fitted anew, but hardly
   /// below this share.
   static constexpr double least_share_of_rise = 0.5;
@@ -297,10 +299,10 @@ class Selection {
     });
   }
 
-  /// Fits the whole grid once more before the first step that is too much for it is given up.
-  /// Returns true if that lowers the error, so that the step may fit.
+  /// Fits the whole grid once more before a step that is too much for it is given up. Returns true
+  /// if that lowers the error, so that the step may fit.
   bool polish() {
-    if (polished_at_ == made_) return false;
+    if (polished_at_ >= 0 && made_ < polished_at_ + steps_between_polishes) return false;
     PlainGrid grid = now_.grid;
     fit_grid_and_colors(grid, picture(), polish_steps, GridPoints::all(grid));
     Outcome outcome = measured(std::move(grid), now_.written.error);
