@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "mesh/build.h"
+#include "methods/lines.h"
 #include "methods/portions.h"
 #include "plain/border.h"
 #include "plain/corners.h"
@@ -377,12 +378,21 @@ class Selection {
   bool is_over_ = false;
 };
 
+/// Returns the mesh without the lines that cost next to nothing, such as those that a program put
+/// in exactly: they need no fit to go.
+Candidate without_free_lines(const Problem& problem, StopWatch& watch) {
+  constexpr double share = 0.1;
+  Problem free = problem;
+  free.bounds.epsilon = share * usual_epsilon(problem.bounds);
+  return without_lines(free, watch);
+}
+
 }  // namespace
 
 Candidate make_plain(const Problem& problem, StopWatch& watch) {
   // Paints what is shared before several threads measure.
   Candidate unchanged = problem.unchanged();
-  const PlainGrid grid(problem.mesh());
+  const PlainGrid grid(without_free_lines(problem, watch).mesh);
   Outcome start(grid, problem);
   if (!start.written.keeps) {
     // The twists that are lost.
