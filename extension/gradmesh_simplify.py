@@ -12,6 +12,8 @@ from gradmesh_window import LongWork
 
 #: The method by which a mesh becomes what the dialog offers.
 METHODS = {"simplest": "simplest", "one-mesh": "plain", "lines": "lines", "blocks": "best", "gqe": "gqe"}
+#: The amount of "usual", which the dialog begins with.
+USUAL = "balanced"
 #: What is counted by the amounts that are a number or a share.
 COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patch-share": "patches"}
 
@@ -60,12 +62,14 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
         # The core checks the values, as Inkscape passes on any choice that its preferences hold, and
         # has defaults for what is not named here.
-        pars.add_argument("--amount", default="balanced")
+        pars.add_argument("--amount", default="usual")
+        pars.add_argument("--limit", default="epsilon")
         pars.add_argument("--epsilon", type=float)
         pars.add_argument("--handles", type=int, default=100)
         pars.add_argument("--patches", type=int, default=50)
         pars.add_argument("--share", type=float, default=50)
         pars.add_argument("--result", default="simplest")
+        pars.add_argument("--other_result", default="lines")
         pars.add_argument("--omega", type=float)
         pars.add_argument("--keep_original", type=Boolean)
         pars.add_argument("--remember_original", type=Boolean)
@@ -105,30 +109,39 @@ class Simplify(GradmeshEffect):
             return _("{id} is simplified.").format(id=ids[0])
         return _("{count} gradient meshes are simplified.").format(count=len(ids))
 
+    @property
+    def amount(self):
+        """How much, which the first page of the dialog may leave to the second."""
+        return self.options.limit if self.options.amount == "custom" else self.options.amount
+
+    @property
+    def result(self):
+        """What each mesh becomes, which the first page of the dialog may leave to the second."""
+        return self.options.other_result if self.options.result == "more" else self.options.result
+
     def core_options(self):
         """What the dialog says, in the words of gradmesh.simplify()."""
-        options = self.options
-        if options.result not in METHODS:
-            raise ValueError(f"results are {', '.join(METHODS)}, not '{options.result}'")
+        if self.result not in METHODS:
+            raise ValueError(f"results are {', '.join(METHODS)}, not '{self.result}'")
         names = (
             "metric resolution omega time_budget preview visible_only keep_original remember_original"
         )
-        chosen = {name: getattr(options, name) for name in names.split()}
-        chosen.update(self.how_much(), method=METHODS[options.result])
+        chosen = {name: getattr(self.options, name) for name in names.split()}
+        chosen.update(self.how_much(), method=METHODS[self.result])
         # Blocks that a person is to edit have few handles, unless it is patches that are to be few.
-        if options.result == "blocks" and "patches" not in chosen:
+        if self.result == "blocks" and "patches" not in chosen:
             chosen.setdefault("count", "handles")
         return chosen
 
     def how_much(self):
-        options = self.options
+        options, amount = self.options, self.amount
         bound = {"max_local_error": options.max_local_error or None}
-        if options.amount == "custom":
+        if amount == "epsilon":
             return {"epsilon": options.epsilon, **bound}
-        if options.amount not in COUNTED:
-            return {"amount": options.amount}
-        count = COUNTED[options.amount]
-        if options.amount == count:
+        if amount not in COUNTED:
+            return {"amount": USUAL if amount == "usual" else amount}
+        count = COUNTED[amount]
+        if amount == count:
             return {count: getattr(options, count), **bound}
         return {"ratio": options.share / 100, "count": count, **bound}
 
@@ -142,7 +155,7 @@ class Simplify(GradmeshEffect):
         are_plain = all(result.method == "plain" for result in results)
         stopped = {result.stopped for result in results}
         ends = [end for end in ("budget", "cancelled") if end in stopped]
-        ends.append("target" if self.options.amount in COUNTED else "epsilon")
+        ends.append("target" if self.amount in COUNTED else "epsilon")
         return (NO_HANDLE_WENT if are_plain else NOTHING_WAS_MERGED)[ends[0]].format(
             meshes=", ".join(result.id for result in results),
             seconds=self.options.time_budget,
@@ -165,7 +178,7 @@ class Simplify(GradmeshEffect):
         if result.objects > 1:
             text += " " + _("They would be {objects} objects.").format(objects=result.objects)
         epsilon, bound = result.run["epsilon"], result.run["max_local_error"]
-        if self.options.amount not in COUNTED and result.error > epsilon:
+        if self.amount not in COUNTED and result.error > epsilon:
             text += " " + _("That is above the largest error, {epsilon:g}.").format(epsilon=epsilon)
         if bound is not None and result.local_error > bound:
             text += " " + _("In a small part it is {error:.4f}, above {bound:g}.").format(

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.h"
@@ -21,6 +23,19 @@ std::vector<std::string> in_utf8(int argc, Character** argv) {
     arguments.emplace_back(text.begin(), text.end());
   }
   return arguments;
+}
+
+/// Throws std::invalid_argument if the first argument that is no option names no command: CLI11
+/// would print the help where one asks for it, as if nothing were wrong. Takes the last argument
+/// first.
+void check_command(const CLI::App& program, const std::vector<std::string>& arguments) {
+  const auto is_option = [](const std::string& argument) { return argument.starts_with('-'); };
+  const auto name = std::find_if_not(arguments.rbegin(), arguments.rend(), is_option);
+  if (name == arguments.rend()) return;
+  const auto has_the_name = [&](const CLI::App* command) { return command->check_name(*name); };
+  if (program.get_subcommands(has_the_name).empty())
+    throw std::invalid_argument("there is no command \"" + *name +
+                                "\"; gradmesh --help lists them.");
 }
 
 template <class Character>
@@ -45,7 +60,9 @@ int run(int argc, Character** argv) {
     add_update(program);
     add_publish(program);
     add_helper(program);
-    program.parse(in_utf8(argc, argv));
+    std::vector<std::string> arguments = in_utf8(argc, argv);
+    check_command(program, arguments);
+    program.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {

@@ -71,6 +71,16 @@ def test_wrong_usage_is_exit_code_2(fruit, arguments):
     assert set(files(fruit.parent)) == {"fruit.svg"}
 
 
+@pytest.mark.parametrize(
+    "arguments", ["melt", "melt --help", "--help melt", "melt fruit.svg --help", "Simplify --help", "melt --version"]
+)
+def test_an_unknown_command_is_an_error_even_where_help_is_asked_for(arguments):
+    done = gradmesh(*arguments.split())
+    name = "Simplify" if "Simplify" in arguments else "melt"
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f'gradmesh: there is no command "{name}"; gradmesh --help lists them.\n'
+
+
 def test_info():
     lines = printed("info", SAMPLES / "two.svg").splitlines()
     assert [line.split()[0] for line in lines] == ["stalk", "cap"]

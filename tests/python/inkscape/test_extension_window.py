@@ -1,5 +1,6 @@
 """The extension in Inkscape's window: from the menu, through its dialog, and one undo back."""
 
+import json
 import xml.etree.ElementTree as ET
 
 import pytest
@@ -12,9 +13,9 @@ pytestmark = needs(*WINDOW_PROGRAMS)
 
 # Where things are on the harness's screen once the page fits the window.
 PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 339)
-SIMPLIFY_TAB, RESULT_TAB = (58, 30), (138, 30)
-STRONG, ONLY_SAY, APPLY, CLOSE = (252, 152), (35, 462), (492, 562), (403, 562)
-DIALOG, CANVAS, STATUS = (0, 0, 536, 580), (620, 140, 1370, 900), (450, 960, 1060, 1000)
+SIMPLIFY_TAB, MORE_TAB = (58, 30), (134, 30)
+HOW_MUCH, STRONG, ONLY_SAY, APPLY, CLOSE = (240, 115), (230, 204), (35, 455), (528, 555), (438, 555)
+DIALOG, CANVAS, STATUS = (0, 0, 572, 574), (620, 140, 1370, 900), (450, 960, 1060, 1000)
 
 
 def test_say_apply_and_undo(tmp_path):
@@ -39,12 +40,12 @@ def test_say_apply_and_undo(tmp_path):
             dialog = seen(window, DIALOG)
             assert dialog != at_first[0], "no dialog opened"
 
-            window.click(*RESULT_TAB)
-            result = seen(window, DIALOG)
-            assert result != dialog
+            window.click(*MORE_TAB)
+            more = seen(window, DIALOG)
+            assert more != dialog
             window.click(*ONLY_SAY)
             ticked = seen(window, DIALOG)
-            assert ticked != result
+            assert ticked != more
             window.click(*APPLY)
             assert seen(window, DIALOG) != ticked, "nothing is said"
             window.key("Escape")
@@ -52,7 +53,9 @@ def test_say_apply_and_undo(tmp_path):
 
             window.click(*ONLY_SAY)
             window.click(*SIMPLIFY_TAB)
+            window.click(*HOW_MUCH)
             window.click(*STRONG)
+            assert seen(window, DIALOG) != dialog, "another amount is shown"
             window.click(*APPLY)
             window.click(*CLOSE)
             assert seen(window, STATUS) != at_first[2], "the selected object is still a path"
@@ -72,6 +75,35 @@ def test_say_apply_and_undo(tmp_path):
             window.key("ctrl+s")
     (pear,) = [element for element in ET.parse(svg).iter() if element.get("id") == "pear"]
     assert pear.tag == "{http://www.w3.org/2000/svg}g"
+
+
+#: Values of preferences that the dialog offers no more, and a tab that is gone.
+OLD_VALUES = {"amount": "patch-share", "share": 1, "result": "gqe", "tab": "help", "visible_only": 1}
+
+
+def test_old_values_are_shown_and_run_as_usual(tmp_path, monkeypatch):
+    """An old value is no choice of a list, which then shows its first choice, and that is run. Without
+    the dialog the old value is run."""
+    image, installed = pytest.importorskip("PIL.Image"), install_extension(tmp_path / "installed")
+    dialogs, runs = [], []
+    for values in ({}, OLD_VALUES):
+        report = tmp_path / f"{len(runs)}.json"
+        monkeypatch.setenv("GRADMESH_REPORT", str(report))
+        with Inkscape({f"org.gradmesh.simplify.{name}": value for name, value in values.items()}) as inkscape:
+            inkscape.install(installed)
+            inkscape.set_key("F10", "app.org.gradmesh.simplify")
+            with inkscape.window(SAMPLES / "fruit.svg") as window:
+                window.key("5")
+                window.click(*PEAR)
+                window.key("F10")
+                with image.open(window.screenshot(tmp_path / "shot.png")) as shot:
+                    dialogs.append(shot.convert("RGB").crop(DIALOG).tobytes())
+                window.click(*APPLY)
+        (line,) = map(json.loads, report.read_text().splitlines())
+        (pear,) = line["meshes"]
+        runs.append((line["outcome"], pear["method"], pear["handles_after"], pear["error"]))
+    assert dialogs[0] == dialogs[1]
+    assert runs[0] == runs[1] and runs[0][:2] == ("done", "plain")
 
 
 def saved(extension, place, svg, installed):
