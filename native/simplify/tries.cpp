@@ -1,8 +1,11 @@
 #include "simplify/tries.h"
 
+#include <algorithm>
 #include <span>
 
+#include "form/handles.h"
 #include "mesh/rectangle.h"
+#include "methods/edges.h"
 
 namespace gradmesh {
 namespace {
@@ -10,13 +13,13 @@ namespace {
 /// A method that is tried after others.
 struct Try {
   const char* method;
-  /// Returns true if the best result so far leaves something to be wished.
-  bool (*is_wanted)(const SimplifyResult& best);
+  /// Returns true if the best result so far leaves something to be wished that the method may have.
+  bool (*is_wanted)(const SimplifyResult& best, const Problem& problem, StopWatch& watch);
   /// Returns true if what this method has found is better.
   bool (*is_better)(const SimplifyResult& found, const SimplifyResult& best, Count count);
 };
 
-bool leaves_much(const SimplifyResult& best) {
+bool leaves_much(const SimplifyResult& best, const Problem&, StopWatch&) {
   return !best.changed || 2 * best.handles_after > best.handles_before;
 }
 
@@ -25,11 +28,48 @@ bool leaves_less(const SimplifyResult& found, const SimplifyResult& best, Count)
 }
 
 /// A group in the place of an object has to be worth it.
-bool leaves_much_less(const SimplifyResult& found, const SimplifyResult& best, Count) {
-  return 3 * found.effort() < 2 * best.effort();
+bool is_much_less(double effort, const SimplifyResult& best) {
+  return 3 * effort < 2 * best.effort();
 }
 
-bool is_nothing_or_masked(const SimplifyResult& best) {
+bool leaves_much_less(const SimplifyResult& found, const SimplifyResult& best, Count) {
+  return is_much_less(found.effort(), best);
+}
+
+/// Returns about how few patches merging can leave, by the prices of single edges: a region costs
+/// about as much as the edges inside it, or more. Fits lower prices, so more than epsilon may be
+/// spent.
+int fewest_patches(const Problem& problem, StopWatch& watch) {
+  constexpr double share_of_epsilon = 2;
+  const ThreadLimit limit = problem.thread_limit();
+  std::vector<double> prices;
+  for (const EdgePrice& edge : price_edges(problem.pricing_trial()->trial, problem.prices(), watch))
+    prices.push_back(std::max(0.0, edge.error));
+  std::ranges::sort(prices);
+  double left = share_of_epsilon * problem.bounds.epsilon;
+  int patches = problem.mesh().face_count();
+  for (const double price : prices) {
+    left -= price;
+    if (left < 0 || patches == 1) break;
+    --patches;
+  }
+  return patches;
+}
+
+/// Returns true if the best result leaves much, and blocks may leave much less. They have about as
+/// many handles for each patch as one mesh gradient, or more, since blocks share no points. Of very
+/// many patches they are hundreds of objects, which nobody edits, and take minutes.
+bool blocks_may_leave_less(const SimplifyResult& best, const Problem& problem, StopWatch& watch) {
+  constexpr int most_patches = 500;
+  const int patches = problem.mesh().face_count();
+  if (!leaves_much(best, problem, watch) || patches > most_patches) return false;
+  const auto may_win = [&](int left) {
+    return is_much_less(handles_of_an_object + double(best.handles_after) * left / patches, best);
+  };
+  return may_win(1) && may_win(fewest_patches(problem, watch));
+}
+
+bool is_nothing_or_masked(const SimplifyResult& best, const Problem&, StopWatch&) {
   return !best.changed || best.form.masks_opacity();
 }
 
@@ -40,7 +80,7 @@ bool leaves_no_more(const SimplifyResult& found, const SimplifyResult& best, Cou
 
 /// What is tried after `plain` where whatever is simplest is asked for.
 constexpr Try after_plain[] = {{line_method, leaves_much, leaves_less},
-                               {best_method, leaves_much, leaves_much_less}};
+                               {best_method, blocks_may_leave_less, leaves_much_less}};
 /// What is tried of one mesh gradient after a method that makes a group of blocks of it.
 constexpr Try after_merging[] = {{line_method, is_nothing_or_masked, leaves_no_more}};
 
@@ -77,7 +117,7 @@ SimplifyResult simplify_as_asked(const Problem& problem, const std::string& aske
   if (is_over(best.stopped)) return best;
   for (const Try& next : tries_after(first, asked, problem)) {
     const Method& method = method_named(next.method);
-    if (!next.is_wanted(best) || !suits(method, problem.mesh())) continue;
+    if (!next.is_wanted(best, problem, watch) || !suits(method, problem.mesh())) continue;
     if (watch.is_over()) {
       if (!best.changed) best.stopped = Stopped::budget;
       break;
