@@ -16,7 +16,7 @@ double visible_difference(double levels) { return std::pow(std::abs(levels), 0.7
 namespace {
 
 constexpr int samples_per_side = 6;
-constexpr std::size_t sample_count = std::size_t(samples_per_side) * samples_per_side;
+constexpr std::size_t samples_in_all = std::size_t(samples_per_side) * samples_per_side;
 
 /// visible_difference from a table, linear between its entries.
 class VisibleDifference {
@@ -45,8 +45,8 @@ struct Sample {
   glm::dvec3 wanted;
 };
 
-std::array<Sample, sample_count> samples_of(const Patch& wanted) {
-  std::array<Sample, sample_count> samples;
+std::array<Sample, samples_in_all> samples_of(const Patch& wanted) {
+  std::array<Sample, samples_in_all> samples;
   for (int i = 0; i < samples_per_side; ++i)
     for (int j = 0; j < samples_per_side; ++j) {
       const double u = (i + 0.5) / samples_per_side, v = (j + 0.5) / samples_per_side;
@@ -54,7 +54,7 @@ std::array<Sample, sample_count> samples_of(const Patch& wanted) {
       const glm::dvec2 dv = wanted.derivative_v(u, v).position;
       const glm::dvec4 color = glm::clamp(wanted.at(u, v).color, 0.0, 1.0);
       samples[std::size_t(i * samples_per_side + j)] = {
-          std::abs(du.x * dv.y - du.y * dv.x) / sample_count,
+          std::abs(du.x * dv.y - du.y * dv.x) / samples_in_all,
           {(1 - u) * (1 - v), (1 - u) * v, u * v, u * (1 - v)},
           255.0 * glm::dvec3(color)};
     }
@@ -140,7 +140,7 @@ class CornerColors {
   const VisibleDifference visible_;
   Journal journal_;
   const Mesh& mesh_;
-  std::vector<std::array<Sample, sample_count>> samples_;
+  std::vector<std::array<Sample, samples_in_all>> samples_;
   std::vector<std::array<double, 3>> costs_;
   const std::vector<std::vector<Halfedge>> colors_;
   std::vector<double> after_;

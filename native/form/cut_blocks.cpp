@@ -9,7 +9,7 @@
 namespace gradmesh {
 namespace {
 
-using Places = std::vector<std::vector<double>>;
+using Cuts = std::vector<std::vector<double>>;
 
 /// Returns the parts into which the places cut [0, 1].
 std::vector<Interval> parts_between(const std::vector<double>& places) {
@@ -22,7 +22,7 @@ std::vector<Interval> parts_between(const std::vector<double>& places) {
 }
 
 /// Returns the number of rows or columns before each as it was, and of all of them.
-std::vector<int> first_parts(const Places& places) {
+std::vector<int> first_parts(const Cuts& places) {
   std::vector<int> first{0};
   for (const std::vector<double>& of_one : places)
     first.push_back(first.back() + int(of_one.size()) + 1);

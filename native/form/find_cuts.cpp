@@ -16,7 +16,7 @@ namespace {
 using Curve = Cubic<glm::dvec2>;
 
 /// The distance, as a share of a block's size, within which two places are the same.
-constexpr double same_place = 1e-3;
+constexpr double same_shape = 1e-3;
 
 /// The lines of a block in one direction: lines across it, at which rows begin and end, or lines
 /// down, at which columns do.
@@ -212,7 +212,7 @@ class CutFinder {
     for (int i = 0; i < before.count(); ++i)
       for (int k = 0; k < now.count(); ++k)
         distances[std::size_t(i)][std::size_t(k)] = distance(before, i, now, k, corners);
-    return align(distances, same_place * size_);
+    return align(distances, same_shape * size_);
   }
 
   double distance(const Lines& before, int line, const Lines& now, int other,
@@ -293,7 +293,7 @@ class CutFinder {
 std::optional<BlockCuts> find_cuts(const PatchGrid& written, const PatchGrid& read) {
   const auto before = outer_corners(written), now = outer_corners(read);
   CutFinder::Found found = CutFinder(written, read, shift_between(before, now)).run();
-  if (const auto by = affine_between(before, now, same_place * size_of(written))) {
+  if (const auto by = affine_between(before, now, same_shape * size_of(written))) {
     CutFinder::Found other = CutFinder(written, read, *by).run();
     if (other.distance < 0.5 * found.distance) found = std::move(other);
   }

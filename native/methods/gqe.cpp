@@ -46,9 +46,9 @@ struct Outcome {
 };
 
 /// The candidates taken so far.
-class Choice {
+class Chosen {
  public:
-  explicit Choice(std::size_t face_slots) : taken_(face_slots) {}
+  explicit Chosen(std::size_t face_slots) : taken_(face_slots) {}
 
   bool is_free(const PricedRegion& c) const { return !taken_.overlaps(c.patches); }
   void add(const PricedRegion& c) {
@@ -87,7 +87,7 @@ class Planner {
 
   Plan by_score() const {
     Plan plan{by_score_, {}};
-    Choice choice(slots_);
+    Chosen choice(slots_);
     double sum = 0;
     for (const int i : by_score_) take_if_possible(i, choice, sum, plan);
     return plan;
@@ -99,7 +99,7 @@ class Planner {
   /// ranked anew only when its turn comes and its partner is gone.
   Plan by_pairs() const {
     Plan plan;
-    Choice choice(slots_);
+    Chosen choice(slots_);
     double sum = 0;
     std::vector<std::size_t> partner(candidates_.size(), 0);
     const auto later = [this](const auto& a, const auto& b) {
@@ -125,7 +125,7 @@ class Planner {
   }
 
  private:
-  void take_if_possible(int i, Choice& choice, double& sum, Plan& plan) const {
+  void take_if_possible(int i, Chosen& choice, double& sum, Plan& plan) const {
     const PricedRegion& c = candidates_[i];
     if (!choice.is_free(c) || sum + c.error > gamma_) return;
     choice.add(c);
@@ -136,13 +136,13 @@ class Planner {
   /// Moves `partner` on to the best free candidate that does not overlap the i-th. Returns the
   /// better of the candidate's own score and that of the pair. The score of a pair is the sum of
   /// both scores less the same share for all pairs.
-  double with_partner(int i, std::size_t& partner, const Choice& choice) const {
+  double with_partner(int i, std::size_t& partner, const Chosen& choice) const {
     while (partner < by_score_.size() && !is_partner(i, by_score_[partner], choice)) ++partner;
     if (partner == by_score_.size()) return scores_[i];
     // The same sum, to the last bit, for both of a pair.
     return std::max(scores_[i], scores_[i] + scores_[by_score_[partner]] - omega_ / patches_);
   }
-  bool is_partner(int i, int other, const Choice& choice) const {
+  bool is_partner(int i, int other, const Chosen& choice) const {
     return choice.is_free(candidates_[other]) &&
            !candidates_[i].patches.overlaps(candidates_[other].patches);
   }
@@ -260,7 +260,7 @@ class Gqe {
   Outcome outcome(MergeTrial& own, const Plan& plan) const {
     Outcome result;
     const MergeTrial::State start = own.state();
-    Choice choice(own.mesh().face_slots());
+    Chosen choice(own.mesh().face_slots());
     std::vector<Region> planned;
     for (const int i : plan.chosen) planned.push_back(candidates_[i].region);
     result.fits = planned.empty() || own.try_regions(planned);

@@ -64,7 +64,7 @@ class Reports {
   int line_ = 0;
 };
 
-using Context = std::unique_ptr<xmlParserCtxt, void (*)(xmlParserCtxt*)>;
+using ParserContext = std::unique_ptr<xmlParserCtxt, void (*)(xmlParserCtxt*)>;
 
 /// Sets libxml2's limits once a document declares an entity, as entities could grow without end
 /// otherwise.
@@ -87,7 +87,7 @@ void check_tree_size(std::string_view bytes, const auto& refuse) {
 
 /// Parses the bytes. Returns null if they are no XML, which libxml2 reports.
 xmlDoc* parse_tree(std::string_view bytes) {
-  const Context context(xmlNewParserCtxt(), xmlFreeParserCtxt);
+  const ParserContext context(xmlNewParserCtxt(), xmlFreeParserCtxt);
   if (!context) throw std::bad_alloc();
   context->sax->entityDecl = limit_from_here;
   return xmlCtxtReadMemory(context.get(), bytes.data(), int(bytes.size()), nullptr, nullptr,
