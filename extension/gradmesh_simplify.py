@@ -77,7 +77,7 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--max_local_error", type=float, default=0)
         pars.add_argument("--resolution", type=int)
         pars.add_argument("--visible_only", type=Boolean)
-        pars.add_argument("--time_budget", type=int, default=60)
+        pars.add_argument("--time_budget", type=int, default=30)
         pars.add_argument("--preview", type=Boolean)
 
     def effect(self):
