@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include "app/smallest_picture.h"
 #include "app/svg_meshes.h"
 #include "base/limits.h"
 #include "files/image_file.h"
@@ -20,6 +22,9 @@
 
 namespace gradmesh {
 namespace {
+
+/// Pictures of a document that have no more pixels together, some 100 kB, are small as they are.
+constexpr std::int64_t few_pixels = 360 * 360;
 
 /// Returns the box around the outlines of a set, which are in mesh units, as `view` shows them.
 Box box_of(const std::vector<FilledOutline>& set, const Affine& view) {
@@ -48,8 +53,12 @@ class MeshPublisher {
     choose_frame(scale);
   }
 
-  SvgMeshes::Look look() {
-    const MeshPicture picture = picture_of(mesh_, frame_);
+  /// Returns the number of pixels of the mesh's picture at the chosen scale.
+  std::int64_t pixels() const { return std::int64_t(frame_.width) * frame_.height; }
+
+  /// Returns what shows the mesh. A picture has no more pixels than it needs if `saves`.
+  SvgMeshes::Look look(bool saves) {
+    MeshPicture picture = picture_of(mesh_, frame_);
     const bool is_cut = !shape_lies_inside(picture);
     if (place_.fills_shape && !is_cut) {
       if (auto colors = linear_colors(mesh_, coons_tolerance(frame_))) {
@@ -59,13 +68,21 @@ class MeshPublisher {
         return *std::move(colors);
       }
     }
-    PlacedPicture placed{.png = png(picture), .place = box_};
+    FilePicture shown = file_picture(std::move(picture.samples), !is_translucent(mesh_));
+    if (saves) shown = smallest_picture(std::move(shown), seen_of(picture));
+    PlacedPicture placed;
+    placed.place = box_;
+    std::visit(
+        [&](const auto& image) {
+          report_.width = image.width;
+          report_.height = image.height;
+          placed.png = png_bytes(image);
+        },
+        shown);
     if (is_cut) {
       placed.outline = outline_path(mesh_);
       placed.outline_to_user = place_.to_user;
     }
-    report_.width = frame_.width;
-    report_.height = frame_.height;
     report_.bytes = placed.png.size();
     return placed;
   }
@@ -126,11 +143,16 @@ class MeshPublisher {
     return true;
   }
 
-  std::string png(const MeshPicture& picture) const {
-    if (is_translucent(mesh_)) return png_bytes(picture.samples);
-    Image opaque(frame_.width, frame_.height);
-    std::copy_n(picture.samples.samples.begin(), opaque.samples.size(), opaque.samples.begin());
-    return png_bytes(opaque);
+  /// Returns 1 for the pixels in which the mesh is seen.
+  Raster<std::uint8_t, 1> seen_of(const MeshPicture& picture) const {
+    Raster<std::uint8_t, 1> seen = picture.covered;
+    if (place_.seen && !shows_nothing_) {
+      const HiddenPixels hidden(*place_.seen, frame_);
+      for (int y = 0; y < seen.height; ++y)
+        for (const auto& [begin, end] : hidden.row(y))
+          std::fill(seen.at(begin, y), seen.at(end, y), 0);
+    }
+    return seen;
   }
 
   const Mesh& mesh_;
@@ -158,13 +180,19 @@ std::vector<PublishedMesh> publish(Document& document, const PublishOptions& opt
   SvgMeshes& meshes = document.as_svg(
       Message("{0}: only SVG documents are published; gradmesh convert makes one of this file.",
               document.name()));
-  std::vector<PublishedMesh> reports;
-  std::vector<std::pair<MeshEntry, SvgMeshes::Look>> looks;
+  std::vector<std::pair<MeshEntry, MeshPublisher>> publishers;
+  std::int64_t pixels = 0;
   for (const MeshEntry& entry : meshes.selected({}))
     document.naming(entry, [&] {
-      MeshPublisher publisher(meshes, entry, options.scale);
-      looks.emplace_back(entry, publisher.look());
-      reports.push_back(publisher.report());
+      publishers.emplace_back(entry, MeshPublisher(meshes, entry, options.scale));
+      pixels += publishers.back().second.pixels();
+    });
+  std::vector<PublishedMesh> reports;
+  std::vector<std::pair<MeshEntry, SvgMeshes::Look>> looks;
+  for (auto& published : publishers)
+    document.naming(published.first, [&] {
+      looks.emplace_back(published.first, published.second.look(pixels > few_pixels));
+      reports.push_back(published.second.report());
     });
   for (const MeshEntry& entry : meshes.refused({}))
     reports.push_back({.id = entry.id, .as = PublishedAs::nothing, .refused = entry.refused});

@@ -10,7 +10,8 @@
 namespace gradmesh {
 
 struct PublishOptions {
-  /// Pixels of a picture along one pixel of the document in its own size, above 0 to 16.
+  /// Pixels of a picture along one pixel of the document in its own size, above 0 to 16. A picture
+  /// has fewer where these show the same (app/smallest_picture.h).
   double scale = 2;
 };
 

@@ -49,7 +49,7 @@ void add_publish(CLI::App& program) {
   add_path(command, "-o,--output", a->out, "Where to write the copy")->required();
   command
       .add_option("--scale", a->options.scale,
-                  "Pixels of the pictures for each pixel of the document")
+                  "Most pixels of the pictures for each pixel of the document")
       ->check(CLI::Range(0.01, 16.0))
       ->capture_default_str();
   command.add_flag("--quiet", a->quiet, "Print nothing");

@@ -1,5 +1,6 @@
 #include "geom/box.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
@@ -12,8 +13,13 @@ namespace {
 /// extremum; unused elements are 0.
 std::array<double, 2> turning_points(double p0, double p1, double p2, double p3) {
   // Derivative / 3 = a t^2 - 2 b t + c.
-  const double a = p3 - 3 * p2 + 3 * p1 - p0, b = -(p2 - 2 * p1 + p0), c = p1 - p0;
+  double a = p3 - 3 * p2 + 3 * p1 - p0, b = -(p2 - 2 * p1 + p0), c = p1 - p0;
   std::array<double, 2> turns{};
+  const double largest = std::max({std::abs(a), std::abs(b), std::abs(c)});
+  if (largest == 0) return turns;
+  // Squares of tiny coefficients would be 0. A power of two changes no digit.
+  for (double* coefficient : {&a, &b, &c})
+    *coefficient = std::scalbn(*coefficient, -std::ilogb(largest));
   const double discriminant = b * b - a * c;
   if (discriminant < 0) return turns;
   // The root with the larger numerator directly, the other by Vieta: no cancellation, and the

@@ -30,8 +30,9 @@ def publish(document: Document, *, scale: float = 2) -> list[Published]:
     for mesh gradients, hidden originals, what gradmesh remembers, and the script by which Inkscape
     has browsers paint meshes.
 
-    scale: pixels of the pictures for each pixel of the document in its own size, above 0 to 16; a
-    picture is never longer than the limit on resolution. Raises InputError for .hemesh files and
+    scale: most pixels of the pictures for each pixel of the document in its own size, above 0 to
+    16; they have fewer where these show the same, and are never longer than the limit on
+    resolution. Raises InputError for .hemesh files and
     where no mesh can be read, ValueError for another scale; the document is then unchanged.
     """
     return [record(Published, made) for made in document._core.call("publish", scale=float(scale))]

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "formats/svg/values/path.h"
 #include "target.h"
@@ -15,7 +16,8 @@ void check(std::string_view data) {
   const double largest =
       std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
   require(std::isfinite(largest), "the box is finite");
-  const double rounding = 1e-6 * largest;
+  // Numbers below the smallest normal one have few digits or none.
+  const double rounding = std::max(1e-6 * largest, std::numeric_limits<double>::min());
   for (const auto& polygon : *outline)
     for (const glm::dvec2 p : polygon)
       require(p.x >= low.x - rounding && p.x <= high.x + rounding && p.y >= low.y - rounding &&

@@ -149,6 +149,8 @@ TEST(SvgPath, box_of_every_command) {
   expect_box("M0,0 Q 2,4 4,0 t 4 0", {0, -2}, {8, 2});
   expect_box("M0 0 T 4 4", {0, 0}, {4, 4});
   expect_box("M 1 1 h 2 z m 5 5 h 1", {1, 1}, {7, 6});
+  // The squares of these numbers are 0.
+  EXPECT_NEAR(path_box("M 0 0 c 1e-201 4e-201 2e-201 4e-201 3e-201 0")->high().y, 3e-201, 1e-213);
   // A lone moveto draws nothing.
   expect_box("M -50 -50 M 1 1 h 2", {1, 1}, {3, 1});
   EXPECT_TRUE(path_box("M 3 4")->empty());

@@ -77,7 +77,7 @@ def mesh(kind="tensor", name="mesh", seed=11, more=""):
 CASES = {
     "fill": (FILLED, ""),
     "even-odd": (STAR.format('fill="url(#mesh)" fill-rule="evenodd"'), ""),
-    "stroke": (WAVE.format(STROKED), ""),
+    "thick stroke": (WAVE.format(STROKED), ""),
     "dashes": (WAVE.format(STROKED.replace(":14", ":9;stroke-dasharray:12 16")), ""),
     "text": ('<text id="t" x="30" y="110" font-size="70" font-family="sans" fill="url(#mesh)">Abc</text>', ""),
     "fill and stroke": (

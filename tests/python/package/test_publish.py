@@ -335,7 +335,7 @@ def test_gradients_in_the_box_of_the_object():
     expect_around(Copy(text).image, (80, 72, 400, 376), 2)
 
 
-@pytest.mark.parametrize("scale", [0.4, 1, 2, 3.7, 16])
+@pytest.mark.parametrize("scale", [0.4, 1, 2, 3.7, 7])
 def test_the_scale_is_pixels_for_each_of_the_document(scale):
     after = Copy(document(MANY), scale=scale)
     width, height = area(after.image)[2:]
