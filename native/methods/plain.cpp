@@ -85,12 +85,9 @@ struct Outcome {
 
 class Selection {
  public:
-  /// `start` keeps to the bounds.
-  Selection(Outcome start, const Problem& problem, StopWatch& watch)
-      : now_(std::move(start)),
-        problem_(problem),
-        watch_(watch),
-        first_handles_(grid().handles()) {}
+  /// `start` keeps to the bounds; `first_handles` is the number before anything was taken out.
+  Selection(Outcome start, int first_handles, const Problem& problem, StopWatch& watch)
+      : now_(std::move(start)), problem_(problem), watch_(watch), first_handles_(first_handles) {}
 
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
   /// to epsilon now that the points have been fitted anew. A target that cannot be reached without
@@ -384,7 +381,12 @@ Candidate without_free_lines(const Problem& problem, StopWatch& watch) {
   constexpr double share = 0.1;
   Problem free = problem;
   free.bounds.epsilon = share * usual_epsilon(problem.bounds);
-  return without_lines(free, watch);
+  const auto handles = std::size_t(PlainGrid(problem.mesh()).handles());
+  // A person is told of handles throughout.
+  StopWatch quick(0, [&](const Progress& of_lines) {
+    return !watch.should_stop({0, handles, of_lines.patches, of_lines.error, int(handles)});
+  });
+  return without_lines(free, quick);
 }
 
 }  // namespace
@@ -402,9 +404,10 @@ Candidate make_plain(const Problem& problem, StopWatch& watch) {
     start = Outcome(std::move(fitted), problem);
     if (!start.written.keeps) return unchanged;
   }
-  Selection selection(std::move(start), problem, watch);
+  const int first_handles = PlainGrid(problem.mesh()).handles();
+  Selection selection(std::move(start), first_handles, problem, watch);
   selection.run();
-  if (selection.now().grid.handles() >= PlainGrid(problem.mesh()).handles()) return unchanged;
+  if (selection.now().grid.handles() >= first_handles) return unchanged;
   problem.count_evaluations(selection.evaluations());
   Candidate simpler = selection.now().written;
   simpler.error_added_up = simpler.error;

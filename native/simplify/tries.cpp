@@ -117,7 +117,7 @@ SimplifyResult simplify_as_asked(const Problem& problem, const std::string& aske
   if (is_over(best.stopped)) return best;
   for (const Try& next : tries_after(first, asked, problem)) {
     const Method& method = method_named(next.method);
-    if (!next.is_wanted(best, problem, watch) || !suits(method, problem.mesh())) continue;
+    if (!suits(method, problem.mesh()) || !next.is_wanted(best, problem, watch)) continue;
     if (watch.is_over()) {
       if (!best.changed) best.stopped = Stopped::budget;
       break;
