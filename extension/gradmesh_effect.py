@@ -114,6 +114,14 @@ class _GradmeshDocument(Gradmesh):
             )
         return self.readable(found)
 
+    def selected_or_all(self):
+        """Ids as of selected_meshes(), or of all meshes where nothing is selected."""
+        if self.options.ids:
+            return self.selected_meshes()
+        if not self.meshes.ids:
+            raise AbortExtension(_("There is no gradient mesh in the document."))
+        return self.readable([mesh.id for mesh in self.meshes.meshes])
+
     def readable(self, ids):
         """Those of the meshes that can be read. Says why the others are left alone; where there are
         no others, that ends the run."""

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Simplify: takes needless handles and patches out of gradient meshes."""
 
-from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences, say
+from gradmesh_effect import GradmeshEffect, NothingToDo, etree, gradmesh, refusals_as_sentences, say
 from gradmesh_cache import analysis_cache
-from gradmesh_inkex import AbortExtension, Boolean
+from gradmesh_inkex import Boolean
 from gradmesh_log import log
 from gradmesh_report import report
 from gradmesh_text import _
@@ -16,6 +16,9 @@ METHODS = {"simplest": "simplest", "one-mesh": "plain", "lines": "lines", "block
 USUAL = "balanced"
 #: What is counted by the amounts that are a number or a share.
 COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patch-share": "patches"}
+
+#: What covers something.
+SHAPES = {"path", "rect", "circle", "ellipse", "polygon", "polyline"}
 
 #: Why nothing changed, by how a run ended: where all meshes were to lose handles, and otherwise.
 NO_HANDLE_WENT = {
@@ -79,9 +82,10 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--visible_only", type=Boolean)
         pars.add_argument("--time_budget", type=int, default=30)
         pars.add_argument("--preview", type=Boolean)
+        pars.add_argument("--protect_selected", type=Boolean)
 
     def effect(self):
-        ids = self.selected_meshes() if self.options.ids else self.all_meshes()
+        ids = self.selected_or_all()
         with refusals_as_sentences():
             options = self.core_options()
             work = LongWork(self.title(ids), lambda tell: self.simplify(ids, options, tell))
@@ -94,11 +98,6 @@ class Simplify(GradmeshEffect):
             report.outcome = "unchanged"
         else:
             self.take_over()
-
-    def all_meshes(self):
-        if not self.meshes.ids:
-            raise AbortExtension(_("There is no gradient mesh in the document."))
-        return self.readable([mesh.id for mesh in self.meshes.meshes])
 
     def title(self, ids):
         if not self.options.ids:
@@ -128,10 +127,22 @@ class Simplify(GradmeshEffect):
         )
         chosen = {name: getattr(self.options, name) for name in names.split()}
         chosen.update(self.how_much(), method=METHODS[self.result])
+        if self.options.protect_selected:
+            chosen["protect"] = self.shapes_beside()
         # Blocks that a person is to edit have few handles, unless it is patches that are to be few.
         if self.result == "blocks" and "patches" not in chosen:
             chosen.setdefault("count", "handles")
         return chosen
+
+    def shapes_beside(self):
+        """Ids of the selected shapes that no mesh paints."""
+        painted = {e for e in self.svg.iter("*") if e.get("id") in self.meshes.ids}
+        return [
+            element.get("id")
+            for element in self.chosen_elements()
+            if etree.QName(element).localname in SHAPES
+            and not painted.intersection([element, *element.iterancestors()])
+        ]
 
     def how_much(self):
         options, amount = self.options, self.amount

@@ -5,6 +5,7 @@
 
 before-after.png   a sample and its patches, painted by Inkscape
 dialog.png         the dialog in Inkscape's window, with its preview
+by-eye.png         the window of Simplify by Eye, with patches protected and a line pointed at
 nodes.png          what the mesh tool shows of the sample, before and after
 report.png         the report on it, in Chromium
 """
@@ -129,6 +130,27 @@ def dialog(folder, out):
             shot(window, folder, WINDOW).save(out, optimize=True)
 
 
+#: Of the window of 1100 x 880 over the sample "face", in the display's corner: around each eye and the
+#: mouth, the button Strong, and a line.
+PARTS = (145, 312, 326, 436), (400, 312, 592, 436), (249, 578, 475, 697)
+STRONG_BY_EYE, CHEEK, BY_EYE = (1010, 294), (184, 527), (0, 0, 1100, 880)
+
+
+def by_eye(folder, out):
+    with Inkscape() as inkscape:
+        inkscape.install(install_extension(folder / "installed"))
+        inkscape.set_key("F10", "app.org.gradmesh.simplify-by-eye")
+        with inkscape.window(SAMPLES / "face.svg") as window:
+            window.open_window("F10", "Simplify by Eye")
+            for part in PARTS:
+                window.drag(*part)
+                window.key("p")
+            window.click(*STRONG_BY_EYE)
+            window.xdotool("mousemove", *map(str, CHEEK))
+            window.settle()
+            shot(window, folder, BY_EYE).save(out, optimize=True)
+
+
 def nodes(folder, out):
     """The handles of the mesh, before and after."""
     before, after = SAMPLES / f"{SAMPLE}.svg", folder / "after.svg"
@@ -158,6 +180,7 @@ def main(images):
         folder = Path(name)
         before_after(folder, images / "before-after.png")
         dialog(folder, images / "dialog.png")
+        by_eye(folder, images / "by-eye.png")
         nodes(folder, images / "nodes.png")
         report(folder, images / "report.png")
 

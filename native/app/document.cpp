@@ -5,6 +5,7 @@
 #include "base/utf8_path.h"
 #include "files/atomic_file.h"
 #include "files/zip.h"
+#include "form/blocks.h"
 #include "form/smooth_colors.h"
 #include "mesh/build.h"
 #include "mesh/subdivide.h"
@@ -87,6 +88,11 @@ void Document::check_color_model(ColorModel model) const {
   if (!format().holds(model)) throw InputError(why_not(model));
 }
 
+std::vector<FilledOutline> Document::covered(const std::vector<std::string>&) const {
+  throw InputError("{0}: shapes that protect what they cover are known in SVG documents only.",
+                   name());
+}
+
 Message Document::why_not(ColorModel model) const {
   return Message("{0}: {1} cannot hold colours of the model {2}.", name_, format().label,
                  gradmesh::name(model));
@@ -96,6 +102,28 @@ void Document::write(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                      const WriteOptions& writing) {
   replace(meshes, metric, writing);
   changed_ = true;
+}
+
+ChosenPatches Document::whole(const MeshEntry& entry) const {
+  const auto grid = find_grid(mesh(entry));
+  if (!grid) throw InputError("{0}: its mesh is not one rectangle of patches.", describe(entry));
+  return {entry, *grid};
+}
+
+Rewritten Document::rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind metric,
+                            int resolution, bool meant_to_differ) {
+  std::shared_ptr<const Mesh> against = original(entry);
+  if (!against) against = std::make_shared<const Mesh>(mesh(entry));
+  const auto [written, frame] = naming(entry, [&] {
+    Problem problem(against, nullptr, layout(entry, true), resolution, metric);
+    // A rectangle that was one mesh gradient stays one, unless its colours are sharp somewhere.
+    problem.rules = rules(entry, find_grid(edited) && has_one_color_at_each_point(edited));
+    return std::pair(problem.measure(edited), problem.frame());
+  });
+  WriteOptions writing;
+  writing.remember_original = !meant_to_differ && is_to_remember(entry);
+  write({{entry, written, counts_of(*against), frame, against}}, metric, writing);
+  return {written.counts(), written.form.object_count(), written.error};
 }
 
 std::vector<UpdateReport> Document::update(const std::vector<std::string>& ids) {

@@ -12,6 +12,7 @@
 #include "base/image.h"
 #include "formats/svg/tree/objects.h"
 #include "mesh/mesh.h"
+#include "mesh/rectangle.h"
 #include "problem/problem.h"
 #include "raster/rasterizer.h"
 
@@ -73,6 +74,23 @@ struct ChangedMesh {
   std::shared_ptr<const Mesh> original;
 };
 
+/// Patches that a person has chosen by an id: those of a block, or all of a mesh that is one
+/// rectangle.
+struct ChosenPatches {
+  MeshEntry entry;
+  /// In the mesh of the entry.
+  Rectangle rectangle;
+};
+
+/// An edited mesh as it was written.
+struct Rewritten {
+  MeshCounts counts;
+  /// The number of objects that paint the mesh.
+  int objects;
+  /// Against the original, or else against the mesh as it was.
+  double error;
+};
+
 /// A document of one of the formats, with its meshes. The command line and the Python package work
 /// with documents. All members throw InputError, whose sentence names the file and, if there are
 /// several meshes, the element.
@@ -116,6 +134,9 @@ class Document {
   virtual FramePadding padding() const = 0;
   /// Returns the number of objects that paint the mesh: the blocks of a group, 1 otherwise.
   virtual int objects(const MeshEntry&) const { return 1; }
+  /// Returns the block with this id, or the whole mesh with this id if it is one rectangle. Throws
+  /// InputError otherwise.
+  virtual ChosenPatches rectangle(const std::string& id) const = 0;
   /// Returns the frame in which a mesh of this document is painted and measured.
   Frame frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const;
   /// Returns how a mesh is laid out on pictures. Leaves out what is visible of it if all of the
@@ -153,6 +174,9 @@ class Document {
 
   /// Returns the visible area of the mesh; nothing if all of the mesh counts as visible.
   virtual std::optional<VisibleArea> visible_area(const MeshEntry&) const { return std::nullopt; }
+  /// Returns what the shapes with these ids cover, as the person sees them (view()). Throws
+  /// InputError if one is none, and if the format holds no shapes beside meshes.
+  virtual std::vector<FilledOutline> covered(const std::vector<std::string>& ids) const;
   /// Returns true if the mesh is one mesh gradient on its object, and may stay one.
   virtual bool is_one_gradient(const MeshEntry&) const { return false; }
   /// Returns the rules by which the mesh of an entry is written. If `stays_one` is true and the
@@ -166,6 +190,21 @@ class Document {
   /// Writes meshes in the place of those of their entries, and lists the entries afresh.
   void write(const std::vector<ChangedMesh>& meshes, MetricKind metric,
              const WriteOptions& writing);
+  /// Writes an edited mesh in the place of the entry's mesh. If it is `meant_to_differ`, it forgets
+  /// its original, so that it counts as the original itself. `entry` is no longer valid afterwards.
+  Rewritten rewrite(const MeshEntry& entry, const Mesh& edited, MetricKind metric, int resolution,
+                    bool meant_to_differ = false);
+
+  /// Returns true if the mesh of the entry has patches that one ordinary mesh would not have: if it
+  /// is simplified, in a format that holds more than one mesh gradient.
+  virtual bool can_be_one(const MeshEntry& entry) const = 0;
+  /// Throws InputError if the format cannot hold a mesh without T-junctions as one ordinary mesh.
+  virtual void check_one(const Mesh& mesh) const = 0;
+  /// Returns the rules by which an ordinary mesh is written.
+  virtual std::shared_ptr<const WritingRules> rules_of_one(const MeshEntry& entry) const = 0;
+  /// Replaces meshes by ordinary ones, which pass check_one(). All entries are listed anew.
+  virtual void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes,
+                            int resolution) = 0;
   /// Makes the selected meshes that are simplified fit together again if a person has edited their
   /// blocks (form/reconcile.h), and fits the paths of the blocks to the new outlines. The labels of
   /// the meshes get the error against the originals that the meshes remember. From then on the
@@ -208,6 +247,11 @@ class Document {
   virtual std::shared_ptr<const Mesh> remembered_original(const MeshEntry&) const {
     return nullptr;
   }
+  /// Returns the mesh of an entry, which is not simplified, if it is one rectangle. Throws
+  /// InputError otherwise.
+  ChosenPatches whole(const MeshEntry& entry) const;
+  /// Returns true if the mesh is to remember its original once it was edited.
+  virtual bool is_to_remember(const MeshEntry&) const { return true; }
   /// Does the work of write().
   virtual void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                        const WriteOptions& writing) = 0;

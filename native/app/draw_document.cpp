@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/patch_choice.h"
 #include "draw/backdrop.h"
 #include "draw/draw.h"
 #include "draw/svg_drawing.h"
@@ -73,11 +74,7 @@ class Draw {
   Face chosen_patch(const std::vector<RegionPrice>& regions) const {
     if (!options_.patch)
       return regions.empty() ? *mesh_.faces().begin() : regions.back().region.face;
-    const Face patch{*options_.patch};
-    if (patch.value < 0 || patch.value >= int(mesh_.face_slots()))
-      throw InputError("{0}: there is no patch {1}; the last is {2}.", document_.name(),
-                       patch.value, mesh_.face_slots() - 1);
-    return patch;
+    return face_numbered(document_, entry_, *options_.patch);
   }
 
   /// Returns the index of the chosen region as in draw_regions(), -1 for all.

@@ -1,5 +1,7 @@
 #include "app/hemesh_document.h"
 
+#include <algorithm>
+
 #include "base/utf8_path.h"
 #include "formats/hemesh/hemesh.h"
 #include "formats/text/excerpt.h"
@@ -62,8 +64,25 @@ std::shared_ptr<const WritingRules> HemeshDocument::rules(const MeshEntry&, bool
 
 void HemeshDocument::replace(const std::vector<ChangedMesh>& meshes, MetricKind,
                              const WriteOptions&) {
-  text_ = text_of(meshes.front().written.mesh);
+  take(meshes.front().written.mesh);
+}
+
+void HemeshDocument::take(const Mesh& mesh) {
+  text_ = text_of(mesh);
   mesh_ = build_mesh(read_hemesh(text_, name()));
+}
+
+ChosenPatches HemeshDocument::rectangle(const std::string& id) const {
+  return whole(selected({id}).front());
+}
+
+bool HemeshDocument::can_be_one(const MeshEntry&) const {
+  return std::ranges::any_of(mesh_.points(), [&](Point p) { return mesh_[p].is_junction(); });
+}
+
+void HemeshDocument::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int) {
+  take(meshes.front().second);
+  mark_changed();
 }
 
 void HemeshDocument::check_writing(const WriteOptions& writing) const {

@@ -22,6 +22,14 @@ class HemeshDocument : public Document {
   Affine view(const MeshEntry&) const override { return {}; }
   /// Returns the padding that the authors of the paper use.
   FramePadding padding() const override { return {.share = 0, .length = 0.03}; }
+  ChosenPatches rectangle(const std::string& id) const override;
+  bool can_be_one(const MeshEntry& entry) const override;
+  /// Does nothing, as the format holds meshes of any shape, and several colours at one point.
+  void check_one(const Mesh&) const override {}
+  std::shared_ptr<const WritingRules> rules_of_one(const MeshEntry& entry) const override {
+    return rules(entry, false);
+  }
+  void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int) override;
 
  protected:
   Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
@@ -32,6 +40,8 @@ class HemeshDocument : public Document {
   std::string changed_bytes() const override { return text_; }
 
  private:
+  void take(const Mesh& mesh);
+
   /// The mesh as the text holds it, so that half-edges have the numbers that any reader gives them.
   Mesh mesh_;
   std::string text_;

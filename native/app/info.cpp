@@ -67,6 +67,7 @@ ordered_json result_json(const Document& document, const MeshReport& report,
       {"metric", name(options.metric)},
       {"epsilon", options.epsilon},
       {"max_local_error", or_null(options.max_local_error)},
+      {"max_edge_shift", or_null(options.max_edge_shift)},
       {"original", original.empty() ? ordered_json() : ordered_json(original)},
       {"resolution", options.resolution},
       {"seed", options.seed},
@@ -77,13 +78,25 @@ ordered_json result_json(const Document& document, const MeshReport& report,
       {"patches_before", result.patches_before},
       {"patches_after", result.patches_after},
       {"objects", result.objects},
+      {"protected_patches", result.mesh.fixed_face_count()},
       {"error", result.error},
       {"local_error", result.local_error},
+      {"edge_shift", result.edge_shift},
       {"evaluations", result.evaluations},
       {"renderer", result.renderer},
       {"seconds",
        {{"total", seconds.total}, {"rasterize", seconds.rasterize}, {"select", seconds.select}}},
       {"stopped", report.refused ? "refused" : name(result.stopped)}};
+}
+
+ordered_json edit_json(const EditReport& report) {
+  return {{"id", report.id},
+          {"handles_before", report.before.handles},
+          {"handles_after", report.after.handles},
+          {"patches_before", report.before.patches},
+          {"patches_after", report.after.patches},
+          {"objects", report.objects},
+          {"error", report.error}};
 }
 
 ordered_json info_json(const Document& document) {

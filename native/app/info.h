@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "app/edits.h"
 #include "app/runs.h"
 
 namespace gradmesh {
@@ -21,6 +22,10 @@ nlohmann::ordered_json mesh_json(const Document& document, const MeshEntry& entr
 /// if none was named.
 nlohmann::ordered_json result_json(const Document& document, const MeshReport& report,
                                    const SimplifyOptions& options, const std::string& original);
+
+/// Returns what is told of an edit: {"id", "handles_before", "handles_after", "patches_before",
+/// "patches_after", "objects", "error"}.
+nlohmann::ordered_json edit_json(const EditReport& report);
 
 /// Returns the contents of a document:
 ///   {"file", "kind": "svg" or another format's name,

@@ -6,7 +6,9 @@
 #include "app/devices.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
+#include "mesh/faces_under.h"
 #include "mesh/subdivide.h"
+#include "ops/fix.h"
 #include "simplify/target.h"
 #include "simplify/tries.h"
 
@@ -34,6 +36,19 @@ std::shared_ptr<const Mesh> in_color_model(const Mesh& mesh, ColorModel model) {
   return std::make_shared<const Mesh>(build_mesh(model == ColorModel::bilinear
                                                      ? as_bilinear(std::move(parts))
                                                      : as_bicubic(std::move(parts))));
+}
+
+/// Returns the mesh of an entry with the patches fixed of which the shapes cover something.
+std::shared_ptr<const Mesh> protecting(const Document& document, const MeshEntry& entry,
+                                       const Mesh& mesh, const std::vector<std::string>& ids) {
+  const Affine to_mesh = document.view(entry).inverse();
+  std::vector<Face> faces;
+  for (FilledOutline& area : document.covered(ids)) {
+    area.outline = mapped(std::move(area.outline), to_mesh);
+    const std::vector<Face> under = faces_under(mesh, area);
+    faces.insert(faces.end(), under.begin(), under.end());
+  }
+  return std::make_shared<const Mesh>(with_fixed(mesh, faces));
 }
 
 /// Returns the device on which a run prices merges of the mesh; null for the cores alone.
@@ -112,7 +127,8 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   const ColorModel model = asked.color_model.value_or(read.color_model());
   if (asked.color_model) document.check_color_model(model);
   if (!options.original) options.original = document.original(entry);
-  const std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
+  std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
+  if (!asked.protect.empty()) mesh = protecting(document, entry, *mesh, asked.protect);
   if (!options.original && model != read.color_model())
     options.original = std::make_shared<const Mesh>(read);
   static_cast<Layout&>(options) = document.layout(entry, asked.visible_only);
@@ -140,6 +156,7 @@ std::vector<MeshReport> preview(const Document& document, const std::vector<std:
   if (method_named(options.method).merges_named_edges) {
     options.epsilon = 1;
     options.max_local_error.reset();
+    options.max_edge_shift.reset();
   }
   return simplified(document, ids, options, analyses).reports;
 }

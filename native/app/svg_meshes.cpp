@@ -194,11 +194,16 @@ std::optional<VisibleArea> SvgMeshes::visible_area(const MeshEntry& entry) const
   if (area && !o.is_group()) {
     const Affine to_mesh = mesh_to_user(svg_, o).inverse();
     for (std::vector<FilledOutline>& set : area->sets)
-      for (FilledOutline& filled : set)
-        for (std::vector<glm::dvec2>& polygon : filled.outline)
-          for (glm::dvec2& p : polygon) p = to_mesh.point(p);
+      for (FilledOutline& filled : set) filled.outline = mapped(std::move(filled.outline), to_mesh);
   }
   return area;
+}
+
+std::vector<FilledOutline> SvgMeshes::covered(const std::vector<std::string>& ids) const {
+  std::vector<FilledOutline> all;
+  for (const std::string& id : ids)
+    for (FilledOutline& filled : covered_area(svg_, id)) all.push_back(std::move(filled));
+  return all;
 }
 
 std::shared_ptr<const WritingRules> SvgMeshes::rules(const MeshEntry& entry, bool stays_one) const {
@@ -271,34 +276,13 @@ ChosenPatches SvgMeshes::rectangle(const std::string& id) const {
     if (entry.id != id) continue;
     if (entry.simplified)
       throw InputError("{0}: it is made of blocks; choose one of them.", describe(entry));
-    const Mesh& whole = mesh(entry);
-    if (whole.is_smooth())
-      throw InputError(
-          "{0}: its colours follow those of the neighbours (type=\"bicubic\"), so that its patches "
-          "are not edited one by one.",
-          describe(entry));
-    const auto grid = find_grid(whole);
-    if (!grid) throw InputError("{0}: its mesh is not one rectangle of patches.", describe(entry));
-    return {entry, *grid};
+    return whole(entry);
   }
   return block(id);
 }
 
-SvgMeshes::Rewritten SvgMeshes::rewrite(const MeshEntry& entry, const Mesh& edited,
-                                        MetricKind metric, int resolution) {
-  std::shared_ptr<const Mesh> original = remembered_original(entry);
-  if (!original) original = std::make_shared<const Mesh>(mesh(entry));
-  const auto measured = naming(entry, [&] {
-    Problem problem(original, nullptr, layout(entry, true), resolution, metric);
-    // A rectangle that was one mesh gradient stays one.
-    problem.rules = rules(entry, find_grid(edited).has_value());
-    return std::pair(problem.measure(edited), problem.frame());
-  });
-  const auto& [written, frame] = measured;
-  WriteOptions writing;
-  writing.remember_original = !entry.simplified || memory_of(object(entry));
-  write({{entry, written, counts_of(*original), frame, original}}, metric, writing);
-  return {written.counts(), written.form.object_count(), written.error};
+bool SvgMeshes::is_to_remember(const MeshEntry& entry) const {
+  return !entry.simplified || memory_of(object(entry));
 }
 
 SvgMeshes::Place SvgMeshes::place(const MeshEntry& entry) const {
@@ -324,6 +308,16 @@ void SvgMeshes::replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks)
   objects_.clear();
   list_meshes();
   mark_changed();
+}
+
+void SvgMeshes::check_one(const Mesh& mesh) const {
+  if (!find_grid(mesh)) throw InputError("its patches do not make up one rectangle.");
+  if (!has_one_color_at_each_point(mesh))
+    throw InputError("it has several colours at one point, which one mesh gradient cannot hold.");
+}
+
+std::shared_ptr<const WritingRules> SvgMeshes::rules_of_one(const MeshEntry&) const {
+  return gradient_rules({});
 }
 
 void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes,

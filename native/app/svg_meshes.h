@@ -4,16 +4,8 @@
 
 #include "app/document.h"
 #include "formats/svg/picture/picture.h"
-#include "mesh/rectangle.h"
 
 namespace gradmesh {
-
-/// Patches that a person has chosen by an id: those of a block, or all of a mesh gradient.
-struct ChosenPatches {
-  MeshEntry entry;
-  /// In the mesh of the entry.
-  Rectangle rectangle;
-};
 
 /// An SVG document: its meshes are the objects that a mesh gradient paints, and groups of blocks.
 class SvgMeshes : public Document {
@@ -32,24 +24,17 @@ class SvgMeshes : public Document {
   Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
   int objects(const MeshEntry& entry) const override;
-  void check_conversion(const Format& to) const override;
-  SvgMeshes& as_svg(const Message&) override { return *this; }
-
   /// Returns the block whose path has this id. Throws InputError if the id names something else.
   ChosenPatches block(const std::string& id) const;
-  /// Returns the block with this id, or the mesh of the object with this id if it is not simplified
-  /// and one rectangle. Throws InputError otherwise.
-  ChosenPatches rectangle(const std::string& id) const;
-  /// An edited mesh as it was written.
-  struct Rewritten {
-    MeshCounts counts;
-    /// The number of objects that paint the mesh.
-    int objects;
-    /// Against the original that is remembered, or else against the mesh as it was.
-    double error;
-  };
-  /// Writes an edited mesh in the place of the entry's mesh. `entry` is no longer valid afterwards.
-  Rewritten rewrite(const MeshEntry& entry, const Mesh& mesh, MetricKind metric, int resolution);
+  ChosenPatches rectangle(const std::string& id) const override;
+  bool can_be_one(const MeshEntry& entry) const override { return entry.simplified; }
+  void check_one(const Mesh& mesh) const override;
+  std::shared_ptr<const WritingRules> rules_of_one(const MeshEntry& entry) const override;
+  /// Replaces groups of blocks by the objects that they were made of, each painted by one mesh
+  /// gradient.
+  void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution) override;
+  void check_conversion(const Format& to) const override;
+  SvgMeshes& as_svg(const Message&) override { return *this; }
 
   /// Where a mesh is shown.
   struct Place {
@@ -69,14 +54,12 @@ class SvgMeshes : public Document {
   /// document needs (formats/svg/picture/remove_meshes.h). All entries are listed anew.
   void replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks);
 
-  /// Replaces groups of blocks by the objects that they were made of, each painted by one mesh
-  /// gradient. The meshes are grids with one colour at each point. All entries are listed anew.
-  void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution);
-
  protected:
   Message describe(const MeshEntry& entry) const override;
   std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
   std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
+  std::vector<FilledOutline> covered(const std::vector<std::string>& ids) const override;
+  bool is_to_remember(const MeshEntry& entry) const override;
   bool is_one_gradient(const MeshEntry& entry) const override { return !object(entry).is_group(); }
   std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,

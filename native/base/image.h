@@ -38,10 +38,12 @@ struct Raster {
 
   Raster() = default;
   Raster(int w, int h, Sample fill = Sample{}) : Raster(Window{0, 0, w, h}, fill) {}
-  explicit Raster(Window window, Sample fill = Sample{}) {
-    reset(window);
-    std::ranges::fill(samples, fill);
-  }
+  explicit Raster(Window window, Sample fill = Sample{})
+      : x0(window.x0),
+        y0(window.y0),
+        width(window.width()),
+        height(window.height()),
+        samples(pixels() * Channels, fill) {}
 
   /// Moves the raster to another window, after which the samples may have any values. Takes new
   /// memory only where the window is larger than all before.

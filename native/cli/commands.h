@@ -16,6 +16,10 @@ void add_draw(CLI::App& program);
 void add_report(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_update(CLI::App& program);
+void add_merge(CLI::App& program);
+void add_refine(CLI::App& program);
+void add_color(CLI::App& program);
+void add_one_mesh(CLI::App& program);
 void add_publish(CLI::App& program);
 void add_helper(CLI::App& program);
 

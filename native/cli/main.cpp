@@ -58,6 +58,10 @@ int run(int argc, Character** argv) {
     add_report(program);
     add_convert(program);
     add_update(program);
+    add_merge(program);
+    add_refine(program);
+    add_color(program);
+    add_one_mesh(program);
     add_publish(program);
     add_helper(program);
     std::vector<std::string> arguments = in_utf8(argc, argv);

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/convert_for_run.h"
+#include "app/curves.h"
 #include "app/devices.h"
 #include "app/info.h"
 #include "app/one_mesh.h"
@@ -14,7 +15,8 @@ namespace gradmesh {
 namespace {
 
 struct SimplifyArguments {
-  std::filesystem::path in, out, original, report;
+  std::filesystem::path in, out, original, report, curve;
+  std::optional<int> state;
   std::string renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
@@ -74,6 +76,24 @@ void tell_refused(const std::vector<MeshReport>& reports) {
       std::fprintf(stderr, "gradmesh: left as it was: %s\n", report.refused->english().c_str());
 }
 
+/// Finds the curves of the meshes, writes them into a file, and one of their states into the
+/// document, as asked.
+std::vector<MeshReport> take_state(Document& document, const SimplifyArguments& a) {
+  if (!a.out.empty() && !a.state)
+    throw InputError("please say with --state which state of the curve is written.");
+  AnalysisFiles files(a.analyses);
+  const std::vector<MeshCurve> curves = find_curves(document, a.ids, a.options, files);
+  if (!a.curve.empty()) write_bytes(a.curve, curves_json(curves).dump(2) + "\n");
+  if (a.out.empty()) return {};
+  return write_states(document, curves, *a.state, a.writing);
+}
+
+std::vector<MeshReport> run(Document& document, const SimplifyArguments& a) {
+  if (!a.curve.empty() || a.state) return take_state(document, a);
+  if (a.preview) return preview(document, a.ids, a.options, a.analyses);
+  return simplify(document, a.ids, a.options, a.analyses, a.writing);
+}
+
 void run_simplify(SimplifyArguments& a) {
   take_renderer(a.renderer, a.options);
   std::unique_ptr<Document> in = Document::read_file(a.in);
@@ -83,12 +103,11 @@ void run_simplify(SimplifyArguments& a) {
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    reports = a.preview ? preview(*document, a.ids, a.options, a.analyses)
-                        : simplify(*document, a.ids, a.options, a.analyses, a.writing);
+    reports = run(*document, a);
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, results_text(*document, reports, a));
-  if (!a.preview) document->write_file(a.out);
+  if (!a.out.empty()) document->write_file(a.out);
   tell_refused(reports);
   if (!a.quiet) print_results(reports, a.options);
 }
@@ -111,15 +130,35 @@ void add_simplify(CLI::App& program) {
   CLI::App& command =
       *program.add_subcommand("simplify", "Take out handles and patches while the error allows it");
   add_path(command, "IN", a->in, any_document())->required();
-  CLI::App& target = *command.add_option_group("Output")->require_option(1);
-  add_path(target, "-o,--output", a->out, "Where to write the document");
-  target.add_flag("--preview", a->preview,
-                  "Write no document, only say what would become of the meshes");
+  CLI::App& target = *command.add_option_group("Output")->require_option(1, 2);
+  CLI::Option* const out = add_path(target, "-o,--output", a->out, "Where to write the document");
+  CLI::Option* const preview = target.add_flag(
+      "--preview", a->preview, "Write no document, only say what would become of the meshes");
+  CLI::Option* const curve =
+      add_path(target, "--curve", a->curve,
+               "Write every state between the mesh as it is and one that is too simple, as JSON");
+  preview->excludes(out)->excludes(curve);
   add_ids(command, a->ids);
   add_run_options(command, a->options);
+  command
+      .add_option("--protect", a->options.protect,
+                  "SVG: leave the patches as they are of which this shape covers something; may be "
+                  "repeated")
+      ->take_all()
+      ->expected(1);
   add_original_option(command, a->original);
   add_renderer_option(command, a->renderer);
   add_analysis_options(command, a->analyses);
+  CLI::Option* const state =
+      command.add_option("--state", a->state, "Write that state of the curve, from 0")
+          ->check(CLI::NonNegativeNumber)
+          ->needs(out);
+  // A curve has all errors and all numbers of handles.
+  for (const std::string& name : replaced_by_amount)
+    for (CLI::Option* const of_curve : {curve, state})
+      of_curve->excludes(command.get_option(flag_of(name)));
+  for (CLI::Option* const of_curve : {curve, state})
+    of_curve->excludes(command.get_option("--amount"));
   add_path(command, "--report", a->report, "Write a report as JSON");
   command.add_flag("--keep-original", a->writing.keep_original,
                    "SVG: leave a hidden copy of each object as it was below the result");

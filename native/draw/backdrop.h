@@ -5,8 +5,11 @@
 
 namespace gradmesh {
 
-/// Returns the mesh as painted in `frame`, faded, to lie behind its lines. It is gray if `gray`,
-/// for drawings in which colours mean something else. `view` is that of the Subject.
+/// Takes all colour away from a picture, which then lies behind colours that mean something else.
+void make_gray(Image& image);
+
+/// Returns the mesh as painted in `frame`, faded, to lie behind its lines. It is gray if `gray`.
+/// `view` is that of the Subject.
 Picture backdrop(Image painted, const Frame& frame, const Affine& view, bool gray);
 
 }  // namespace gradmesh

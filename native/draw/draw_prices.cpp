@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "draw/draw.h"
+#include "draw/heat_scale.h"
 #include "draw/legend.h"
+#include "draw/part_tints.h"
 
 namespace gradmesh {
 namespace {
@@ -80,49 +81,14 @@ Drawing draw_errors(const Subject& subject, const std::vector<EdgePrice>& prices
 
 namespace {
 
-/// Tints that can be distinguished beside each other, also without seeing red or green.
-constexpr std::array<const char*, 6> part_colors{"#56b4e9", "#e69f00", "#009e73",
-                                                 "#cc79a7", "#f0e442", "#0072b2"};
-
-/// Returns the part of each face, by slots, -1 for none. A patch belongs to the part of any of its
-/// edges.
-std::vector<int> parts_of_faces(const Mesh& mesh, const MotorcycleGraph& graph) {
-  std::vector<int> part(mesh.face_slots(), -1);
-  for (std::size_t i = 0; i < graph.parts.size(); ++i)
-    for (const Halfedge edge : graph.parts[i])
-      for (const Halfedge side : {edge, mesh[edge].twin})
-        if (mesh.is_leaf(side)) part[mesh.face(side).value] = int(i);
-  return part;
-}
-
-/// Returns for each part the first tint that none of its neighbours before it has, if there is one.
-std::vector<int> tints(const Mesh& mesh, const std::vector<int>& part, std::size_t parts) {
-  std::vector<std::vector<int>> beside(parts);
-  for (const Halfedge h : mesh.halfedges()) {
-    const Halfedge across = mesh.is_leaf(h) ? leaf_across(mesh, h) : Halfedge{};
-    if (!across.valid()) continue;
-    const int a = part[mesh.face(h).value], b = part[mesh.face(across).value];
-    if (a > b && b >= 0) beside[a].push_back(b);
-  }
-  std::vector<int> tint(parts);
-  for (std::size_t i = 0; i < parts; ++i) {
-    std::array<bool, part_colors.size()> used{};
-    for (const int other : beside[i]) used[tint[other]] = true;
-    const auto free = std::ranges::find(used, false);
-    tint[i] = free == used.end() ? int(i % used.size()) : int(free - used.begin());
-  }
-  return tint;
-}
-
 Layer parts_layer(const Subject& subject, const MotorcycleGraph& graph) {
   const Mesh& mesh = subject.mesh();
-  const std::vector<int> part = parts_of_faces(mesh, graph);
-  const std::vector<int> tint = tints(mesh, part, graph.parts.size());
+  const PartTints tints(mesh, graph);
   Layer layer{subject.say(Message("Parts")), {}, {}};
   for (const Face f : mesh.faces())
-    if (const int i = part[f.value]; i >= 0)
+    if (const int i = tints.part(f); i >= 0)
       layer.shapes.push_back({subject.outline(f),
-                              {.fill = part_colors[tint[i]], .fill_opacity = 0.45},
+                              {.fill = hex_color(tints.color(i)), .fill_opacity = part_opacity},
                               subject.say(Message("Part {0}", i + 1))});
   return layer;
 }
@@ -162,7 +128,7 @@ Drawing draw_motorcycle(const Subject& subject, const MotorcycleGraph& graph, do
               subject.say(Message("{0} cannot be merged", graph.unmergeable.size())));
   legend.line(traced, subject.say(Message("{0} traced from their ends", graph.traced.size())));
   legend.line(inner, subject.say(Message("{0} left to merge", inner_edges)));
-  legend.area({.fill = part_colors[0], .fill_opacity = 0.45},
+  legend.area({.fill = hex_color(first_part_color), .fill_opacity = part_opacity},
               subject.say(Message("parts: {0}", graph.parts.size())));
   std::move(legend).add_to(drawing);
   return drawing;

@@ -2,6 +2,7 @@
 
 #include "draw/draw.h"
 #include "draw/legend.h"
+#include "mesh/boundary.h"
 
 namespace gradmesh {
 namespace {
@@ -27,19 +28,12 @@ Shape region_area(const Subject& subject, const RegionPrice& region, double opac
 /// Returns the sides of the region's patches that have no patch of the region on their other side.
 Shape region_border(const Subject& subject, const RegionPrice& region, double width) {
   const Mesh& mesh = subject.mesh();
-  std::vector<bool> inside(mesh.face_slots(), false);
-  for (const Face patch : region.patches) inside[std::size_t(patch.value)] = true;
-  // A curve has patches of the region on both sides only where all of it is inside.
-  const auto is_inside = [&](Halfedge leaf) { return inside[std::size_t(mesh.face(leaf).value)]; };
   PathText path = subject.path();
-  for (const Face patch : region.patches)
-    for (const Halfedge side : mesh.sides(patch)) {
-      const Halfedge across = mesh.other_side(side);
-      if (across.valid() && is_inside(mesh.first_leaf(across))) continue;
-      const Cubic<Value> curve = mesh.side_of(side);
-      path.move(curve.p0.position);
-      path.curve(curve);
-    }
+  for (const Halfedge side : outer_sides(mesh, region.patches)) {
+    const Cubic<Value> curve = mesh.side_of(side);
+    path.move(curve.p0.position);
+    path.curve(curve);
+  }
   return {path.text(), {.stroke = region_color, .stroke_width = width}, describe(subject, region)};
 }
 

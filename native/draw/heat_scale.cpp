@@ -30,16 +30,18 @@ glm::dvec3 heat_color(double t) {
   return glm::mix(anchor(i), anchor(i + 1), at - i);
 }
 
-double HeatScale::lowest() const { return highest_ * std::pow(10, -decades); }
+double HeatScale::lowest() const { return highest_ * std::pow(10, -length_); }
 
 double HeatScale::position(double error) const {
   if (error <= lowest()) return 0;
-  return std::min(1.0, 1 + std::log10(error / highest_) / decades);
+  return std::min(1.0, 1 + std::log10(error / highest_) / length_);
 }
 
-std::string HeatScale::color_at(double position) {
-  return hex_color(heat_color(0.14 + 0.86 * position));
+double HeatScale::error_at(double position) const {
+  return highest_ * std::pow(10, length_ * (position - 1));
 }
+
+glm::dvec3 HeatScale::rgb_at(double position) { return heat_color(0.14 + 0.86 * position); }
 
 std::string hex_color(const glm::dvec3& color) {
   const auto byte = [](double c) { return unsigned(std::lround(std::clamp(c, 0.0, 1.0) * 255)); };

@@ -18,13 +18,28 @@ Eigen::VectorXd by_column(const std::vector<double>& by_unknown, const Columns& 
   return result;
 }
 
+/// Returns the unknowns of the faces that change no patch that must stay as it is.
+std::vector<Unknown> free_unknowns(Journal& journal, const std::vector<Face>& faces,
+                                   const Plainness& plain) {
+  std::vector<Unknown> all = unknowns_of(journal.mesh(), faces, plain);
+  if (!journal.mesh().has_fixed_faces()) return all;
+  std::vector<bool> stays(all.size(), false);
+  for (const InfluencedFace& f : influences(journal, all, plain))
+    if (journal.mesh().is_fixed(f.face))
+      for (const Influence& by : f.by) stays[std::size_t(by.unknown)] = true;
+  std::vector<Unknown> free;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!stays[i]) free.push_back(all[i]);
+  return free;
+}
+
 }  // namespace
 
 Fit::Fit(Journal& journal, const Reference& target, const std::vector<Face>& faces, Plainness plain)
     : journal_(journal),
       target_(target),
       plain_(std::move(plain)),
-      unknowns_(unknowns_of(journal.mesh(), faces, plain_)),
+      unknowns_(free_unknowns(journal, faces, plain_)),
       influenced_(influences(journal, unknowns_, plain_)) {}
 
 std::vector<Value> Fit::step(const Damping& damping) const {

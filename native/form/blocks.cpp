@@ -325,6 +325,18 @@ BlockForm block_form(const Mesh& mesh, double coons_tolerance,
   return form;
 }
 
+bool has_one_color_at_each_point(const Mesh& mesh, double tolerance) {
+  std::map<Point, glm::dvec4> colors;
+  for (const Halfedge h : mesh.halfedges()) {
+    if (!mesh.is_leaf(h)) continue;
+    const glm::dvec4& color = mesh[h].color;
+    const auto [known, is_new] = colors.emplace(mesh.origin(h), color);
+    for (int i = 0; i < 4; ++i)
+      if (std::abs(known->second[i] - color[i]) > tolerance) return false;
+  }
+  return true;
+}
+
 Precision gradient_precision(double coons_tolerance, const Affine& to_gradient) {
   return precision_for(coons_tolerance, 1, to_gradient);
 }

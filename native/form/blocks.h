@@ -29,6 +29,13 @@ struct BlockForm {
 BlockForm block_form(const Mesh& mesh, double coons_tolerance,
                      const std::vector<Overlap>& overlaps = {});
 
+/// A difference of colours that is no more than the rounding of both to 8 bits.
+inline constexpr double rounding_of_colors = 1.001 / 255;
+
+/// Returns true if all patches that meet at a point have one colour there, as one mesh gradient
+/// holds them: channels that differ by at most `tolerance`.
+bool has_one_color_at_each_point(const Mesh& mesh, double tolerance = rounding_of_colors);
+
 /// Returns the form of a grid (find_grid) as one mesh gradient, in the coordinates to which
 /// `to_gradient` maps. They have a step that moves no point by more than `coons_tolerance`.
 BlockForm gradient_form(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient);

@@ -3,10 +3,15 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "base/affine.h"
+
 namespace gradmesh {
 
 /// Closed polygons; the last point is joined to the first.
 using Outline = std::vector<std::vector<glm::dvec2>>;
+
+/// Returns the outline with all its points mapped.
+Outline mapped(Outline outline, const Affine& map);
 
 /// SVG's fill-rule: which points lie inside an outline.
 enum class FillRule { nonzero, evenodd };
@@ -15,6 +20,9 @@ struct FilledOutline {
   Outline outline;
   FillRule rule = FillRule::nonzero;
 };
+
+/// Returns true if a place lies inside.
+bool contains(const FilledOutline& area, glm::dvec2 place);
 
 /// The part of a mesh that is seen, in mesh units: the points that lie, for each of these sets,
 /// inside of at least one outline of the set.

@@ -1,5 +1,6 @@
 #include "mesh/boundary.h"
 
+#include <algorithm>
 #include <map>
 
 namespace gradmesh {
@@ -47,6 +48,20 @@ std::vector<int> face_components(const Mesh& mesh, const std::function<bool(Half
     ++count;
   }
   return component;
+}
+
+std::vector<Halfedge> outer_sides(const Mesh& mesh, const std::vector<Face>& faces) {
+  std::vector<bool> is_one(mesh.face_slots(), false);
+  for (const Face face : faces) is_one[std::size_t(face.value)] = true;
+  const auto is_inside = [&](Halfedge leaf) { return is_one[std::size_t(mesh.face(leaf).value)]; };
+  std::vector<Halfedge> outer;
+  for (const Face face : faces)
+    for (const Halfedge side : mesh.sides(face)) {
+      const Halfedge across = mesh.other_side(side);
+      if (!across.valid() || !std::ranges::all_of(mesh.leaves(across), is_inside))
+        outer.push_back(side);
+    }
+  return outer;
 }
 
 Box bounding_box(const Mesh& mesh, const Affine& view) {

@@ -21,6 +21,10 @@ std::vector<int> face_components(
     const Mesh& mesh,
     const std::function<bool(Halfedge)>& divides = [](Halfedge) { return false; });
 
+/// Returns the sides of these faces that bound them: those with a face across their curve that is
+/// none of them, or with no face there.
+std::vector<Halfedge> outer_sides(const Mesh& mesh, const std::vector<Face>& faces);
+
 /// Returns the box around the mesh as `view` shows it, from the sides of its patches with their
 /// exact extrema: the box does not depend on how finely the mesh is divided.
 Box bounding_box(const Mesh& mesh, const Affine& view);

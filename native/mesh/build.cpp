@@ -56,6 +56,7 @@ class MeshBuilder {
         h.color = parts_.patches[f].corner(k).color;
       }
     }
+    for (const int f : parts_.fixed) mesh_.faces_[std::size_t(f)].fixed = true;
     used_.assign(mesh_.halfedges_.size(), false);
   }
 

@@ -53,6 +53,8 @@ struct FaceRecord {
   /// The top side of the patch (u = 0).
   Halfedge halfedge;
   bool alive = true;
+  /// True if nothing of the patch may change, nor any point on its border.
+  bool fixed = false;
 
   bool operator==(const FaceRecord&) const = default;
 };

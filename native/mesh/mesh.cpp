@@ -5,6 +5,12 @@
 
 namespace gradmesh {
 
+int Mesh::fixed_face_count() const {
+  int count = 0;
+  for (const Face f : faces()) count += is_fixed(f);
+  return count;
+}
+
 Halfedge Mesh::last_leaf(Halfedge side) const {
   Halfedge last = side;
   for (Halfedge c = (*this)[side].first_child; c.valid(); c = (*this)[c].next_sibling) last = c;

@@ -39,6 +39,11 @@ class Mesh {
 
   int face_count() const { return face_count_; }
 
+  /// Returns true if nothing of the face's patch may change.
+  bool is_fixed(Face f) const { return (*this)[f].fixed; }
+  bool has_fixed_faces() const { return fixed_face_count() > 0; }
+  int fixed_face_count() const;
+
   /// Compares record by record, those that are not alive too: an undo restores all of them.
   bool operator==(const Mesh&) const = default;
 
@@ -108,6 +113,7 @@ class Mesh {
  private:
   friend class Journal;
   friend class MeshBuilder;
+  friend class MeshDifference;
 
   SiblingRange range(Halfedge parent, SiblingRange::Kind kind) const {
     return {halfedges_, (*this)[parent].first_child, kind};

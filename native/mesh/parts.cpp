@@ -13,6 +13,7 @@ void transform(MeshParts& parts, const Affine& affine) {
 
 void append(MeshParts& parts, const MeshParts& more) {
   const int first = 4 * int(parts.patches.size());
+  for (const int patch : more.fixed) parts.fixed.push_back(patch + first / 4);
   parts.patches.insert(parts.patches.end(), more.patches.begin(), more.patches.end());
   for (CurveParts curve : more.curves) {
     for (CurveSide* side : {&curve.a, &curve.b})

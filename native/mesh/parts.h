@@ -42,6 +42,8 @@ struct MeshParts {
   std::vector<int> own_colors = {};
   /// The value of Mesh::is_smooth().
   bool smooth = false;
+  /// The patches, by their numbers, of which nothing may change.
+  std::vector<int> fixed = {};
 };
 
 /// A rectangle of patches without T-junctions, row by row: `rows * columns` of them, both at least

@@ -45,6 +45,8 @@ class Subdivider {
       for (int j = 0; j < n_; ++j)
         parts.patches.push_back(row.part_v(double(j) / n_, double(j + 1) / n_));
     }
+    if (mesh_.is_fixed(f))
+      for (int i = 0; i < n_ * n_; ++i) parts.fixed.push_back(i);
     append(parts_, parts);
   }
 

@@ -34,7 +34,7 @@ double largest(const glm::dvec4& v) { return std::max({v.r, v.g, v.b, v.a}); }
 }  // namespace
 
 bool HandleDrops::drop_some(double limit) {
-  constexpr int fit_steps = 2;
+  constexpr int fits = 2;
   const std::vector<HandleDrop> steps = cheapest_first();
   std::size_t count = std::min(most_, first_portion(steps.size()));
   int too_much = 0;
@@ -42,7 +42,7 @@ bool HandleDrops::drop_some(double limit) {
     const auto begin = steps.begin() + std::ptrdiff_t(first);
     const std::vector<HandleDrop> some(
         begin, begin + std::ptrdiff_t(std::min(count, steps.size() - first)));
-    if (trial_.try_drops(some, limit, fit_steps, keeps_)) {
+    if (trial_.try_drops(some, limit, fits, keeps_)) {
       most_ = 2 * some.size();
       return true;
     }
@@ -75,10 +75,21 @@ std::vector<HandleDrops::Way> HandleDrops::ways() const {
   std::vector<Way> ways;
   for (const Halfedge h : mesh.curves())
     // Each leaf along a divided side has two handles of its own in its block.
-    if (may_be_straight(h, now)) ways.push_back({{h, {}}, 2 + 2 * leaves_along(mesh, h)});
+    if (!is_beside_fixed(h) && may_be_straight(h, now))
+      ways.push_back({{h, {}}, 2 + 2 * leaves_along(mesh, h)});
   for (const Face f : mesh.faces())
-    if (!now.is_coons(f)) ways.push_back({{{}, f}, 4});
+    if (!now.is_coons(f) && !mesh.is_fixed(f)) ways.push_back({{{}, f}, 4});
   return ways;
+}
+
+/// Returns true if a patch beside the curve must stay as it is.
+bool HandleDrops::is_beside_fixed(Halfedge curve) const {
+  const Mesh& mesh = trial_.mesh();
+  for (const Halfedge side : {curve, mesh[curve].twin})
+    if (side.valid())
+      for (const Halfedge leaf : mesh.leaves(side))
+        if (mesh.is_fixed(mesh.face(leaf))) return true;
+  return false;
 }
 
 bool HandleDrops::may_be_straight(Halfedge curve, const Plainness& now) const {

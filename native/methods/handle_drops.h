@@ -36,6 +36,7 @@ class HandleDrops {
   std::vector<Way> ways() const;
   /// True if a curve may become straight: neither may an outline go elsewhere nor a line that was
   /// smooth get a corner that is seen.
+  bool is_beside_fixed(Halfedge curve) const;
   bool may_be_straight(Halfedge curve, const Plainness& now) const;
   bool makes_corner(Halfedge curve, int end, const Plainness& now) const;
   std::vector<HandleDrop> cheapest_first() const;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fit/plainness.h"
 #include "mesh/rectangle.h"
 #include "methods/best.h"
 #include "methods/gqe.h"
@@ -67,6 +68,13 @@ std::optional<Message> needs_plain_grid(const Mesh& mesh) {
   if (mesh.color_model() == ColorModel::bicubic)
     return Message("its colours are bicubic, which a plain mesh gradient cannot hold.");
   if (!find_grid(mesh)) return Message("it is not one rectangle of patches without T-junctions.");
+  if (mesh.has_fixed_faces()) {
+    const Plainness plain(mesh);
+    for (const Face f : mesh.faces())
+      if (mesh.is_fixed(f) && !plain.is_coons(f))
+        return Message(
+            "a protected patch has handles inside, which a plain mesh gradient cannot hold.");
+  }
   return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 #include "methods/plain.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <span>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "plain/border.h"
 #include "plain/corners.h"
 #include "plain/grid_fit.h"
+#include "plain/side_rises.h"
 #include "plain/steps.h"
 
 namespace gradmesh {
@@ -19,53 +22,6 @@ namespace {
 
 /// Steps of Gauss-Newton after a step of the selection, and where nothing more fits.
 constexpr int fit_steps = 2, polish_steps = 4;
-
-/// A patch of a grid, by its row and column.
-using PatchPlace = std::pair<int, int>;
-
-/// Returns the patches beside a side.
-std::vector<PatchPlace> patches_beside(const PlainGrid& grid, const Side& side) {
-  const int above = side.along == Along::rows, left = side.along == Along::columns;
-  std::vector<PatchPlace> places;
-  for (const auto& [i, j] :
-       {PatchPlace(side.row, side.column), PatchPlace(side.row - above, side.column - left)})
-    if (i >= 0 && j >= 0 && i < grid.rows() && j < grid.columns()) places.emplace_back(i, j);
-  return places;
-}
-
-/// Returns for each side by how much the sum of squares rises if that side alone becomes straight
-/// and nothing is fitted.
-std::vector<double> rises_if_straight(const PlainGrid& grid, const std::vector<Side>& sides,
-                                      const Reference& target) {
-  std::vector<PatchPlace> patches;
-  for (const Side& side : sides)
-    for (const PatchPlace& place : patches_beside(grid, side)) patches.push_back(place);
-  std::ranges::sort(patches);
-  patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
-  std::vector<double> squares(patches.size());
-  parallel_for(patches.size(), [&](std::size_t n) {
-    squares[n] = patch_squares(grid, patches[n].first, patches[n].second, target);
-  });
-
-  std::vector<double> rises(sides.size(), 0);
-  // A copy of the grid for each thread.
-  const std::size_t shares = std::min(thread_count(), sides.size());
-  parallel_for(shares, [&](std::size_t share) {
-    PlainGrid straight = grid;
-    for (std::size_t n = share; n < sides.size(); n += shares) {
-      const Side& side = sides[n];
-      PlainGrid::Bend& bend = straight.bend(side.along, side.row, side.column);
-      const PlainGrid::Bend curve = std::exchange(bend, std::nullopt);
-      for (const PatchPlace& place : patches_beside(grid, side)) {
-        const auto known = std::ranges::lower_bound(patches, place) - patches.begin();
-        rises[n] += patch_squares(straight, place.first, place.second, target) -
-                    squares[std::size_t(known)];
-      }
-      bend = curve;
-    }
-  });
-  return rises;
-}
 
 /// Returns the error that is about as large as the result's.
 double usual_epsilon(const Bounds& bounds) { return bounds.target ? 0.01 : bounds.epsilon; }
@@ -86,14 +42,24 @@ struct Outcome {
 class Selection {
  public:
   /// `start` keeps to the bounds; `first_handles` is the number before anything was taken out.
-  Selection(Outcome start, int first_handles, const Problem& problem, StopWatch& watch)
-      : now_(std::move(start)), problem_(problem), watch_(watch), first_handles_(first_handles) {}
+  Selection(Outcome start, int first_handles, const Problem& problem, StopWatch& watch,
+            const MeshPassed& passed)
+      : now_(std::move(start)),
+        problem_(problem),
+        watch_(watch),
+        passed_(passed),
+        first_handles_(first_handles) {
+    list_lines();
+    tell();
+  }
+
+  /// Lets what is next keep to wider bounds.
+  void widen(const Bounds& bounds) { problem_ = problem_.within(bounds); }
 
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
   /// to epsilon now that the points have been fitted anew. A target that cannot be reached without
   /// corners and gaps that are seen is reached with these.
   void run() {
-    list_lines();
     for (const bool may_be_seen : {false, true}) {
       may_be_seen_ = may_be_seen;
       for (Proposal& c : proposals_) c.priced_at = -1;
@@ -117,6 +83,8 @@ class Selection {
     double price, rise = 0;
     int priced_at = -1;
     std::optional<Outcome> outcome = std::nullopt;
+    /// Of several sides those beside which an edge of the picture moved too far.
+    std::vector<Side> moved = {};
     /// True if the step was found to be too much in this pass.
     bool is_too_much = false;
   };
@@ -151,10 +119,18 @@ class Selection {
   const Reference& picture() const { return *problem_.reference(); }
   double epsilon() const { return problem_.bounds.epsilon; }
 
-  /// Returns the largest error of a small part as a share of its bound; 0 if there is none.
+  /// Returns the largest error of a small part, or the largest shift of an edge, as a share of its
+  /// bound, whichever is larger; 0 if there is none.
   double local_share(const Outcome& outcome) const {
-    const double bound = problem_.bounds.local.value_or(0);
-    return bound > 0 ? outcome.written.local_error / bound : 0;
+    const auto share = [](double found, std::optional<double> bound) {
+      return bound.value_or(0) > 0 ? found / *bound : 0;
+    };
+    return std::max(share(outcome.written.local_error, problem_.bounds.local),
+                    share(outcome.written.edge_shift, problem_.bounds.edge_shift));
+  }
+
+  bool moves_edges_too_far(const Outcome& outcome) const {
+    return problem_.bounds.edge_shift && outcome.written.edge_shift > *problem_.bounds.edge_shift;
   }
 
   void pass() {
@@ -185,9 +161,9 @@ class Selection {
 
   void list_lines() {
     const double price = first_line_price * usual_epsilon(problem_.bounds) / first_handles_;
-    for (int i = 1; i < grid().rows(); ++i) proposals_.push_back({{{}, Along::rows, i}, price});
-    for (int j = 1; j < grid().columns(); ++j)
-      proposals_.push_back({{{}, Along::columns, j}, price});
+    for (const Along along : {Along::rows, Along::columns})
+      for (int i = 1; i < (along == Along::rows ? grid().rows() : grid().columns()); ++i)
+        if (grid().may_take_out(along, i)) proposals_.push_back({{{}, along, i}, price});
   }
 
   /// Sees to it that one proposal makes sides straight: of all that may still become so, the
@@ -237,6 +213,8 @@ class Selection {
     Outcome first = measured(grid, hopeless_error());
     if (first.written.keeps || first.written.error > epsilon() || local_share(first) > may_fall)
       return first;
+    // A fit hardly brings an edge back that a curve held in its place.
+    if (!step.takes_line() && moves_edges_too_far(first)) return first;
     fit_grid_and_colors(grid, picture(), fit_steps, points);
     Outcome second = measured(std::move(grid), epsilon());
     return second.written.keeps ? second : first;
@@ -258,7 +236,57 @@ class Selection {
       c.price = (c.rise + local_weight * usual_epsilon(problem_.bounds) * local_rise) /
                 (grid().handles() - c.outcome->grid.handles());
       c.priced_at = made_;
+      if (c.step.sides.size() > 1) c.moved = moved_too_far(c);
     });
+    keep_one_picture();
+  }
+
+  /// Returns the sides of a proposal that was priced beside which an edge of the picture has moved
+  /// farther than it may, and of all the closest to where one has moved farthest; none if none has.
+  std::vector<Side> moved_too_far(const Proposal& proposal) const {
+    const Candidate& written = proposal.outcome->written;
+    const std::optional<double> bound = problem_.bounds.edge_shift;
+    if (!bound || written.edge_shift <= *bound) return {};
+    const Plane& shifts = written.measured->shifts();
+    const auto largest = std::ranges::max_element(shifts.samples) - shifts.samples.begin();
+    const glm::dvec2 worst(double(largest % shifts.width), double(largest / shifts.width));
+    std::vector<Side> moved;
+    std::pair<double, Side> closest{std::numeric_limits<double>::infinity(), {}};
+    for (const Side& side : proposal.step.sides) {
+      double shift = 0, distance = closest.first;
+      for (const glm::dvec2 place : places_along(proposal.outcome->grid, side)) {
+        distance = std::min(distance, glm::length(place - worst));
+        const int x = int(std::floor(place.x)), y = int(std::floor(place.y));
+        if (x >= 0 && y >= 0 && x < shifts.width && y < shifts.height)
+          shift = std::max(shift, double(*shifts.at(x, y)));
+      }
+      if (shift > *bound) moved.push_back(side);
+      if (distance < closest.first) closest = {distance, side};
+    }
+    if (std::ranges::find(moved, closest.second) == moved.end()) moved.push_back(closest.second);
+    return moved;
+  }
+
+  /// Returns places along a side, in pixels.
+  std::vector<glm::dvec2> places_along(const PlainGrid& grid, const Side& side) const {
+    constexpr int pieces = 24;
+    const Cubic<glm::dvec2> curve = grid.side(side.along, side.row, side.column);
+    std::vector<glm::dvec2> places;
+    for (int i = 0; i <= pieces; ++i)
+      places.push_back(picture().frame().to_pixels.point(curve.at(double(i) / pieces)));
+    return places;
+  }
+
+  /// Keeps the picture of the cheapest priced proposal, which is likely to be the next: pictures
+  /// are large.
+  void keep_one_picture() {
+    Proposal* cheapest = nullptr;
+    for (Proposal& c : proposals_) {
+      if (!c.outcome) continue;
+      Proposal* dearer = &c;
+      if (!cheapest || c.price < cheapest->price) std::swap(cheapest, dearer);
+      if (dearer) dearer->outcome->written.measured.reset();
+    }
   }
 
   bool is_hopeless(const Proposal& proposal) const {
@@ -281,9 +309,17 @@ class Selection {
   }
 
   void take(Outcome& outcome) {
+    if (!outcome.written.measured) outcome = Outcome(std::move(outcome.grid), problem_, &now_);
     now_ = std::move(outcome);
     local_ = local_share(now_);
     ++made_;
+    // What was found of the other proposals is of the grid before.
+    for (Proposal& c : proposals_) c.outcome.reset();
+    tell();
+  }
+
+  void tell() const {
+    if (passed_) passed_(now_.written);
   }
 
   void renumber_without(const Step& gone) {
@@ -321,7 +357,9 @@ class Selection {
     first.outcome.reset();
     if (first.step.takes_line()) return;
     sides_proposed_at_ = -1;
-    if (first.step.sides.size() > 1) {
+    if (!first.moved.empty()) {
+      for (const Side& side : first.moved) too_much_.push_back({side, made_});
+    } else if (first.step.sides.size() > 1) {
       most_sides_ = smaller_portion(first.step.sides.size());
     } else {
       too_much_.push_back({first.step.sides.front(), made_});
@@ -342,8 +380,7 @@ class Selection {
   }
 
   bool should_stop() {
-    // Hardly bent sides are straight as they are written.
-    const int handles = now_.written.counts().handles;
+    const int handles = grid().handles();
     is_over_ =
         has_reached_target() ||
         watch_.should_stop({std::size_t(first_handles_ - handles), std::size_t(first_handles_),
@@ -357,9 +394,10 @@ class Selection {
   /// Fits after a step may turn corners a little further.
   const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid()));
   bool may_be_seen_ = false;
-  const Problem& problem_;
+  Problem problem_;
   const double most_gap_ = std::max(seen_gap, border_gap(grid(), picture()));
   StopWatch& watch_;
+  const MeshPassed& passed_;
   const int first_handles_;
   std::vector<Proposal> proposals_;
   /// Sides that cost too much to be straight, in this pass or for this very grid.
@@ -378,16 +416,33 @@ class Selection {
 
 /// Returns the mesh without the lines that cost next to nothing, such as those that a program put
 /// in exactly: they need no fit to go.
-Candidate without_free_lines(const Problem& problem, StopWatch& watch) {
+Candidate without_free_lines(const Problem& problem, int handles, StopWatch& watch) {
   constexpr double share = 0.1;
   Problem free = problem;
   free.bounds.epsilon = share * usual_epsilon(problem.bounds);
-  const auto handles = std::size_t(PlainGrid(problem.mesh()).handles());
   // A person is told of handles throughout.
   StopWatch quick(0, [&](const Progress& of_lines) {
-    return !watch.should_stop({0, handles, of_lines.patches, of_lines.error, int(handles)});
+    return !watch.should_stop({0, std::size_t(handles), of_lines.patches, of_lines.error, handles});
   });
   return without_lines(free, quick);
+}
+
+/// Returns the grid with which a selection begins; nothing if it cannot be fitted so that it keeps
+/// to the bounds.
+std::optional<Outcome> start_of(const Problem& problem, int handles, StopWatch& watch) {
+  const Candidate fewer = without_free_lines(problem, handles, watch);
+  // Sides that are hardly bent are straight as they are written.
+  PlainGrid grid(fewer.surface());
+  grid.fix_as(PlainGrid(fewer.mesh));
+  Outcome start(grid, problem);
+  if (start.written.keeps) return start;
+  // The twists that are lost.
+  constexpr int steps = 8;
+  PlainGrid fitted = grid;
+  fit_grid(fitted, *problem.reference(), steps);
+  start = Outcome(std::move(fitted), problem);
+  if (!start.written.keeps) return std::nullopt;
+  return start;
 }
 
 }  // namespace
@@ -395,24 +450,36 @@ Candidate without_free_lines(const Problem& problem, StopWatch& watch) {
 Candidate make_plain(const Problem& problem, StopWatch& watch) {
   // Paints what is shared before several threads measure.
   Candidate unchanged = problem.unchanged();
-  const PlainGrid grid(without_free_lines(problem, watch).mesh);
-  Outcome start(grid, problem);
-  if (!start.written.keeps) {
-    // The twists that are lost.
-    constexpr int steps = 8;
-    PlainGrid fitted = grid;
-    fit_grid(fitted, *problem.reference(), steps);
-    start = Outcome(std::move(fitted), problem);
-    if (!start.written.keeps) return unchanged;
-  }
   const int first_handles = PlainGrid(problem.mesh()).handles();
-  Selection selection(std::move(start), first_handles, problem, watch);
+  std::optional<Outcome> start = start_of(problem, first_handles, watch);
+  if (!start) return unchanged;
+  const MeshPassed nobody;
+  Selection selection(*std::move(start), first_handles, problem, watch, nobody);
   selection.run();
   if (selection.now().grid.handles() >= first_handles) return unchanged;
   problem.count_evaluations(selection.evaluations());
   Candidate simpler = selection.now().written;
   simpler.error_added_up = simpler.error;
   return simpler;
+}
+
+void pass_plain(const Problem& problem, const std::vector<Bounds>& bounds, StopWatch& watch,
+                const MeshPassed& passed, const std::function<void(std::size_t)>& is_through) {
+  problem.unchanged();
+  const int first_handles = PlainGrid(problem.mesh()).handles();
+  std::optional<Selection> selection;
+  for (std::size_t n = 0; n < bounds.size() && !watch.is_over(); ++n) {
+    const Problem within = problem.within(bounds[n]);
+    if (selection) {
+      selection->widen(bounds[n]);
+    } else if (auto start = start_of(within, first_handles, watch)) {
+      selection.emplace(*std::move(start), first_handles, within, watch, passed);
+    } else {
+      continue;
+    }
+    selection->run();
+    if (!watch.is_over()) is_through(n);
+  }
 }
 
 }  // namespace gradmesh

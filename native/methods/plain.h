@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "base/progress.h"
 #include "problem/problem.h"
 
@@ -12,5 +15,16 @@ namespace gradmesh {
 /// Returns Problem::unchanged() if the grid without twists cannot be fitted so that it keeps to the
 /// bounds, or if no handle can be taken out.
 Candidate make_plain(const Problem& problem, StopWatch& watch);
+
+/// Called with each mesh that a run passes.
+using MeshPassed = std::function<void(const Candidate&)>;
+
+/// Passes from the mesh to ever plainer ones, under one pair of bounds after another, each at least
+/// as wide as the one before: what costs little goes before what costs much, so that each mesh is
+/// about what make_plain() makes under bounds to which it just keeps. Calls `is_through` with the
+/// number of bounds within which nothing more can be taken out. Passes nothing under bounds to
+/// which the grid without twists cannot be fitted.
+void pass_plain(const Problem& problem, const std::vector<Bounds>& bounds, StopWatch& watch,
+                const MeshPassed& passed, const std::function<void(std::size_t)>& is_through);
 
 }  // namespace gradmesh

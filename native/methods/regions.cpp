@@ -56,7 +56,10 @@ class Growth {
       std::vector<RegionPrice> growing(regions_.begin() + kept, regions_.end());
       const bool freely = seen_.size() <= most_freely();
       if (!freely) keep_best_for_a_patch(growing);
-      for (const RegionPrice& r : growing) reach_larger(r.region, freely);
+      for (const RegionPrice& r : growing) {
+        in_time = in_time && !should_stop(0, growing.size());
+        if (in_time) reach_larger(r.region, freely);
+      }
     }
     std::ranges::sort(regions_, {},
                       [](const RegionPrice& r) { return std::pair(r.size(), r.region); });
@@ -64,6 +67,11 @@ class Growth {
   }
 
  private:
+  /// Tells how many of the chains that are tried now are done.
+  bool should_stop(std::size_t done, std::size_t chains) {
+    return watch_.should_stop({done_ + done, done_ + chains, mesh_.face_count(), error_});
+  }
+
   void reach(const Region& name) {
     if (seen_.insert(name).second) reached_.push_back(name);
   }
@@ -153,9 +161,7 @@ class Growth {
   /// Finds the prices of the chains. Returns true if there was time for all of them.
   bool try_chains(std::vector<Chain> chains) {
     if (trial_.has_device()) return try_on_device(std::move(chains));
-    const auto stop = [&](std::size_t done) {
-      return watch_.should_stop({done_ + done, done_ + chains.size(), mesh_.face_count(), error_});
-    };
+    const auto stop = [&](std::size_t done) { return should_stop(done, chains.size()); };
     const bool all = trials_.for_each(
         chains.size(), stop, [&](MergeTrial& own, std::size_t i) { try_chain(own, chains[i]); });
     done_ += chains.size();
@@ -169,9 +175,7 @@ class Growth {
   bool try_on_device(std::vector<Chain> chains) {
     std::vector<PricedChain> priced;
     for (Chain& chain : chains) priced.emplace_back(chain.wanted);
-    const auto stop = [&](std::size_t done) {
-      return watch_.should_stop({done_ + done, done_ + chains.size(), mesh_.face_count(), error_});
-    };
+    const auto stop = [&](std::size_t done) { return should_stop(done, chains.size()); };
     bool all = true;
     try {
       if (!batches_) batches_ = std::make_unique<BatchPrices>(trial_, trials_, mesh_);

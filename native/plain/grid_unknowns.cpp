@@ -35,7 +35,7 @@ GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_
   point_unknowns_.assign(std::size_t(rows_ + 1) * width_, -1);
   for (int i = points.first_row; i <= points.last_row; ++i)
     for (int j = points.first_column; j <= points.last_column; ++j)
-      point_unknowns_[index(i, j)] = count_++;
+      if (!grid.is_fixed_point(i, j)) point_unknowns_[index(i, j)] = count_++;
   for (const Along along : {Along::rows, Along::columns}) {
     tangents_[int(along)].resize(point_unknowns_.size());
     const bool is_row = along == Along::rows;
@@ -55,7 +55,7 @@ GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_
 void GridUnknowns::add_colors(const PlainGrid& grid) {
   for (int i = points_.first_row; i <= points_.last_row; ++i)
     for (int j = points_.first_column; j <= points_.last_column; ++j) {
-      if (grid.knot(i, j).color.a < 1) continue;
+      if (grid.knot(i, j).color.a < 1 || point_unknowns_[index(i, j)] < 0) continue;
       columns_.color[std::size_t(point_unknowns_[index(i, j)])] = columns_.count;
       columns_.count += 3;
     }
@@ -67,8 +67,9 @@ void GridUnknowns::number_tangent(const PlainGrid& grid, Along along, int row, i
   Tangent& tangent = tangents_[int(along)][index(row, column)][std::size_t(end)];
   const int down = along == Along::columns, right = along == Along::rows;
   const int i = row + end * down, j = column + end * right;
-  const bool may_move = points_.contains(i, j);
+  const bool may_move = points_.contains(i, j) && point_unknowns_[index(i, j)] >= 0;
   tangent.kind = may_move ? Tangent::free : Tangent::stays;
+  if (grid.is_fixed_side(along, row, column)) return;
   const bool is_inside = right ? j > 0 && j < grid.columns() : i > 0 && i < grid.rows();
   if (!is_inside || !grid.is_smooth(along, i, j)) {
     if (may_move) tangent.unknown = count_++;
@@ -158,7 +159,7 @@ PlainGrid GridUnknowns::moved(const PlainGrid& grid, const Eigen::VectorXd& step
   for (int i = points_.first_row; i <= points_.last_row; ++i)
     for (int j = points_.first_column; j <= points_.last_column; ++j) {
       const int unknown = point_unknowns_[index(i, j)];
-      if (stays[std::size_t(unknown)]) continue;
+      if (unknown < 0 || stays[std::size_t(unknown)]) continue;
       PlainGrid::Knot& knot = result.knot(i, j);
       knot.position += place(unknown);
       if (const int column = columns_.color[std::size_t(unknown)]; column >= 0)

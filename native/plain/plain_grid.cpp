@@ -1,5 +1,6 @@
 #include "plain/plain_grid.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -50,9 +51,11 @@ PlainGrid::PlainGrid(const Mesh& mesh) : has_smooth_colors_(mesh.is_smooth()) {
   columns_ = grid.columns;
   knots_.resize(std::size_t((rows_ + 1) * (columns_ + 1)));
   for (auto& bends : bends_) bends.resize(knots_.size());
+  fixed_.assign(knots_.size(), false);
   for (int i = rows_; i-- > 0;)
     for (int j = columns_; j-- > 0;) {
       const Halfedge top = grid.top(i, j);
+      fixed_[index(i, j)] = mesh.is_fixed(mesh.face(top));
       std::array<Cubic<Value>, 4> sides;
       for (int k = 0; k < 4; ++k) sides[k] = mesh.side_of(mesh.sides(top)[k]);
       const int row[] = {i, i, i + 1, i + 1}, column[] = {j, j + 1, j + 1, j};
@@ -116,8 +119,36 @@ MeshParts PlainGrid::parts() const {
   MeshParts parts{{}, grid_curves(rows_, columns_)};
   parts.smooth = has_smooth_colors_;
   for (int i = 0; i < rows_; ++i)
-    for (int j = 0; j < columns_; ++j) parts.patches.push_back(patch(i, j));
+    for (int j = 0; j < columns_; ++j) {
+      if (is_fixed(i, j)) parts.fixed.push_back(int(parts.patches.size()));
+      parts.patches.push_back(patch(i, j));
+    }
   return parts;
+}
+
+bool PlainGrid::is_fixed_point(int row, int column) const {
+  for (const int i : {row - 1, row})
+    for (const int j : {column - 1, column})
+      if (i >= 0 && j >= 0 && i < rows_ && j < columns_ && is_fixed(i, j)) return true;
+  return false;
+}
+
+bool PlainGrid::is_fixed_side(Along along, int row, int column) const {
+  const int above = along == Along::rows, left = along == Along::columns;
+  const auto is_fixed_at = [&](int i, int j) {
+    return i >= 0 && j >= 0 && i < rows_ && j < columns_ && is_fixed(i, j);
+  };
+  return is_fixed_at(row, column) || is_fixed_at(row - above, column - left);
+}
+
+bool PlainGrid::may_take_out(Along along, int number) const {
+  const int ring = has_smooth_colors_;
+  const int lines = along == Along::rows ? rows_ : columns_;
+  const int length = along == Along::rows ? columns_ : rows_;
+  for (int i = std::max(number - 1 - ring, 0); i <= std::min(number + ring, lines - 1); ++i)
+    for (int k = 0; k < length; ++k)
+      if (along == Along::rows ? is_fixed(i, k) : is_fixed(k, i)) return false;
+  return true;
 }
 
 void PlainGrid::take_out(Along along, int number) {
@@ -145,6 +176,7 @@ void PlainGrid::take_out(Along along, int number) {
   erase_line(knots_);
   for (auto& bends : bends_) erase_line(bends);
   for (auto& smooth : smooth_) erase_line(smooth);
+  erase_line(fixed_);
   --(is_row ? rows_ : columns_);
 }
 

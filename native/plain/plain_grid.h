@@ -63,6 +63,17 @@ class PlainGrid {
   /// Returns the sine of the angle by which the line would turn if both sides were straight.
   double turn_of_chords(Along along, int row, int column) const;
 
+  /// Returns true if nothing of the patch may change (Mesh::is_fixed).
+  bool is_fixed(int row, int column) const { return fixed_[index(row, column)]; }
+  bool is_fixed_point(int row, int column) const;
+  /// Returns true if the side that begins at a point is one of a patch of which nothing may change.
+  bool is_fixed_side(Along along, int row, int column) const;
+  /// Returns true if the line of points may be taken out: no patch beside it is fixed, nor, where
+  /// colours follow the neighbours, one next to these.
+  bool may_take_out(Along along, int number) const;
+  /// Lets those patches be fixed that are in a grid with as many rows and columns.
+  void fix_as(const PlainGrid& other) { fixed_ = other.fixed_; }
+
   /// Returns the patch of a row and a column, with colours of the model `bilinear`.
   Patch patch(int row, int column) const;
   /// Returns the mesh as build_mesh reads it, row by row.
@@ -89,6 +100,8 @@ class PlainGrid {
   /// By Along; the entries behind the last point of a row or a column are not used.
   std::array<std::vector<Bend>, 2> bends_;
   std::array<std::vector<bool>, 2> smooth_;
+  /// By the point at which the patch begins.
+  std::vector<bool> fixed_;
 };
 
 /// The patches of a grid as they are painted. The grid must outlive it, and stay as it is.

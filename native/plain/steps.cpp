@@ -20,7 +20,8 @@ std::vector<Side> curved_sides(const PlainGrid& grid) {
   for (const Along along : {Along::rows, Along::columns})
     for (int i = 0; i <= grid.rows() - (along == Along::columns); ++i)
       for (int j = 0; j <= grid.columns() - (along == Along::rows); ++j)
-        if (grid.bend(along, i, j)) sides.push_back({along, i, j});
+        if (grid.bend(along, i, j) && !grid.is_fixed_side(along, i, j))
+          sides.push_back({along, i, j});
   return sides;
 }
 

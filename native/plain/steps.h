@@ -15,7 +15,7 @@ struct Side {
   bool operator==(const Side&) const = default;
 };
 
-/// Returns the sides of a grid that are curves.
+/// Returns the sides of a grid that are curves, but those that must stay as they are.
 std::vector<Side> curved_sides(const PlainGrid& grid);
 
 /// A way to make a grid simpler: sides that become straight, or a line of points that is taken out.

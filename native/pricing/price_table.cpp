@@ -18,6 +18,7 @@ void add(Hash& hash, const Mesh& mesh) {
     const Patch patch = mesh.patch(f);
     for (const auto& row : patch.c)
       for (const Value& v : row) add(hash, v);
+    if (mesh.is_fixed(f)) hash.add(f.value);
     for (const Halfedge h : mesh.sides(f)) {
       hash.add(h.value);
       hash.add(mesh.curve(h).value);

@@ -74,6 +74,25 @@ Problem Problem::as_gradient() const {
   return copy;
 }
 
+Problem Problem::with_mesh(std::shared_ptr<const Mesh> mesh) const {
+  Problem copy = *this;
+  const Shared& s = *shared_;
+  copy.shared_ =
+      std::make_shared<Shared>(Shared{std::move(mesh), s.original, s.layout, s.resolution, s.metric,
+                                      s.frame, s.reference, s.coarse});
+  copy.own_local_bound_ = nullptr;
+  return copy;
+}
+
+Problem Problem::within(const Bounds& other) const {
+  Problem copy = *this;
+  copy.bounds = other;
+  copy.own_local_bound_ = nullptr;
+  if (other.local)
+    copy.own_local_bound_ = std::make_shared<const LocalBound>(*other.local, start().state()->map);
+  return copy;
+}
+
 EditError& Problem::start() const {
   const bool masks = rules && rules->may_mask_opacity();
   std::optional<EditError>& start = shared_->starts[masks];
@@ -102,31 +121,38 @@ std::unique_ptr<MergeTrial::Fork> Problem::pricing_trial() const {
   return fork;
 }
 
+const LocalBound* Problem::local_bound() const {
+  if (own_local_bound_ || !bounds.local) return own_local_bound_.get();
+  return start().local_bound();
+}
+
+void Problem::take(const FrameError& error, Candidate& found) const {
+  found.error = error.mean;
+  found.local_error = error.local;
+  found.edge_shift = error.shift;
+  found.keeps =
+      error.keeps_to(bounds.epsilon) && (!bounds.edge_shift || error.shift <= *bounds.edge_shift);
+}
+
 Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const {
   Candidate found{.mesh = std::move(mesh), .changed = true};
   if (rules) found.form = rules->form(found.mesh, frame());
-  const LocalBound* const bound = bounds.local ? start().local_bound() : nullptr;
+  const LocalBound* const bound = local_bound();
   const Mesh& surface = found.surface();
   if (near && near->measured && near->form.masks_opacity() == found.form.masks_opacity())
     found.measured =
         std::make_shared<MeasuredSurface>(*near->measured, *reference(), surface, bound, limit);
   else
-    found.measured =
-        std::make_shared<MeasuredSurface>(*reference(), surface, found.form.masks_opacity(), bound);
-  const FrameError& error = found.measured->error();
-  found.error = error.mean;
-  found.local_error = error.local;
-  found.keeps = error.keeps_to(bounds.epsilon);
+    found.measured = std::make_shared<MeasuredSurface>(
+        *reference(), surface, found.form.masks_opacity(), bound, bounds.edge_shift.has_value());
+  take(found.measured->error(), found);
   return found;
 }
 
 Candidate Problem::unchanged() const {
   Candidate found{.mesh = mesh(), .error_added_up = start().error()};
   if (original() == shared_->mesh) return found;
-  const FrameError error = start().whole_frame(mesh());
-  found.error = error.mean;
-  found.local_error = error.local;
-  found.keeps = error.keeps_to(bounds.epsilon);
+  take(start().whole_frame(mesh()), found);
   return found;
 }
 

@@ -39,6 +39,8 @@ struct Bounds {
   double epsilon = 0.01;
   /// The largest error in any window of 32 x 32 pixels, 0..1, beside epsilon (LocalBound).
   std::optional<double> local = std::nullopt;
+  /// The largest shift of an edge of the picture, in pixels of the frame (metric/edge_shift.h).
+  std::optional<double> edge_shift = std::nullopt;
   /// At most how many handles or patches may be left, for methods that know that as they go
   /// (Method::meets_targets).
   std::optional<Target> target = std::nullopt;
@@ -98,6 +100,13 @@ class Problem {
 
   /// Returns a copy of the problem for methods that keep a rectangle of patches.
   Problem as_gradient() const;
+  /// Returns a problem with another mesh in the place of the mesh, such as one that has come of it
+  /// or differs in what is fixed. It has prices of its own.
+  Problem with_mesh(std::shared_ptr<const Mesh> mesh) const;
+  /// Returns how the picture is laid out.
+  const Layout& layout() const { return shared_->layout; }
+  /// Returns a copy of the problem with other bounds.
+  Problem within(const Bounds& other) const;
 
   /// Returns a copy of the mesh with a trial that merges in it. The first call paints the mesh, and
   /// throws InputError if it covers no pixel.
@@ -141,8 +150,14 @@ class Problem {
 
   /// Returns the error of the mesh as it was, from which all edits start.
   EditError& start() const;
+  /// Gives a candidate its errors, and finds out whether it keeps to the bounds.
+  void take(const FrameError& error, Candidate& found) const;
+  /// Returns the bound of the error of small parts; null if there is none.
+  const LocalBound* local_bound() const;
 
   std::shared_ptr<Shared> shared_;
+  /// The bound of small parts where it is another than that of `start()`.
+  std::shared_ptr<const LocalBound> own_local_bound_;
 };
 
 }  // namespace gradmesh

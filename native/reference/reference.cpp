@@ -20,10 +20,42 @@ constexpr std::array<double, 256> shares_of_levels() {
   return shares;
 }
 
-glm::dvec3 color_of(const Image& image, int x, int y) {
+/// The bit of a texel that says that the original covers the pixel; below it are the levels.
+constexpr std::uint32_t is_covered = 1u << 24;
+
+/// Returns for each pixel what a sample of the picture reads of it.
+Raster<std::uint32_t, 1> texels_of(const Painting& painting) {
+  Raster<std::uint32_t, 1> texels(painting.window());
+  for (int y = texels.y0; y < texels.y0 + texels.height; ++y)
+    for (int x = texels.x0; x < texels.x0 + texels.width; ++x) {
+      const auto [r, g, b] = painting.image.pixel(x, y);
+      const std::uint32_t covered = *painting.top.at(x, y) != 0 ? is_covered : 0;
+      *texels.at(x, y) = covered | std::uint32_t(r) << 16 | std::uint32_t(g) << 8 | b;
+    }
+  return texels;
+}
+
+glm::dvec3 color_of(std::uint32_t texel) {
   static constexpr std::array<double, 256> share = shares_of_levels();
-  const auto pixel = image.pixel(x, y);
-  return {share[pixel[0]], share[pixel[1]], share[pixel[2]]};
+  return {share[texel >> 16 & 255], share[texel >> 8 & 255], share[texel & 255]};
+}
+
+/// Returns 1 for the pixels that are away from the outline: how far that moves is bounded where it
+/// is known as a curve.
+Raster<std::uint8_t, 1> inside(const Raster<std::uint32_t, 1>& top) {
+  constexpr int width = 3;
+  Raster<std::uint8_t, 1> result(top.window(), 1);
+  for (int y = 0; y < top.height; ++y)
+    for (int x = 0; x < top.width; ++x) {
+      if (*top.at(x, y) != 0) continue;
+      const bool is_beside = (x > 0 && *top.at(x - 1, y)) || (y > 0 && *top.at(x, y - 1)) ||
+                             (x + 1 < top.width && *top.at(x + 1, y)) ||
+                             (y + 1 < top.height && *top.at(x, y + 1));
+      if (is_beside)
+        fill(result, Window{x, y, x + 1, y + 1}.grown(width).clipped(top.window()),
+             std::uint8_t(0));
+    }
+  return result;
 }
 
 }  // namespace
@@ -31,6 +63,7 @@ glm::dvec3 color_of(const Image& image, int x, int y) {
 Reference::Reference(const Mesh& original, const Frame& frame, MetricKind metric)
     : frame_(frame),
       painting_(paint_whole(original, frame)),
+      texels_(texels_of(painting_)),
       metric_kind_(metric),
       outlines_(original, frame) {}
 
@@ -39,19 +72,27 @@ const Metric& Reference::metric() const {
   return *metric_;
 }
 
+const EdgeShift& Reference::edge_shift() const {
+  std::call_once(edge_shift_is_made_, [&] {
+    edge_shift_ = std::make_unique<EdgeShift>(painting_.image, inside(painting_.top));
+  });
+  return *edge_shift_;
+}
+
 std::optional<glm::dvec3> Reference::color_at(glm::dvec2 place) const {
   const double x = place.x - 0.5, y = place.y - 0.5;
   const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
   if (x0 < 0 || y0 < 0 || x0 + 1 >= frame_.width || y0 + 1 >= frame_.height) return {};
   const double fx = x - x0, fy = y - y0;
-  const int nearest_x = x0 + (fx > 0.5), nearest_y = y0 + (fy > 0.5);
-  if (*painting_.top.at(nearest_x, nearest_y) == 0) return {};
-  const glm::dvec3 nearest = color_of(painting_.image, nearest_x, nearest_y);
+  const std::uint32_t* const rows[] = {texels_.at(x0, y0), texels_.at(x0, y0 + 1)};
+  const std::uint32_t closest = rows[fy > 0.5][fx > 0.5];
+  if (!(closest & is_covered)) return {};
+  const glm::dvec3 nearest = color_of(closest);
   glm::dvec3 sum(0.0), low = nearest, high = nearest;
   for (const int dy : {0, 1})
     for (const int dx : {0, 1}) {
-      const bool is_covered = *painting_.top.at(x0 + dx, y0 + dy) != 0;
-      const glm::dvec3 color = is_covered ? color_of(painting_.image, x0 + dx, y0 + dy) : nearest;
+      const std::uint32_t texel = rows[dy][dx];
+      const glm::dvec3 color = texel & is_covered ? color_of(texel) : nearest;
       sum += (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy) * color;
       low = glm::min(low, color);
       high = glm::max(high, color);

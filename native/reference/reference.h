@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <optional>
 
 #include "mesh/mesh.h"
+#include "metric/edge_shift.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
 #include "raster/painting.h"
@@ -27,6 +29,8 @@ class Reference {
   MetricKind metric_kind() const { return metric_kind_; }
   /// Returns the metric that measures against the picture, which is made at the first call.
   const Metric& metric() const;
+  /// Returns what measures how far edges of the picture move, which is made at the first call.
+  const EdgeShift& edge_shift() const;
 
   /// Returns the picture's colour, 0..1, interpolated between the centres of pixels; nothing where
   /// the original does not cover the nearest of them.
@@ -41,10 +45,14 @@ class Reference {
  private:
   const Frame frame_;
   const Painting painting_;
+  /// Of each pixel the levels and whether the original covers it, in one number, since samples are
+  /// many and four planes lie far apart in memory.
+  const Raster<std::uint32_t, 1> texels_;
   const MetricKind metric_kind_;
   const OutlinePoints outlines_;
-  mutable std::once_flag metric_is_made_;
+  mutable std::once_flag metric_is_made_, edge_shift_is_made_;
   mutable std::unique_ptr<Metric> metric_;
+  mutable std::unique_ptr<EdgeShift> edge_shift_;
 };
 
 }  // namespace gradmesh

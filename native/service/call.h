@@ -42,6 +42,8 @@ class Call {
   Document& document(const std::string& name = "document") const {
     return used_[get<std::uint64_t>(name)];
   }
+  /// Returns the sessions over meshes of that document.
+  Documents::Sessions& sessions() const { return used_.sessions(get<std::uint64_t>("document")); }
   /// Returns null if the argument is null.
   const Document* optional_document(const std::string& name) const {
     const auto number = get<std::optional<std::uint64_t>>(name);

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "app/document.h"
+#include "app/editing.h"
 
 namespace gradmesh {
 
 /// The documents that a caller has read, each under a number. Several threads may use it.
 class Documents {
  public:
+  using Sessions = std::map<std::string, std::unique_ptr<Editing>>;
+
   /// Returns the number of the document from now on.
   std::uint64_t add(std::unique_ptr<Document> document);
   /// Forgets a document, if there is one of that number.
@@ -20,6 +23,8 @@ class Documents {
  private:
   struct Entry {
     std::unique_ptr<Document> document;
+    /// Those over meshes of the document, by the ids of the meshes.
+    Sessions sessions;
     /// Held while a call uses the document. A call inside of a call comes from the same thread.
     std::recursive_mutex used;
   };
@@ -43,6 +48,8 @@ class Documents {
 
     /// Returns one of these documents.
     Document& operator[](std::uint64_t number) const { return *entries_.at(number)->document; }
+    /// Returns the sessions over meshes of one of these documents.
+    Sessions& sessions(std::uint64_t number) const { return entries_.at(number)->sessions; }
 
    private:
     std::map<std::uint64_t, std::shared_ptr<Entry>> entries_;

@@ -28,7 +28,28 @@ Json publish_document(const Call& call);
 Json update_document(const Call& call);
 Json merge_patches(const Call& call);
 Json refine_patches(const Call& call);
+Json recolor_point(const Call& call);
+Json join_colors_of_point(const Call& call);
 Json to_one_mesh_document(const Call& call);
+
+// Sessions.
+Json open_session(const Call& call);
+Json close_session(const Call& call);
+Json session_status(const Call& call);
+Json show_state(const Call& call);
+Json set_session_form(const Call& call);
+Json point_at(const Call& call);
+Json make_edit(const Call& call);
+Json merge_marked(const Call& call);
+Json protect_marked(const Call& call);
+Json fit_session(const Call& call);
+Json undo_edit(const Call& call);
+Json redo_edit(const Call& call);
+Json find_patches(const Call& call);
+Json find_out(const Call& call);
+Json worst_places(const Call& call);
+Json paint_session(const Call& call);
+Json write_session(const Call& call);
 
 // Pictures.
 Json render_mesh(const Call& call);

@@ -41,6 +41,7 @@ RunOptions run_options(const Call& call) {
   check_amount(call);
   for (const OptionEntry& option : all_options())
     std::visit(Reading{call, option.name, options}, option.value);
+  options.protect = call.get<std::vector<std::string>>("protect", {});
   options.progress = call.progress();
   return options;
 }

@@ -1,7 +1,5 @@
 #include "service/results.h"
 
-#include "app/info.h"
-
 namespace gradmesh {
 namespace {
 
@@ -51,16 +49,6 @@ Json update_json(const UpdateReport& report) {
           {"patches", report.counts.patches},
           {"objects", report.objects},
           {"changed", report.changed}};
-}
-
-Json edit_json(const EditReport& report) {
-  return {{"id", report.id},
-          {"handles_before", report.before.handles},
-          {"handles_after", report.after.handles},
-          {"patches_before", report.before.patches},
-          {"patches_after", report.after.patches},
-          {"objects", report.objects},
-          {"error", report.error}};
 }
 
 Json published_json(const PublishedMesh& mesh) {

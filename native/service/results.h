@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "app/edits.h"
+#include "app/info.h"
 #include "app/publish.h"
 #include "app/runs.h"
 #include "service/arguments.h"
@@ -22,7 +22,6 @@ Json meshes_json(const Document& document);
 Json results_json(const Document& document, const std::vector<MeshReport>& reports,
                   const SimplifyOptions& options, const std::string& original);
 Json update_json(const UpdateReport& report);
-Json edit_json(const EditReport& report);
 Json published_json(const PublishedMesh& mesh);
 
 }  // namespace gradmesh

@@ -39,7 +39,6 @@ Count count_named(const std::string& wanted) {
   throw std::invalid_argument("what is counted is handles or patches, not '" + wanted + "'.");
 }
 
-/// Sets the bounds of an amount. Half of what FLIP allows is as visible in SSIM (paper, section 5).
 void set_amount(Options& options, const std::string& wanted) {
   const auto& amounts = all_amounts();
   const auto found = std::ranges::find(amounts, wanted, &Amount::name);
@@ -50,9 +49,10 @@ void set_amount(Options& options, const std::string& wanted) {
     throw std::invalid_argument("the amount '" + wanted + "' is not known; there are: " + known +
                                 ".");
   }
-  const double share = options.metric == MetricKind::ssim ? 0.5 : 1;
-  options.epsilon = share * found->epsilon;
-  options.max_local_error = share * found->max_local_error;
+  const Bounds bounds = bounds_of(*found, options.metric);
+  options.epsilon = bounds.epsilon;
+  options.max_local_error = bounds.local;
+  options.max_edge_shift = bounds.edge_shift;
 }
 
 template <class T>
@@ -104,6 +104,12 @@ const std::vector<OptionEntry>& all_options() {
        "Largest error allowed in any window of 32 x 32 pixels, so that small details stay",
        &Options::max_local_error,
        {{0, 1, "the largest local error"}}},
+      {"max_edge_shift",
+       "Largest shift allowed of a contrasty edge, in pixels at the resolution, so that edges "
+       "neither "
+       "move nor get corners",
+       &Options::max_edge_shift,
+       {{0, infinity, "the largest shift of edges", " pixels"}}},
       {"handles", "Instead of --epsilon: at most so many handles, with the least error",
        &Options::handles},
       {"patches", "Instead of --epsilon: at most so many patches, with the least error",
@@ -142,8 +148,14 @@ const OptionEntry& option_named(const std::string& name) {
 
 const std::vector<Amount>& all_amounts() {
   static const std::vector<Amount> amounts = {
-      {"gentle", 0.005, 0.05}, {"balanced", 0.01, 0.1}, {"strong", 0.02, 0.1}};
+      {"gentle", 0.005, 0.05, 0.5}, {"balanced", 0.01, 0.1, 1}, {"strong", 0.02, 0.1, 2}};
   return amounts;
+}
+
+Bounds bounds_of(const Amount& amount, MetricKind metric) {
+  // Half of what FLIP allows is as visible in SSIM (paper, section 5).
+  const double share = metric == MetricKind::ssim ? 0.5 : 1;
+  return {share * amount.epsilon, share * amount.max_local_error, amount.max_edge_shift};
 }
 
 void check(const SimplifyOptions& options) {

@@ -51,7 +51,8 @@ const char* name(Stopped stopped) {
 Problem problem_of(std::shared_ptr<const Mesh> mesh, const RunOptions& options) {
   check(options);
   Problem problem(std::move(mesh), options.original, options, options.resolution, options.metric);
-  problem.bounds = {options.epsilon, options.max_local_error, target_of(options, problem.mesh())};
+  problem.bounds = {options.epsilon, options.max_local_error, options.max_edge_shift,
+                    target_of(options, problem.mesh())};
   problem.count = what_is_counted(options);
   problem.options = options;
   problem.threads = options.threads;
@@ -69,15 +70,11 @@ Problem problem_of(std::shared_ptr<const Mesh> mesh, const RunOptions& options) 
   return problem;
 }
 
-SimplifyResult simplify(const Problem& asked, const Method& method, StopWatch& watch) {
-  check_suits(method, asked.mesh());
-  const Problem problem = method.keeps_rectangle ? asked.as_gradient() : asked;
-  const ThreadLimit limit = problem.thread_limit();
-  const double begun = watch.seconds();
+SimplifyResult result_of(const Problem& problem, const Method& method, Candidate found) {
   SimplifyResult result;
-  problem.trial();
-  result.seconds.rasterize = watch.seconds() - begun;
-  static_cast<Candidate&>(result) = run(problem, method, watch);
+  static_cast<Candidate&>(result) = std::move(found);
+  // A result outlives the run, and a picture is large.
+  result.measured.reset();
   result.method = method.name;
   result.frame = problem.frame();
   const MeshCounts before = counts_of(problem.mesh()), after = result.counts();
@@ -88,9 +85,20 @@ SimplifyResult simplify(const Problem& asked, const Method& method, StopWatch& w
   result.objects = result.form.object_count();
   result.evaluations = problem.evaluations();
   if (method.needs_prices) result.renderer = problem.renderer();
+  return result;
+}
+
+SimplifyResult simplify(const Problem& asked, const Method& method, StopWatch& watch) {
+  check_suits(method, asked.mesh());
+  const Problem problem = method.keeps_rectangle ? asked.as_gradient() : asked;
+  const ThreadLimit limit = problem.thread_limit();
+  const double begun = watch.seconds();
+  problem.trial();
+  const double painted = watch.seconds() - begun;
+  SimplifyResult result = result_of(problem, method, run(problem, method, watch));
   result.stopped = why_stopped(watch, result.changed);
-  result.seconds.total = watch.seconds();
-  result.seconds.select = result.seconds.total - result.seconds.rasterize;
+  const double total = watch.seconds();
+  result.seconds = {painted, total - painted, total};
   return result;
 }
 

@@ -18,6 +18,9 @@ namespace gradmesh {
 struct RunOptions : SimplifyOptions, Layout {
   RunOptions(const SimplifyOptions& asked = {}) : SimplifyOptions(asked) {}
 
+  /// The ids of shapes of the document: patches of which they cover something stay as they are.
+  std::vector<std::string> protect;
+
   /// The rules by which the mesh will be written (Problem).
   std::shared_ptr<const WritingRules> rules, gradient_rules;
   /// The mesh whose picture is the reference; null if that is the mesh that is simplified.
@@ -65,6 +68,9 @@ Problem problem_of(std::shared_ptr<const Mesh> mesh, const RunOptions& options);
 inline StopWatch watch_of(const RunOptions& options) {
   return {options.time_budget, options.progress};
 }
+
+/// Returns the candidate that a method has found of a problem as a result, without how it went.
+SimplifyResult result_of(const Problem& problem, const Method& method, Candidate found);
 
 /// Makes the mesh of the problem simpler by a method as long as it keeps to the bounds; changes
 /// nothing if the error is above epsilon from the start. With a target, goes on until the target is

@@ -27,9 +27,10 @@ from .api import (
     simplify,
 )
 from .core import core as _core_in_use
-from .edits import Edit, Update, merge, refine, to_one_mesh, update
+from .edits import Edit, Update, join_colors, merge, recolor, refine, to_one_mesh, update
 from .errors import HelperError, InputError
 from .publishing import Published, publish
+from .session import Pointed, Session, View
 
 # Fails at once where nothing here can compute.
 _core_in_use()
@@ -48,21 +49,26 @@ __all__ = [
     "HelperError",
     "InputError",
     "MeshInfo",
+    "Pointed",
     "Progress",
     "Published",
     "Result",
+    "Session",
     "Update",
+    "View",
     "__version__",
     "analyze",
     "compare",
     "convert",
     "draw",
     "info",
+    "join_colors",
     "load",
     "loads",
     "merge",
     "options",
     "publish",
+    "recolor",
     "refine",
     "render",
     "report",

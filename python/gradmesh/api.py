@@ -205,6 +205,7 @@ def simplify(
     of groups around it, does not count towards the error, as by default.
     seed, omega, kappa, edges: as `method` says.
     threads: 0 for all cores; the result is the same.
+    protect: ids of shapes of an SVG document; patches of which they cover something stay as they are.
     renderer: where merges are priced: "software"; "egl", on the first device that EGL offers; or
     "auto", on a graphics processor where that is expected to be faster. Where a device fails, or there
     is none for "egl", `device_lost` is called with the reason, by default a RuntimeWarning, and it
@@ -241,13 +242,16 @@ def simplify(
         original=original,
         **_known(options),
     )
-    return [
-        record(Result, {**told, "seconds": told["seconds"]["total"], "run": told}) for told in results
-    ]
+    return [_result(told) for told in results]
+
+
+def _result(told: dict[str, Any]) -> Result:
+    return record(Result, {**told, "seconds": told["seconds"]["total"], "run": told})
 
 
 #: Options of simplify() that are none of the run on a mesh.
 _OTHER_OPTIONS = {
+    "protect",
     "renderer",
     "remember_original",
     "keep_original",

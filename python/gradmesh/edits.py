@@ -43,25 +43,53 @@ def update(document: Document, ids: Union[str, Iterable[str]] = ()) -> list[Upda
     return [Update(**found) for found in document._core.call("update", ids=_list(ids))]
 
 
+#: Rows or columns of a block, from 1: one, or the first and the last.
+Lines = Union[int, tuple[int, int]]
+
+
 def merge(
     document: Document,
-    blocks: Iterable[str],
+    blocks: Union[str, Iterable[str]] = (),
     *,
+    patches: Iterable[int] = (),
+    rows: Optional[Lines] = None,
+    columns: Optional[Lines] = None,
     metric: Optional[str] = None,
     resolution: Optional[int] = None,
 ) -> Edit:
-    """Makes one patch of all patches of these blocks of a simplified mesh, in place.
+    """Makes one patch of several of a mesh, in place.
 
-    blocks: ids of their paths. Raises InputError, with the reason, where the patches cannot become
-    one; the document is then unchanged.
+    blocks: ids of the paths of blocks, or of a mesh that is one rectangle of patches, all of whose patches
+    are merged.
+    rows, columns: only these patches of the one block or mesh, as 2 or (2, 3), counted from 1.
+    patches: instead, patches by the numbers that draw(document, "faces") shows; `blocks` then names the
+    mesh where there are several.
+
+    Raises InputError, with the reason, where the patches cannot become one, and ValueError; the document is
+    then unchanged.
     """
-    return Edit(**_call(document, "merge", ids=list(blocks), metric=metric, resolution=resolution))
+    edit = _call(
+        document,
+        "merge",
+        ids=_list(blocks),
+        patches=list(patches),
+        rows=_ends(rows),
+        columns=_ends(columns),
+        metric=metric,
+        resolution=resolution,
+    )
+    return Edit(**edit)
+
+
+def _ends(lines: Optional[Lines]) -> Optional[list[int]]:
+    return [lines, lines] if isinstance(lines, int) else lines and list(lines)
 
 
 def refine(
     document: Document,
-    id: str,
+    id: Optional[str] = None,
     *,
+    patches: Iterable[int] = (),
     direction: str = "both",
     place: float = 0.5,
     row: Optional[int] = None,
@@ -70,9 +98,11 @@ def refine(
     metric: Optional[str] = None,
     resolution: Optional[int] = None,
 ) -> Edit:
-    """Splits patches exactly, in place: of a block of a simplified mesh, or of a rectangular mesh.
+    """Splits patches exactly, in place: of a block of a simplified mesh, or of any mesh.
 
-    id: of the block's path, or of the object that the mesh paints.
+    id: of the block's path, or of a mesh that is one rectangle of patches; it may be left out where the
+    document has one mesh only.
+    patches: instead of all of them, patches by the numbers that draw(document, "faces") shows, of any mesh.
     direction: "rows", "columns" or "both".
     place: where patches are split, from the top and from the left, above 0 and below 1.
     row, column: which patches of the block, from 1; None: all.
@@ -86,6 +116,7 @@ def refine(
         document,
         "refine",
         id=id,
+        patches=list(patches),
         rows=direction != "columns",
         columns=direction != "rows",
         place=place,
@@ -98,6 +129,63 @@ def refine(
     return Edit(**edit)
 
 
+def recolor(
+    document: Document,
+    points: Union[int, Iterable[int]],
+    color: str,
+    id: Optional[str] = None,
+    *,
+    patches: Iterable[int] = (),
+    metric: Optional[str] = None,
+    resolution: Optional[int] = None,
+) -> Edit:
+    """Gives patches a colour at points, in place: all around them, or sharply some of them.
+
+    points: their numbers, as of draw(document, "edges") and info(document).
+    color: as SVG writes it, such as "#rrggbb" or a name. Opacities stay.
+    id: of the mesh; it may be left out where the document has one only.
+    patches: those that get the colour, by the numbers that draw(document, "faces") shows; none: all there.
+
+    Where patches have several colours at one point, an SVG document holds the mesh as blocks. What the mesh
+    remembers is forgotten, as it is meant to look otherwise: later runs measure against it as it is. Raises
+    InputError and ValueError; the document is then unchanged.
+    """
+    edit = _call(
+        document,
+        "recolor",
+        id=id,
+        points=_numbers(points),
+        patches=list(patches),
+        color=color,
+        metric=metric,
+        resolution=resolution,
+    )
+    return Edit(**edit)
+
+
+def join_colors(
+    document: Document,
+    points: Union[int, Iterable[int]],
+    id: Optional[str] = None,
+    *,
+    metric: Optional[str] = None,
+    resolution: Optional[int] = None,
+) -> Edit:
+    """Gives all patches around each of the points one colour there again, in place.
+
+    That is the mean of theirs or, at a T-junction, the colour of the curve on which it lies. Arguments and
+    errors as of recolor().
+    """
+    edit = _call(
+        document, "join_colors", id=id, points=_numbers(points), metric=metric, resolution=resolution
+    )
+    return Edit(**edit)
+
+
+def _numbers(points: Union[int, Iterable[int]]) -> list[int]:
+    return [points] if isinstance(points, int) else list(points)
+
+
 def to_one_mesh(
     document: Document,
     ids: Union[str, Iterable[str]] = (),
@@ -105,11 +193,11 @@ def to_one_mesh(
     metric: Optional[str] = None,
     resolution: Optional[int] = None,
 ) -> list[Edit]:
-    """Makes objects with one ordinary mesh gradient of simplified meshes again, in place.
+    """Makes ordinary meshes of simplified ones, in place: objects with one mesh gradient of blocks again.
 
     Every T-junction's line goes on across the mesh, so nothing changes but colours at new points by
-    rounding; the errors are against the simplified meshes. Raises InputError, also where none of
-    the meshes is simplified; the document is then unchanged.
+    rounding; the errors are against the simplified meshes. A .hemesh file holds the mesh without T-junctions.
+    Raises InputError, also where none of the meshes is simplified; the document is then unchanged.
     """
     edits = _call(document, "to_one_mesh", ids=_list(ids), metric=metric, resolution=resolution)
     return [Edit(**edit) for edit in edits]

@@ -9,6 +9,7 @@
 #include "formats/svg/group/memory.h"
 #include "mesh/region.h"
 #include "mesh/subdivide.h"
+#include "ops/color.h"
 #include "ops/merge/merge.h"
 #include "ops/merge/merge_faces.h"
 #include "ops/merge/merge_region.h"
@@ -50,7 +51,8 @@ class Operations {
   Operations(Mesh& mesh, Choices& choices) : mesh_(mesh), choices_(choices), journal_(mesh) {}
 
   void next() {
-    const unsigned which = choices_.byte() % 10;
+    const unsigned byte = choices_.byte(), which = byte % 10;
+    if (byte >= 250) return byte % 2 ? recolor_corner() : join_some_colors();
     const bool may_grow = mesh_.face_count() < many_faces;
     if (which < 4) return merge_edge();
     if (which == 4) return undo();
@@ -91,6 +93,15 @@ class Operations {
     const Region region{face(), int(shape % 4), 1 + int(shape / 4 % 4), 1 + int(shape / 16 % 4)};
     merge_region(journal_, region);
   }
+
+  void recolor_corner() {
+    const auto channel = [&] { return choices_.byte() / 255.0; };
+    const Halfedge corner = leaf();
+    const double r = channel(), g = channel();
+    if (can_recolor(mesh_, corner)) recolor(journal_, corner, {r, g, channel(), 1});
+  }
+
+  void join_some_colors() { join_colors(journal_, mesh_.origin(leaf())); }
 
   void undo() {
     if (journal_.depth() > 0) journal_.undo();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "meshes.h"
@@ -8,6 +9,9 @@
 #include "ops/split/split.h"
 
 namespace gradmesh::test {
+
+/// What validate() says of a sound mesh.
+inline const std::vector<std::string> sound;
 
 inline std::vector<Halfedge> all_leaves(const Mesh& mesh) {
   std::vector<Halfedge> leaves;

@@ -109,6 +109,51 @@ bool meets_itself(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const M
   return is_joined(edge) || is_joined(mesh.next(head.out)) || is_joined(mesh.next(tail.out));
 }
 
+/// Looks for patches that must stay as they are beside curves that a merge changes.
+class FixedSearch {
+ public:
+  explicit FixedSearch(const Mesh& mesh) : mesh_(mesh) {}
+
+  bool is_beside(Halfedge side) const {
+    for (const Halfedge leaf : mesh_.leaves(side))
+      if (mesh_.is_fixed(mesh_.face(leaf))) return true;
+    return false;
+  }
+
+  /// Returns true if one lies beside the curve of a half-edge, or beside a curve that depends on
+  /// it: T-junctions move with the curve on which they lie, and the stems that start there.
+  bool is_reached(Halfedge halfedge) {
+    const Halfedge curve = mesh_.curve(halfedge);
+    if (std::ranges::find(seen_, curve) != seen_.end()) return false;
+    seen_.push_back(curve);
+    for (const Halfedge side : {curve, mesh_[curve].twin}) {
+      if (!side.valid()) continue;
+      if (is_beside(side)) return true;
+      if (!mesh_.is_parent(side)) continue;
+      for (const Halfedge stem : mesh_.stems(side))
+        if (is_reached(stem)) return true;
+    }
+    return false;
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<Halfedge> seen_;
+};
+
+/// Returns true if a merge changes a patch that must stay as it is, or a curve beside one: at an
+/// end that is no T-junction of its own two curves become one.
+bool changes_fixed(const Mesh& mesh, Halfedge edge, const MergeEnd& tail, const MergeEnd& head) {
+  FixedSearch search(mesh);
+  if (search.is_beside(edge) || search.is_beside(mesh[edge].twin)) return true;
+  for (const MergeEnd* end : {&tail, &head}) {
+    if (end->kind == MergeEnd::stem) continue;
+    if (search.is_reached(end->in) || search.is_reached(end->out)) return true;
+    if (end->kind == MergeEnd::interior && search.is_reached(end->across)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Message describe(MergeObstacle obstacle) {
@@ -121,6 +166,7 @@ Message describe(MergeObstacle obstacle) {
       Message("a curve would start on itself"),
       Message("it meets a branch point, which must stay"),
       Message("its two patches meet themselves round a ring"),
+      Message("a patch there is protected"),
   };
   return texts[std::size_t(obstacle)];
 }
@@ -135,6 +181,7 @@ MergeObstacle can_merge(const Mesh& mesh, Halfedge edge) {
   const MergeEnd tail = merge_end(mesh, edge), head = merge_end(mesh, twin);
   if (meets_itself(mesh, edge, tail, head)) return MergeObstacle::ring;
   if (tail.kind == MergeEnd::branch || head.kind == MergeEnd::branch) return MergeObstacle::branch;
+  if (changes_fixed(mesh, edge, tail, head)) return MergeObstacle::fixed;
   return CycleSearch(mesh, tail, head).run();
 }
 

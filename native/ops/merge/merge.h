@@ -15,6 +15,7 @@ enum class MergeObstacle {
   origin_cycle,  ///< 4: after the merge a curve would start on itself (4.4)
   branch,        ///< 5: it meets a point that must stay (L- and U-branches; irregular points)
   ring,          ///< the two patches are one, or meet themselves round a ring
+  fixed,         ///< a patch beside it, or beside a curve that would change, must stay as it is
 };
 
 /// Returns the obstacle as one clause for the person, such as "it is on the boundary of the mesh".

@@ -101,6 +101,7 @@ const OPTION_NAMES = {
   metric: "Metric",
   epsilon: "Largest error (epsilon)",
   max_local_error: "Largest error in 32 \u00d7 32 px",
+  max_edge_shift: "Largest shift of edges, px",
   resolution: "Resolution",
   seed: "Seed",
   omega: "Weight of size (omega)",

@@ -255,12 +255,12 @@ TEST_F(Hanging, handles_of_a_stem_follow_the_junction) {
 }
 
 TEST_F(Hanging, colours_that_were_one_are_one) {
-  const glm::dvec4 red(0.9, 0.1, 0.1, 1);
-  recolor(read.patches[1], 0, red);
+  const glm::dvec4 reddish(0.9, 0.1, 0.1, 1);
+  recolor(read.patches[1], 0, reddish);
   const Mesh mesh = mended();
   // The corner at (0, 100) in both patches; and on the long curve the junction's colour follows.
-  EXPECT_EQ(mesh[Halfedge{3}].color, red);
-  EXPECT_EQ(mesh[Halfedge{4}].color, red);
+  EXPECT_EQ(mesh[Halfedge{3}].color, reddish);
+  EXPECT_EQ(mesh[Halfedge{4}].color, reddish);
   for (const int h : {5, 8}) {
     EXPECT_FALSE(mesh[Halfedge{h}].own_color);
     EXPECT_NEAR(mesh[Halfedge{h}].color.r, 0.4 * 0.9 + 0.6 * 0.6, 1e-9);
@@ -270,18 +270,18 @@ TEST_F(Hanging, colours_that_were_one_are_one) {
 TEST_F(Hanging, a_step_in_colour_stays) {
   recolor(written.patches[1], 0, {0, 0, 0, 1});
   read = written;
-  const glm::dvec4 red(0.9, 0.1, 0.1, 1);
-  recolor(read.patches[1], 0, red);
+  const glm::dvec4 reddish(0.9, 0.1, 0.1, 1);
+  recolor(read.patches[1], 0, reddish);
   const Mesh mesh = mended();
-  EXPECT_EQ(mesh[Halfedge{4}].color, red);
+  EXPECT_EQ(mesh[Halfedge{4}].color, reddish);
   EXPECT_EQ(mesh[Halfedge{3}].color, written.patches[0].corner(3).color);
 }
 
 TEST_F(Hanging, a_junction_can_be_given_a_colour) {
-  const glm::dvec4 red(0.9, 0.1, 0.1, 1);
-  recolor(read.patches[2], 0, red);
+  const glm::dvec4 reddish(0.9, 0.1, 0.1, 1);
+  recolor(read.patches[2], 0, reddish);
   const Mesh mesh = mended();
-  for (const int h : {5, 8}) EXPECT_EQ(mesh[Halfedge{h}].color, red);
+  for (const int h : {5, 8}) EXPECT_EQ(mesh[Halfedge{h}].color, reddish);
 }
 
 TEST_F(Hanging, a_coons_patch_stays_one) {

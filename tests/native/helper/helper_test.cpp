@@ -93,7 +93,7 @@ class Helper {
 Json error(const char* kind, const std::string& text) { return {{"error", kind}, {"text", text}}; }
 
 const Json garbled = error("garbled", "a message has no length.");
-const Json hello = {{"result", {{"protocol", 2}, {"version", GRADMESH_VERSION}}}};
+const Json hello = {{"result", {{"protocol", Service::version}, {"version", GRADMESH_VERSION}}}};
 
 TEST(Helper, refuses_in_words_what_makes_no_sense_and_goes_on) {
   Helper helper;
@@ -344,7 +344,7 @@ TEST(Helper, does_what_was_asked_for_before_what_is_no_message) {
     std::ostringstream first;
     write_message(first, request("hello", Json::object()));
     helper.send_bytes(first.str() + "x");
-    EXPECT_EQ(helper.hear_more()["result"]["protocol"], 2);
+    EXPECT_EQ(helper.hear_more()["result"]["protocol"], Service::version);
     EXPECT_EQ(helper.hear(), garbled);
     EXPECT_EQ(helper.hear(), nullptr);
     EXPECT_EQ(helper.end(), 1);

@@ -18,9 +18,7 @@ using test::between;
 using test::difference;
 using test::grid_mesh;
 using test::patches;
-
-/// What validate() says of a sound mesh.
-const std::vector<std::string> sound;
+using test::sound;
 
 void expect_near(const std::vector<Patch>& a, const std::vector<Patch>& b) {
   ASSERT_EQ(a.size(), b.size());

@@ -56,6 +56,17 @@ WRONG = {
         "", "--show everything", "--show edges --patch 1", "--show errors --region all",
         "--show regions --region 0", "--show regions --region 1.5",
     ],
+    "merge fruit.svg -o out.svg": [
+        "--rows 2-", "--rows one", "--rows 3-2", "--rows 2 --patches 3,4", "--patches", "--preview out.png",
+    ],
+    "refine fruit.svg -o out.svg": [
+        "--place 0", "--place 1", "--place nan", "--direction up", "--row 1 --patches 3", "--row one",
+    ],
+    "color fruit.svg -o out.svg": [
+        "", "--points 1", "--color red", "--points 1 --color taste", "--points 1 --color red --join",
+        "--points 1 --join --patches 3", "--points one --join",
+    ],
+    "merge fruit.svg": ["", "--patches 0,1"],
     "convert fruit.svg": [
         "out.hemesh --subdivide 0", "out.hemesh --subdivide 33", "out.hemesh --epsilon 0.1 --subdivide 2", "out.png",
     ],
@@ -97,15 +108,16 @@ def test_simplify_and_its_report(fruit):
     before = fruit.read_bytes()
     (mesh,) = simplified(fruit, out, *OPTIONS.split())  # a pipe gets no progress bar
     assert list(mesh) == (
-        "id method color_model metric epsilon max_local_error original resolution seed omega "
-        "kappa handles_before handles_after patches_before patches_after objects error local_error "
-        "evaluations renderer seconds stopped".split()
+        "id method color_model metric epsilon max_local_error max_edge_shift original resolution seed omega "
+        "kappa handles_before handles_after patches_before patches_after objects protected_patches error local_error "
+        "edge_shift evaluations renderer seconds stopped".split()
     )
     assert (mesh["id"], mesh["method"], mesh["metric"]) == ("pear", "grid", "ssim")
     assert (mesh["epsilon"], mesh["resolution"], mesh["seed"]) == (0.02, 300, 7)
     assert mesh["patches_after"] < mesh["patches_before"] == 132
     assert 0 < mesh["error"] <= 0.02 and mesh["evaluations"] > 0
     assert mesh["max_local_error"] is None and mesh["local_error"] > mesh["error"]
+    assert mesh["max_edge_shift"] is None and mesh["protected_patches"] == 0
     assert mesh["seconds"]["total"] > 0 and mesh["stopped"] == "done"
     (after,) = meshes(out)
     assert after["patches"] == mesh["patches_after"] and after["simplified"]

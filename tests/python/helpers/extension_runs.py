@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,9 @@ import pytest
 from built import PYTHON, install_extension
 
 INKEX = Path(os.environ.get("GRADMESH_INKEX", "/usr/share/inkscape/extensions"))
+SVG = "{http://www.w3.org/2000/svg}"
+#: What suffices where it does not matter at how many pixels a mesh is measured.
+SMALL = "--resolution=100"
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +54,10 @@ def run(extension, tmp_path):
         )
 
     return run
+
+
+def by_id(text):
+    return {element.get("id"): element for element in ET.fromstring(text).iter()}
 
 
 def is_one_sentence(text):

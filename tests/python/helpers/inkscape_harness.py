@@ -58,15 +58,16 @@ def kill_group(process: subprocess.Popen) -> None:
             pass
 
 
-def is_busy(session: int) -> bool:
+def is_busy(session: int, others_end: bool = True) -> bool:
     """Whether a process that was started with `start_new_session` works, or waits for a processor or
-    a disk, or has started others that have not ended."""
+    a disk, or has started others that have not ended; where those have windows and wait for a person
+    (`others_end` is false), whether they work."""
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
             state, _parent, _group, its_session = stat.read_text().rpartition(")")[2].split()[:4]
             if int(its_session) != session or state == "Z":
                 continue
-            if stat.parent.name != str(session):
+            if others_end and stat.parent.name != str(session):
                 return True
             threads = [task.read_text() for task in stat.parent.glob("task/*/stat")]
         except OSError:  # it has ended meanwhile
@@ -88,11 +89,11 @@ def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> subpr
             stderr=err,
             start_new_session=True,
         )
-        expired = False
+        expired = ""
         try:
             process.wait(timeout=timeout)
         except subprocess.TimeoutExpired:
-            expired = True
+            expired = seen(env) or "nothing is known of its display"
         finally:
             kill_group(process)
         texts = []
@@ -102,9 +103,29 @@ def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> subpr
     if expired:
         raise Timeout(
             f"no end after {timeout:g} s (an extension that writes to stderr opens a dialog, which "
-            f"waits for ever): {' '.join(command)}\n{texts[0]}{texts[1]}"
+            f"waits for ever): {' '.join(command)}; {expired}\n{texts[0]}{texts[1]}"
         )
     return subprocess.CompletedProcess(command, process.returncode, *texts)
+
+
+def seen(env: Mapping[str, str]) -> str:
+    """What is to be seen on the display, for the message of a test that gives up: the windows' titles, and the
+    path of a picture of it. Empty where there is no display or nothing to look with."""
+    if not env.get("DISPLAY") or missing(*WINDOW_PROGRAMS):
+        return ""
+
+    def answer(*command: str) -> str:
+        return subprocess.run(command, env=env, capture_output=True, text=True, timeout=20).stdout.strip()
+
+    handle, shot = tempfile.mkstemp(prefix="seen-", suffix=".png")
+    os.close(handle)
+    try:
+        windows = answer("xdotool", "search", "--onlyvisible", "--name", ".").split()
+        titles = [answer("xdotool", "getwindowname", window) for window in windows]
+        answer("import", "-window", "root", shot)
+    except subprocess.TimeoutExpired:
+        return ""
+    return f"open: {', '.join(titles) or 'no window'}; the display: {shot}"
 
 
 class Display:
@@ -326,7 +347,7 @@ class Started:
             if found:
                 return found[0]
             time.sleep(0.2)
-        raise Timeout(f"there is no window {name}: {self._command}")
+        raise Timeout(f"there is no window {name}: {self._command}; {seen(self._env)}")
 
     def wait(self) -> None:
         """Waits until the program has ended by itself."""
@@ -339,6 +360,7 @@ class InkscapeWindow(Started):
     def __init__(self, inkscape: Inkscape, svg, timeout: float):
         super().__init__([INKSCAPE, svg], inkscape.env, timeout)
         self._svg = Path(svg)
+        self.is_asking = False
 
     def __enter__(self) -> "InkscapeWindow":
         super().__enter__()
@@ -365,9 +387,9 @@ class InkscapeWindow(Started):
         before, same = None, 0
         while same < 3:
             if time.monotonic() > end:
-                raise Timeout(f"the window of {self._svg} keeps changing")
+                raise Timeout(f"the window of {self._svg} keeps changing; {seen(self._env)}")
             time.sleep(0.7)
-            now = None if is_busy(self._process.pid) else self._pixels()
+            now = None if is_busy(self._process.pid, not self.is_asking) else self._pixels()
             same = same + 1 if now and now == before else 0
             before = now
 
@@ -375,6 +397,22 @@ class InkscapeWindow(Started):
         """Presses keys by their X names, such as "5", "ctrl+a", "Escape"."""
         self.xdotool("key", "--delay", "100", *keys)
         self.settle()
+
+    def open_window(self, key: str, title: str) -> None:
+        """Presses a key that lets an extension show a window of its own, which then is in the upper
+        left corner and has the keys; close_window() says that it is to have gone."""
+        self.is_asking = True
+        self.key(key)
+        own = self.find_window(title)
+        self.xdotool("windowmove", own, "0", "0")
+        self.xdotool("windowfocus", own)
+        self.settle()
+
+    def close_window(self) -> None:
+        """Waits until Inkscape has taken what that window left, and gives Inkscape the keys."""
+        self.is_asking = False
+        self.settle()
+        self.xdotool("windowfocus", self.find_window(self._svg.name))
 
     def click(self, x: int, y: int, button: int = 1, repeat: int = 1) -> None:
         self.xdotool("mousemove", str(x), str(y))

@@ -1,4 +1,4 @@
-"""The extension keeps inkex's conventions, and does what it says when run as Inkscape runs it."""
+"""Simplify does what it says when run as Inkscape runs it."""
 
 import json
 import os
@@ -10,64 +10,17 @@ import pytest
 
 from bad_documents import BAD, TWO_PATCHES
 from built import PROGRAM, PYTHON, ROOT, SAMPLES
-from extension_runs import INKEX, extension, is_one_sentence, refused, run  # noqa: F401
+from extension_runs import INKEX, SMALL, SVG, by_id, extension, refused, run  # noqa: F401
 
 import gradmesh
 
-SVG = "{http://www.w3.org/2000/svg}"
-INX = "{http://www.inkscape.org/namespace/inkscape/extension}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-
-#: Of the menu, and of File > Open, Save As and Save a Copy.
-ITEMS = sorted(file.stem.removeprefix("gradmesh_") for file in (ROOT / "inx").glob("*.inx"))
-#: What suffices where it does not matter at how many pixels a mesh is measured.
-SMALL = "--resolution=150"
 
 pytestmark = pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
 
 
-def by_id(text):
-    return {element.get("id"): element for element in ET.fromstring(text).iter()}
-
-
-@pytest.mark.parametrize("item", ITEMS)
-def test_inkscape_accepts_the_dialog(item):
-    from lxml import etree
-
-    schema = etree.RelaxNG(etree.parse(str(INKEX / "inkscape.extension.rng")))
-    dialog = etree.parse(str(ROOT / "inx" / f"gradmesh_{item}.inx"))
-    # Inkscape reads it, but its schema knows it only since Inkscape 1.4.
-    assert dialog.getroot().attrib.pop("translationdomain") == "gradmesh"
-    # Its schema has it as an attribute, but 1.2 looks for an element: with that alone Save As lists no copy.
-    copies = dialog.findall("{*}output/{*}savecopyonly")
-    assert [element.text for element in copies] == ["true"] * (item == "publish")
-    for element in copies:
-        element.getparent().remove(element)
-    schema.assertValid(dialog)
-
-
-@pytest.mark.parametrize("item", ITEMS)
-def test_dialog_and_script_agree(extension, item):
-    check = (
-        "import unittest\n"
-        "from inkex.tester.inx import InxMixin\n"
-        "class Conventions(InxMixin, unittest.TestCase):\n"
-        "    def test(self):\n"
-        f"        self.assertInxIsGood('gradmesh_{item}.inx')\n"
-        "unittest.main()\n"
-    )
-    done = subprocess.run(
-        [PYTHON, "-c", check],
-        cwd=extension,
-        env={**os.environ, "PYTHONPATH": str(INKEX)},
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr
-
-
 def test_the_object_becomes_a_labelled_group_and_nothing_is_said(run):
-    done = run(SAMPLES / "fruit.svg", "--id=pear", "--result=blocks")
+    done = run(SAMPLES / "fruit.svg", "--id=pear", "--result=blocks", SMALL)
     assert (done.returncode, done.stderr) == (0, "")
     pear = by_id(done.stdout)["pear"]
     assert pear.tag == SVG + "g"
@@ -80,7 +33,7 @@ def test_the_object_becomes_a_labelled_group_and_nothing_is_said(run):
 @pytest.mark.parametrize("options", [[], ["--result=simplest"], ["--result=one-mesh"]])
 def test_but_for_blocks_it_stays_what_it_is_and_nothing_is_said(run, options):
     before = SAMPLES / "fruit.svg"
-    done = run(before, "--id=pear", *options)
+    done = run(before, "--id=pear", SMALL, *options)
     assert (done.returncode, done.stderr) == (0, "")
     (was,), (now,) = (gradmesh.info(gradmesh.loads(text))["meshes"] for text in (before.read_text(), done.stdout))
     assert now["patches"] <= was["patches"] and not now["simplified"]
@@ -113,7 +66,7 @@ def test_each_result_is_that_of_a_method(run, result, options):
 
 def test_nothing_is_said_with_all_warnings_on(run):
     """Inkscape shows a ResourceWarning in a dialog."""
-    done = run(SAMPLES / "fruit.svg", "--id=pear", python=(PYTHON, "-W", "default", "-X", "dev"))
+    done = run(SAMPLES / "fruit.svg", "--id=pear", SMALL, python=(PYTHON, "-W", "default", "-X", "dev"))
     own = [line for line in done.stderr.splitlines() if "inkex" not in line]
     assert [line for line in own if "gradmesh" in line] == []
     assert "ResourceWarning" not in done.stderr
@@ -122,7 +75,7 @@ def test_nothing_is_said_with_all_warnings_on(run):
 
 def test_other_objects_are_not_touched(run):
     before = (SAMPLES / "two.svg").read_text()
-    after = by_id(run(before, "--id=cap").stdout)
+    after = by_id(run(before, "--id=cap", SMALL).stdout)
     for name, element in by_id(before).items():
         if name and name != "cap" and not name.startswith("cap-mesh") and not len(element):
             assert after[name].attrib == element.attrib
@@ -145,105 +98,23 @@ def test_a_broken_mesh_elsewhere_does_not_matter(run):
     assert by_id(run(text, "--id=pear", "--result=blocks", SMALL).stdout)["pear"].tag == SVG + "g"
 
 
-#: What the dialog of Simplify has a default of its own for: targets, and bounds that may be off.
-OWN_DEFAULTS = {"handles", "patches", "max_local_error", "time_budget"}
-
-
-@pytest.mark.parametrize("item", ["simplify", "show_analysis"])
-def test_dialogs_have_the_ranges_and_defaults_of_the_core(item):
-    dialog = ET.parse(ROOT / "inx" / f"gradmesh_{item}.inx")
-    held = 0
-    for param in dialog.iter(INX + "param"):
-        name, option = param.get("name"), gradmesh.options().get(param.get("name"))
-        if option is None:
-            continue
-        offered = [choice.get("value") for choice in param]
-        default = offered[0] if offered else param.text
-        if name == "amount":
-            # Inkscape's default is the first.
-            assert offered == ["usual", *option["names"], "handles", "custom"]
-        elif offered:
-            assert offered == option["names"] and default == option["default"]
-        elif param.get("type") == "bool":
-            assert json.loads(default) == option["default"]
-        else:
-            least, most = float(param.get("min")), float(param.get("max"))
-            assert option.get("least", 1) <= least <= float(default) <= most <= option.get("most", float("inf"))
-            assert name in OWN_DEFAULTS or float(default) == option["default"]
-        held += 1
-    assert held == {"simplify": 10, "show_analysis": 2}[item]
-
-
-BALANCED, SIMPLEST, LEAST = {"amount": "balanced"}, {"method": "simplest"}, {"max_local_error": None}
-BLOCKS = {"method": "best", "count": "handles"}
-#: By what is said on the command line, or by preferences: how much and which method the core is asked
-#: for. The first part is what dialogs before the one of two pages had, which scripts go on to say.
-ASKED = {
-    "": {**BALANCED, **SIMPLEST},
-    "--amount=balanced --result=simplest --tab=result": {**BALANCED, **SIMPLEST},
-    "--amount=gentle --visible_only=false": {"amount": "gentle", **SIMPLEST, "visible_only": False},
-    "--amount=strong --result=one-mesh": {"amount": "strong", "method": "plain"},
-    "--result=lines": {**BALANCED, "method": "lines"},
-    "--result=gqe --tab=help": {**BALANCED, "method": "gqe"},
-    "--result=blocks": {**BALANCED, **BLOCKS},
-    "--amount=custom": {"epsilon": None, **SIMPLEST, **LEAST},
-    "--amount=custom --epsilon=0.03": {"epsilon": 0.03, **SIMPLEST, **LEAST},
-    "--amount=custom --epsilon=0 --max_local_error=0.2": {"epsilon": 0, **SIMPLEST, "max_local_error": 0.2},
-    "--amount=handles --handles=7 --result=blocks": {"handles": 7, **BLOCKS, **LEAST},
-    "--amount=patches --patches=9 --result=blocks": {"patches": 9, "method": "best", **LEAST},
-    "--amount=share --share=20": {"ratio": 0.2, "count": "handles", **SIMPLEST, **LEAST},
-    "--amount=patch-share --share=20 --result=gqe": {"ratio": 0.2, "count": "patches", "method": "gqe", **LEAST},
-    # What the page More holds, where the first leaves it to that page, and where it does not.
-    "--amount=usual --limit=share --other_result=gqe": {**BALANCED, **SIMPLEST},
-    "--amount=custom --limit=epsilon --epsilon=0.03": {"epsilon": 0.03, **SIMPLEST, **LEAST},
-    "--amount=custom --limit=share --share=20": {"ratio": 0.2, "count": "handles", **SIMPLEST, **LEAST},
-    "--amount=custom --limit=patches --patches=9": {"patches": 9, **SIMPLEST, **LEAST},
-    "--amount=custom --limit=patch-share --share=20": {"ratio": 0.2, "count": "patches", **SIMPLEST, **LEAST},
-    "--result=more --other_result=lines": {**BALANCED, "method": "lines"},
-    "--result=more --other_result=gqe": {**BALANCED, "method": "gqe"},
-}
-
-
-def test_what_is_asked_for_is_what_the_core_gets(extension):
-    check = (
-        "import json, sys\n"
-        "from gradmesh_simplify import Simplify\n"
-        "for line in json.load(sys.stdin):\n"
-        "    simplify = Simplify()\n"
-        "    simplify.parse_arguments(line.split())\n"
-        "    print(json.dumps(simplify.core_options()))\n"
-    )
-    done = subprocess.run(
-        [PYTHON, "-c", check],
-        cwd=extension,
-        env={**os.environ, "PYTHONPATH": f"{extension.parent}{os.pathsep}{INKEX}", "GRADMESH_UNATTENDED": "0"},
-        input=json.dumps(list(ASKED)),
-        capture_output=True,
-        text=True,
-    )
-    got_each = [json.loads(line) for line in done.stdout.splitlines()]
-    assert done.stderr == "" and len(got_each) == len(ASKED)
-    names = {name for options in ASKED.values() for name in options}
-    for line, got in zip(ASKED, got_each):
-        wanted = {"visible_only": None, **ASKED[line]}
-        assert {name: got[name] for name in got if name in names} == wanted, line
-
-
 @pytest.mark.parametrize("metric, share", [("flip", 1), ("ssim", 0.5)])
 @pytest.mark.parametrize(
-    "amount, epsilon, bound", [("gentle", 0.005, 0.05), ("balanced", 0.01, 0.1), ("strong", 0.02, 0.1)]
+    "amount, epsilon, bound, shift",
+    [("gentle", 0.005, 0.05, 0.5), ("balanced", 0.01, 0.1, 1), ("strong", 0.02, 0.1, 2)],
 )
-def test_an_amount_is_a_bound_of_the_core(amount, epsilon, bound, metric, share):
+def test_an_amount_is_a_bound_of_the_core(amount, epsilon, bound, shift, metric, share):
     document = gradmesh.load(SAMPLES / "tensor.svg")
     options = {"metric": metric, "resolution": 16, "preview": True}
     (named,) = gradmesh.simplify(document, amount=amount, **options)
-    bounds = {"epsilon": share * epsilon, "max_local_error": share * bound}
+    bounds = {"epsilon": share * epsilon, "max_local_error": share * bound, "max_edge_shift": shift}
     assert {name: named.run[name] for name in bounds} == bounds
     (told,) = gradmesh.simplify(document, **bounds, **options)
     assert (told.error, told.handles_after) == (named.error, named.handles_after)
     manual = (ROOT / "docs" / "manual.md").read_text()
     (row,) = re.findall(rf"\| {amount.capitalize()}: [^|]+\|(.*)\|", manual)
-    assert row.split("|")[metric == "ssim" :: 2] == [f" {value:g} " for value in bounds.values()]
+    *errors, edges = row.split("|")
+    assert [*errors[metric == "ssim" :: 2], edges] == [f" {value:g} " for value in bounds.values()]
 
 
 def test_how_much_by_name_or_number(run):
@@ -269,7 +140,7 @@ def test_how_much_by_name_or_number(run):
     "amount, most", [(["handles", "--handles=330"], 330), (["share", "--share=50"], 330)]
 )
 def test_how_many_handles(run, result, amount, most):
-    options = [f"--amount={amount[0]}", amount[1], f"--result={result}", "--resolution=150"]
+    options = [f"--amount={amount[0]}", amount[1], f"--result={result}", SMALL]
     done = run(SAMPLES / "fruit.svg", "--id=pear", *options)
     assert done.stderr == ""
     (mesh,) = gradmesh.loads(done.stdout).meshes
@@ -278,7 +149,7 @@ def test_how_many_handles(run, result, amount, most):
 
 def test_small_parts_have_a_limit_of_their_own(run):
     def left(*options):
-        done = run(SAMPLES / "two.svg", "--id=stalk", "--result=blocks", *options)
+        done = run(SAMPLES / "two.svg", "--id=stalk", "--result=blocks", "--resolution=400", *options)
         meshes = {mesh.id: mesh for mesh in gradmesh.loads(done.stdout).meshes}
         return meshes["stalk"].handles
 
@@ -296,7 +167,7 @@ def test_nothing_selected_is_all(run):
 
 
 def test_one_mesh_gradient(run):
-    done = run(SAMPLES / "fruit.svg", "--id=pear", "--result=one-mesh", "--amount=strong")
+    done = run(SAMPLES / "fruit.svg", "--id=pear", "--result=one-mesh", "--amount=strong", SMALL)
     assert done.stderr == ""
     pear = by_id(done.stdout)["pear"]
     assert pear.tag == SVG + "path"
@@ -308,7 +179,7 @@ def test_one_mesh_gradient(run):
 
 
 def test_the_original_can_be_kept_or_forgotten(run):
-    pear = [SAMPLES / "fruit.svg", "--id=pear", "--resolution=150"]
+    pear = [SAMPLES / "fruit.svg", "--id=pear", SMALL]
     blocks = run(*pear, "--result=blocks").stdout
     forgetful = run(*pear, "--result=blocks", "--remember_original=false").stdout
     assert len(forgetful) < len(blocks)
@@ -388,7 +259,7 @@ def test_a_document_that_was_never_saved_has_a_name(run):
 
 def test_the_document_may_come_through_a_pipe(extension):
     done = subprocess.run(
-        [PYTHON, "gradmesh_simplify.py", "--id=pear", "--result=blocks"],
+        [PYTHON, "gradmesh_simplify.py", "--id=pear", "--result=blocks", SMALL],
         cwd=extension,
         env={**os.environ, "PYTHONPATH": str(INKEX)},
         input=(SAMPLES / "fruit.svg").read_bytes(),
@@ -442,92 +313,6 @@ def test_a_fault_goes_to_the_log(run, extension, tmp_path):
     log = tmp_path / "cache" / "gradmesh" / "extension.log"
     assert "AttributeError" in said and str(log) in said
     assert "Traceback" in log.read_text()
-
-
-def block_ids(text, mesh="pear"):
-    return [e.get("id") for e in by_id(text)[mesh] if e.get("{urn:gradmesh}face")]
-
-
-@pytest.fixture
-def simplified(run):
-    options = ("--result=blocks", "--amount=strong", "--resolution=200")
-    return run(SAMPLES / "fruit.svg", "--id=pear", *options).stdout
-
-
-def patches(text):
-    (mesh,) = gradmesh.loads(text).meshes
-    return mesh.patches
-
-
-def test_refine_and_update_and_one_mesh(run, simplified):
-    block = block_ids(simplified)[0]
-    refined = run(simplified, f"--id={block}", "--row=1", "--column=1", item="refine")
-    assert refined.stderr == "" and patches(refined.stdout) == patches(simplified) + 3
-    assert "fit together" in refused(run(simplified, "--id=pear", item="update"))
-    one = run(simplified, f"--id={block}", item="to_one_mesh")
-    assert one.stderr == "" and by_id(one.stdout)["pear"].tag == SVG + "path"
-    assert patches(one.stdout) >= patches(simplified)
-
-
-def test_merge(run, simplified):
-    blocks = block_ids(simplified)
-    merged = refused_once = False
-    for other in blocks[1:]:
-        done = run(simplified, f"--id={blocks[0]}", f"--id={other}", item="merge")
-        if done.stderr:
-            assert "cannot become one" in refused(done)
-            refused_once = True
-        else:
-            assert patches(done.stdout) < patches(simplified)
-            merged = True
-        if merged and refused_once:
-            return
-    assert refused_once
-
-
-@pytest.mark.parametrize("show", ["edges", "errors", "faces", "motorcycle", "regions"])
-def test_analysis_comes_and_goes(run, show):
-    shown = run(SAMPLES / "fruit.svg", "--id=pear", f"--show={show}", item="show_analysis")
-    assert shown.stderr == ""
-    (layer,) = [e for e in ET.fromstring(shown.stdout) if e.get("{urn:gradmesh}analysis")]
-    assert layer.get("{http://www.inkscape.org/namespaces/inkscape}groupmode") == "layer"
-    assert len(list(layer.iter(SVG + "path"))) > 50 and not list(layer.iter(SVG + "image"))
-    removed = run(shown.stdout, item="remove_analysis")
-    assert list(by_id(removed.stdout)) == list(by_id((SAMPLES / "fruit.svg").read_text()))
-    assert "no analysis" in refused(run(removed.stdout, item="remove_analysis"))
-
-
-@pytest.mark.parametrize(
-    "item, options, words",
-    [
-        ("merge", [], "Select two or more blocks"),
-        ("merge", ["--id=pear"], "no block of a simplified mesh"),
-        ("merge", ["--id=gone"], '"gone"'),
-        ("refine", [], "Select one block"),
-        ("refine", ["--id=stem"], "no block of a simplified mesh"),
-        ("refine", ["--id=pear", "--row=99"], "no row 99"),
-        ("refine", ["--id=pear", "--direction=up"], "'up'"),
-        ("update", [], "Select an object"),
-        ("update", ["--id=pear"], "simplified before"),
-        ("to_one_mesh", ["--id=pear"], "simplified"),
-        ("show_analysis", ["--id=pear", "--show=taste"], "'taste'"),
-    ],
-)
-def test_other_items_refuse_in_one_sentence(run, item, options, words):
-    assert words in refused(run(SAMPLES / "fruit.svg", *options, item=item))
-
-
-def test_hemesh_in_and_out(extension, run, tmp_path):
-    saved = run(SAMPLES / "fruit.svg", item="save")
-    assert saved.stderr == "" and saved.stdout.startswith("HEMESH")
-    opened = run(saved.stdout, item="open")
-    assert opened.stderr == ""
-    assert patches(opened.stdout) == 132  # colours from SVG need no smaller patches
-    assert "holds one gradient mesh" in refused(run(SAMPLES / "two.svg", item="save"))
-    assert run(SAMPLES / "two.svg", "--id=cap", item="save").stdout.startswith("HEMESH")
-    bad = run("HEMESH\nnot a mesh\n", item="open")
-    assert bad.stdout == "" and is_one_sentence(bad.stderr)
-    assert bad.stderr.endswith(', line 2: "not" is not a whole number.\n') and "/" not in bad.stderr
 
 
 def test_a_killed_run_writes_nothing(extension, tmp_path):

@@ -1,8 +1,10 @@
 """The harness sets an extension's parameters, ends what hangs, and sees Inkscape's window."""
 
 import os
+import re
 import subprocess
 import xml.etree.ElementTree as ET
+from pathlib import Path
 
 import pytest
 
@@ -58,14 +60,17 @@ def test_what_an_extension_says_holds_nobody_up(tmp_path):
     assert out.exists()
 
 
-@needs("ps")
+@needs("ps", *inkscape_harness.WINDOW_PROGRAMS)
 def test_a_hanging_run_is_ended_with_all_it_started(tmp_path):
     with Inkscape() as inkscape:
         inkscape.install(*extension(tmp_path, "import time\ntime.sleep(1000)\n"))
-        with pytest.raises(Timeout, match="no end after 15 s"):
+        with pytest.raises(Timeout, match="no end after 15 s") as failure:
             inkscape.run_extension(
                 RAW_ID, SAMPLES / "tensor.svg", tmp_path / "out.svg", select=["silk"], timeout=15
             )
+        shot = Path(re.search(r"open: .*; the display: (.*\.png)", str(failure.value))[1])
+        assert shot.stat().st_size > 0
+        shot.unlink()
         home = str(inkscape.home)
         running = subprocess.run(["ps", "eww", "-eo", "args"], capture_output=True, text=True)
         assert [line for line in running.stdout.splitlines() if home in line] == []

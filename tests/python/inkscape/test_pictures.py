@@ -21,7 +21,7 @@ SAME = 3e-5
 EPSILON = 0.01
 # Enough merges for several blocks and nested T-junctions in every sample.
 COARSE = 0.03
-RESOLUTIONS = (350, 700, 1400)
+RESOLUTIONS = (350, 700, pytest.param(1400, marks=pytest.mark.long))
 
 
 def simplified(folder, epsilon, method="grid"):
@@ -41,46 +41,41 @@ def coarse(tmp_path_factory):
     return simplified(tmp_path_factory.mktemp("coarse"), COARSE)
 
 
-def bare_pictures(inkscape, folder, sources, resolutions):
-    """Pictures of the bare meshes by Inkscape and by gradmesh, by object and resolution."""
+def bare_pictures(inkscape, folder, sources, resolution=700):
+    """Pictures of the bare meshes by Inkscape and by gradmesh, by object."""
     bare, ours = {}, {}
     for sample, painted in OBJECTS:
         document = svg_meshes.Document(sources[sample])
-        for resolution in resolutions:
-            key = painted, resolution
-            bare[key] = folder / f"{painted}-{resolution}.svg"
-            ours[key] = folder / f"{painted}-{resolution}-gradmesh.png"
-            element = document.by_id[painted]
-            pictures.write_bare_mesh(document, element, bare[key], resolution)
-            options = ["--like-inkscape", "--id", painted, "--resolution", resolution]
-            gradmesh("render", sources[sample], *options, "-o", ours[key])
+        bare[painted], ours[painted] = folder / f"{painted}-bare.svg", folder / f"{painted}-gradmesh.png"
+        pictures.write_bare_mesh(document, document.by_id[painted], bare[painted], resolution)
+        options = ["--like-inkscape", "--id", painted, "--resolution", resolution]
+        gradmesh("render", sources[sample], *options, "-o", ours[painted])
     theirs = export(inkscape, bare.values())
-    return {key: (png, ours[key]) for key, png in zip(bare, theirs)}
+    return {painted: (png, ours[painted]) for painted, png in zip(bare, theirs)}
 
 
 @pytest.fixture(scope="module")
 def meshes(inkscape, tmp_path_factory):
     sources = {sample: SAMPLES / f"{sample}.svg" for sample in PAINTED}
-    return bare_pictures(inkscape, tmp_path_factory.mktemp("meshes"), sources, (700,))
+    return bare_pictures(inkscape, tmp_path_factory.mktemp("meshes"), sources)
 
 
-@pytest.fixture(scope="module")
-def blocks(inkscape, coarse, tmp_path_factory):
-    return bare_pictures(inkscape, tmp_path_factory.mktemp("blocks"), coarse, RESOLUTIONS)
+@pytest.fixture(scope="module", params=RESOLUTIONS)
+def blocks(request, inkscape, coarse, tmp_path_factory):
+    return bare_pictures(inkscape, tmp_path_factory.mktemp("blocks"), coarse, request.param)
 
 
 @pytest.fixture(scope="module")
 def gradients(inkscape, tmp_path_factory):
     """Of the samples with whole lines taken out, still one gradient each."""
     folder = tmp_path_factory.mktemp("gradients")
-    return bare_pictures(inkscape, folder, simplified(folder, COARSE, "lines"), (700,))
+    return bare_pictures(inkscape, folder, simplified(folder, COARSE, "lines"))
 
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
 @pytest.mark.parametrize("which", ["meshes", "gradients"])
 def test_gradmesh_paints_a_mesh_as_inkscape_does(request, which, sample, painted):
-    meshes = request.getfixturevalue(which)
-    theirs, ours = meshes[painted, 700]
+    theirs, ours = request.getfixturevalue(which)[painted]
     assert flip(theirs, ours) <= SAME
     # Nor does it differ at the mesh's own outline, which Inkscape does not smooth.
     assert (difference(theirs, ours) > 16).sum() <= 20
@@ -88,7 +83,7 @@ def test_gradmesh_paints_a_mesh_as_inkscape_does(request, which, sample, painted
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
 def test_the_centre_of_a_pixel_is_on_the_same_surface(meshes, tmp_path, sample, painted):
-    theirs, _ = meshes[painted, 700]
+    theirs, _ = meshes[painted]
     gradmesh("render", SAMPLES / f"{sample}.svg", "--id", painted, "-o", tmp_path / "centre.png")
     levels = difference(theirs, tmp_path / "centre.png")
     # Cairo rounds down, half a level, and takes a point up to half a pixel away.
@@ -98,9 +93,8 @@ def test_the_centre_of_a_pixel_is_on_the_same_surface(meshes, tmp_path, sample, 
 
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
-@pytest.mark.parametrize("resolution", RESOLUTIONS)
-def test_blocks_show_no_seams_in_inkscape(blocks, resolution, sample, painted):
-    theirs, ours = blocks[painted, resolution]
+def test_blocks_show_no_seams_in_inkscape(blocks, sample, painted):
+    theirs, ours = blocks[painted]
     levels = difference(theirs, ours)
     if sample == "opacity":
         # The mask and the picture under it have 8 bits each: a level up or down, everywhere.

@@ -108,7 +108,11 @@ def test_the_window_tells_and_stops(run, display, tmp_path, stop, result):
     assert (stopped["words"], stopped["can stop"]) == ("Stopping: the best so far is kept …", False)
 
     (photo,) = gradmesh.loads(done.stdout).meshes
-    assert getattr(photo, what) == left
+    kept = getattr(photo, what)
     if result == "gqe":
+        # What other threads had begun is done by then, and is kept where it is better than what was told.
+        assert 0 < kept <= left
         (group,) = [e for e in ET.fromstring(done.stdout).iter() if e.get("id") == "photo"]
-        assert f", {left} of {before} patches" in group.get(LABEL)
+        assert f", {kept} of {before} patches" in group.get(LABEL)
+    else:
+        assert kept == left

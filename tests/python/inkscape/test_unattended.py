@@ -157,7 +157,8 @@ def simple(tmp_path_factory):
 REFUSALS = [
     ("simplify", ["stem"], "refused", "None of the selected objects"),
     ("merge", [], "refused", "Select two or more blocks"),
-    ("merge", ["pear"], "refused", "no block of a simplified mesh"),
+    ("merge", ["pear"], "refused", "made of blocks"),
+    ("merge", ["stem"], "refused", "no block of a simplified mesh"),
     ("refine", [], "refused", "Select one block"),
     ("refine", ["stem"], "refused", "no block of a simplified mesh"),
     ("update", ["stem"], "refused", "None of the selected objects"),

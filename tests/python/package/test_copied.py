@@ -26,6 +26,8 @@ KINDS = {
 REFERENCE = re.compile(r"url\(#([^)]+)\)")
 INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
+pytestmark = pytest.mark.once
+
 
 @pytest.fixture(scope="module", params=KINDS)
 def kind(request):

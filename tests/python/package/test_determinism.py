@@ -14,6 +14,8 @@ OPTIONS = {"resolution": 48, "seed": 5, "epsilon": 0.02}
 LARGE = ("bubble", "cap", "photo")
 PRICED = ("motorcycle", "gqe", "gqe1", "best")
 
+pytestmark = pytest.mark.once
+
 
 def simplified(sample, painted, method, threads, **more):
     """The bytes, the error, and how many merges were tried."""

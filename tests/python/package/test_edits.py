@@ -13,19 +13,25 @@ from hemesh_files import SHARED, grid
 import gradmesh
 
 FACE = "{urn:gradmesh}face"
+SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 SMALL = {"resolution": 200}
 #: A group of blocks, whatever is simplest.
 BLOCKS = {"method": "best", **SMALL}
 
 
-@pytest.fixture
-def simplified():
+@pytest.fixture(scope="module")
+def written():
     """The fruit, with few patches left. What its outline hides counts too, as it is in the pictures
     that are compared here."""
     document = gradmesh.loads((SAMPLES / "fruit.svg").read_bytes())
     gradmesh.simplify(document, epsilon=0.02, visible_only=False, **BLOCKS)
-    return document
+    return document.to_bytes()
+
+
+@pytest.fixture
+def simplified(written):
+    return gradmesh.loads(written)
 
 
 def elements(document):
@@ -94,6 +100,7 @@ def tensors(document, block):
     return ET.tostring(elements(document)[gradient]).count(b"tensor=")
 
 
+@pytest.mark.once
 def test_what_is_merged_stays_plain():
     document = gradmesh.load(SAMPLES / "fruit.svg")
     gradmesh.simplify(document, method="best", count="handles", **SMALL)
@@ -116,10 +123,11 @@ def test_what_cannot_be_merged_is_told_why(simplified):
     with pytest.raises(gradmesh.InputError) as refused:
         gradmesh.merge(simplified, [first, second], **SMALL)
     assert str(refused.value) == said
-    assert re.fullmatch(r"document: pear: these patches cannot become one, because .+\.", said)
+    assert re.fullmatch(r'document: g "pear": these patches cannot become one, because .+\.', said)
     assert simplified.to_bytes() == before
 
 
+@pytest.mark.once
 def test_blocks_of_two_meshes():
     document = gradmesh.load(SAMPLES / "two.svg")
     gradmesh.simplify(document, method="best", epsilon=0.02, resolution=100)
@@ -137,6 +145,7 @@ def look_the_same(a, b):
     return np.abs(first - second)[painted].max() <= 1 and missed < 1e-3
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("whole", [False, True])
 @pytest.mark.parametrize("direction", ["rows", "columns", "both"])
 def test_refining_a_block_changes_nothing_that_is_seen(simplified, direction, whole):
@@ -148,6 +157,7 @@ def test_refining_a_block_changes_nothing_that_is_seen(simplified, direction, wh
         assert look_the_same(before, refined)
 
 
+@pytest.mark.once
 def test_refining_here_leaves_the_other_patches_alone(simplified):
     name = list(blocks(simplified))[0]
     local, whole = (gradmesh.loads(simplified.to_bytes()) for _ in range(2))
@@ -157,6 +167,7 @@ def test_refining_here_leaves_the_other_patches_alone(simplified):
     assert across.patches_after > here.patches_after
 
 
+@pytest.mark.once
 @pytest.mark.skipif(not SHARED.exists(), reason="the authors' meshes are not here")
 @pytest.mark.parametrize("direction", ["rows", "columns"])
 def test_refining_beside_a_recoloured_junction(direction):
@@ -178,6 +189,7 @@ def test_refining_an_object(tmp_path):
     assert look_the_same(gradmesh.load(SAMPLES / "fruit.svg"), document)
 
 
+@pytest.mark.once
 def test_a_refined_mesh_merges_back(simplified):
     name = list(blocks(simplified))[0]
     patches = simplified.meshes[0].patches
@@ -189,8 +201,13 @@ def test_a_refined_mesh_merges_back(simplified):
 @pytest.mark.parametrize(
     "edit, chosen, options, words",
     [
-        (gradmesh.merge, [], {}, "no blocks are chosen"),
-        (gradmesh.merge, ["pear"], {}, "no block of a simplified mesh"),
+        (gradmesh.merge, [], {}, "no patches are chosen"),
+        (gradmesh.merge, ["pear"], {}, "made of blocks; choose one of them"),
+        (gradmesh.merge, None, {"rows": 99}, "no row 99"),
+        (gradmesh.merge, None, {"rows": (2, 1)}, "from the first to the last"),
+        (gradmesh.merge, None, {"rows": (1, 2, 3)}, "rows must be"),
+        (gradmesh.merge, "pear", {"patches": [0], "rows": 1}, "by numbers, or by rows"),
+        (gradmesh.merge, "pear", {"patches": [0, 999]}, "no patch 999"),
         (gradmesh.merge, ["gone"], {}, "no object with the id"),
         (gradmesh.refine, "pear", {}, "made of blocks; choose one of them"),
         (gradmesh.refine, None, {"place": 0}, "place of a split"),
@@ -209,16 +226,113 @@ def test_what_cannot_be_edited_is_left(simplified, edit, chosen, options, words)
     assert simplified.to_bytes() == before
 
 
-def test_hemesh_files_have_no_blocks(tmp_path):
+def test_a_part_of_a_block_becomes_one_patch(simplified):
+    """Of the block with the most patches a column or a row."""
+    name, shape = max(shapes(simplified).items(), key=lambda item: item[1][0] * item[1][1])
+    part = {"columns": 1} if shape[0] > 1 else {"rows": (1, 1)}
+    edit = gradmesh.merge(simplified, name, **part, **SMALL)
+    assert edit.patches_after == edit.patches_before - (shape[0] if shape[0] > 1 else shape[1]) + 1
+    expect_counted(edit, simplified)
+
+
+def shapes(document):
+    """How many rows and columns each block has."""
+    found = elements(document)
+    result = {}
+    for block in blocks(document):
+        gradient = found[re.search(r"url\(#([^)]*)\)", found[block].get("style")).group(1)]
+        rows = [row for row in gradient if row.tag == SVG + "meshrow"]
+        result[block] = len(rows), len(rows[0])
+    return result
+
+
+def test_rows_are_those_of_one_block(simplified):
+    before = simplified.to_bytes()
+    with pytest.raises(gradmesh.InputError, match="those of one block; choose one"):
+        gradmesh.merge(simplified, list(blocks(simplified))[:2], rows=1)
+    assert simplified.to_bytes() == before
+
+
+def test_patches_of_an_object_are_merged_by_rows_and_columns():
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    edit = gradmesh.merge(document, "pear", rows=(2, 3), columns=4, **SMALL)
+    assert edit.patches_after == 131 and edit.objects > 1
+    expect_counted(edit, document)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_hemesh_file_is_refined_recoloured_and_merged(seed):
+    """Random edits of single patches and points; the file can be read, and what was one is one again."""
+    random = np.random.default_rng(seed)
     document = gradmesh.loads(grid(2, 2), "grid.hemesh")
-    for edit in (lambda: gradmesh.merge(document, ["a"]), lambda: gradmesh.refine(document, "mesh")):
-        with pytest.raises(gradmesh.InputError, match="SVG documents only"):
-            edit()
+
+    def some(what):
+        return int(random.integers(gradmesh.info(document)["meshes"][0][what]))
+
+    edits = [
+        lambda: gradmesh.refine(document, patches=[some("patches")], **SMALL),
+        lambda: gradmesh.recolor(document, some("points"), "#00f", **SMALL),
+        lambda: gradmesh.join_colors(document, some("points"), **SMALL),
+    ]
+    for which in random.integers(len(edits), size=8):
+        edit = edits[which]()
+        expect_counted(edit, document)
+        read = gradmesh.loads(document.to_bytes(), "grid.hemesh")
+        assert read.to_bytes() == document.to_bytes()
+        assert np.array_equal(gradmesh.render(read, **SMALL), gradmesh.render(document, **SMALL))
+    with_junctions = document.to_bytes()
+    if document.meshes[0].patches > 4:
+        (edit,) = gradmesh.to_one_mesh(document, **SMALL)
+        assert edit.error < 0.01 and gradmesh.info(document)["meshes"][0]["t_junctions"] == 0
+        assert document.to_bytes() != with_junctions
 
 
-SVG = "{http://www.w3.org/2000/svg}"
+def sharp_points(document):
+    """How many points have patches with several colours around them."""
+    (mesh,) = gradmesh.info(document)["meshes"]
+    colors = {}
+    for h in mesh["elements"]["halfedges"]:
+        if h["face"] is not None:
+            colors.setdefault(h["origin"], set()).add(tuple(round(255 * c) for c in h["color"]))
+    return sum(len(found) > 1 for found in colors.values())
 
 
+def test_sharp_colors_of_a_mesh_gradient_are_written_as_blocks_and_read_back():
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    edit = gradmesh.recolor(document, 60, "#102030", patches=[43, 44], **SMALL)
+    assert edit.objects > 1 and document.meshes[0].simplified and sharp_points(document) == 1
+    read = gradmesh.loads(document.to_bytes())
+    assert gradmesh.info(read)["meshes"][0]["elements"] == gradmesh.info(document)["meshes"][0]["elements"]
+    assert np.array_equal(gradmesh.render(read, **SMALL), gradmesh.render(document, **SMALL))
+    with pytest.raises(gradmesh.InputError, match="several colours at one point"):
+        gradmesh.to_one_mesh(read)
+
+
+def test_a_recoloured_mesh_is_the_original_of_later_runs(simplified):
+    assert gradmesh.info(simplified)["meshes"][0]["remembers"]
+    edit = gradmesh.recolor(simplified, 20, "#000", **SMALL)
+    assert edit.error > 0.02 and not gradmesh.info(simplified)["meshes"][0]["remembers"]
+    black = gradmesh.render(simplified, **SMALL)
+    (result,) = gradmesh.simplify(simplified, epsilon=0.01, **BLOCKS)
+    assert result.error <= 0.01
+    assert gradmesh.compare(black, gradmesh.render(simplified, **SMALL)) < 0.02
+
+
+def test_one_color_for_all_patches_leaves_one_mesh_gradient():
+    document = gradmesh.load(SAMPLES / "fruit.svg")
+    edit = gradmesh.recolor(document, 60, "#102030", **SMALL)
+    assert edit.objects == 1 and not document.meshes[0].simplified and sharp_points(document) == 0
+    assert document.to_bytes().count(b"#102030") == 1
+
+
+@pytest.mark.parametrize("color", ["taste", "", "#12", "rgba(1, 2, 3, 1)"])
+def test_what_is_no_color_is_a_value_error(color):
+    document = gradmesh.loads(grid(2, 2), "grid.hemesh")
+    with pytest.raises(ValueError, match="is no colour"):
+        gradmesh.recolor(document, 0, color)
+
+
+@pytest.mark.once
 @pytest.mark.parametrize("sample", ["fruit", "transformed", "stroke", "two", "face", "opacity"])
 def test_one_mesh_again(sample):
     """Simplified and made one mesh: an ordinary object, that looks like the simplified one."""
@@ -280,6 +394,7 @@ def test_a_mesh_that_is_not_simplified_is_none_of_its_business():
         gradmesh.to_one_mesh(document)
 
 
+@pytest.mark.once
 def test_a_fill_and_a_stroke_of_blocks_are_left_as_they_are():
     fruit = (SAMPLES / "fruit.svg").read_text()
     gradient = re.search(r"<meshgradient.*?</meshgradient>", fruit, re.S).group(0)
@@ -294,6 +409,7 @@ def test_a_fill_and_a_stroke_of_blocks_are_left_as_they_are():
     assert document.to_bytes() == before
 
 
+@pytest.mark.once
 def test_what_was_forgotten_stays_forgotten():
     document = gradmesh.load(SAMPLES / "fruit.svg")
     gradmesh.simplify(document, epsilon=0.02, remember_original=False, **BLOCKS)

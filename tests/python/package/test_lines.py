@@ -12,7 +12,10 @@ from program import error, meshes, printed, refused, simplified as reported
 import gradmesh
 
 EPSILON = 0.02
+SMALL = ("--resolution", 300)
 VASE = SAMPLES / "smooth.svg"
+
+pytestmark = pytest.mark.once
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +25,7 @@ def simplified(tmp_path_factory):
     files, told = {}, {}
     for sample in ("fruit", "smooth", "transformed"):
         files[sample] = folder / f"{sample}.svg"
-        options = ("--method", "lines", "--whole-mesh", "--epsilon", EPSILON)
+        options = ("--method", "lines", "--whole-mesh", "--epsilon", EPSILON, *SMALL)
         found = reported(SAMPLES / f"{sample}.svg", files[sample], *options)
         told |= {mesh["id"]: mesh for mesh in found}
     return files, told
@@ -32,7 +35,7 @@ def test_from_python_as_from_the_command_line(simplified):
     files, told = simplified
     document = gradmesh.load(SAMPLES / "fruit.svg")
     assert [mesh.smooth for mesh in document.meshes] == [False]
-    (result,) = gradmesh.simplify(document, method="lines", epsilon=EPSILON, visible_only=False)
+    (result,) = gradmesh.simplify(document, method="lines", epsilon=EPSILON, resolution=300, visible_only=False)
     assert (result.method, result.error) == ("lines", told["pear"]["error"])
     assert document.to_bytes() == files["fruit"].read_bytes()
     (mesh,) = document.meshes
@@ -41,7 +44,7 @@ def test_from_python_as_from_the_command_line(simplified):
 
 def test_again_it_starts_from_what_is_there(simplified, tmp_path):
     out = tmp_path / "out.svg"
-    printed("simplify", simplified[0]["fruit"], "-o", out, "--method", "lines", "--epsilon", EPSILON)
+    printed("simplify", simplified[0]["fruit"], "-o", out, "--method", "lines", "--epsilon", EPSILON, *SMALL)
     (pear,) = gradmesh.load(out).meshes
     assert pear.patches <= simplified[1]["pear"]["patches_after"]
 
@@ -58,7 +61,7 @@ def test_a_group_of_blocks_that_is_one_rectangle_stays_a_group(tmp_path):
 
 def test_a_mesh_with_T_junctions_is_refused(tmp_path):
     group, out = tmp_path / "group.svg", tmp_path / "out.svg"
-    printed("simplify", SAMPLES / "fruit.svg", "-o", group, "--method", "best")
+    printed("simplify", SAMPLES / "fruit.svg", "-o", group, "--method", "best", "--resolution", 100)
     said = refused("simplify", group, "-o", out, "--method", "lines")
     assert str(group) in said and "pear" in said and "one rectangle of patches" in said
     assert not out.exists()
@@ -70,7 +73,7 @@ def test_a_mesh_with_T_junctions_is_refused(tmp_path):
 def test_a_smooth_mesh_loses_lines_whatever_method_is_asked_for(tmp_path, simplified):
     out = tmp_path / "out.svg"
     for method in ("gqe", "motorcycle", "random"):
-        (told,) = reported(VASE, out, "--method", method, "--epsilon", EPSILON)
+        (told,) = reported(VASE, out, "--method", method, "--epsilon", EPSILON, *SMALL)
         assert told["method"] == "lines"
         assert out.read_bytes() == simplified[0]["smooth"].read_bytes()
 
@@ -135,8 +138,8 @@ def test_what_the_outline_hides_need_not_count_for_a_smooth_mesh_either():
     text = VASE.read_text()
     corner = re.sub(r'(<path id="vase" d=")[^"]*"', r'\1M 40,480 H 200 V 600 H 40 Z"', text)
     assert corner != text
-    (all_counts,) = gradmesh.simplify(gradmesh.loads(text), epsilon=0.01, visible_only=True)
-    (little,) = gradmesh.simplify(gradmesh.loads(corner), epsilon=0.01, visible_only=True)
+    (all_counts,) = gradmesh.simplify(gradmesh.loads(text), epsilon=0.01, resolution=300, visible_only=True)
+    (little,) = gradmesh.simplify(gradmesh.loads(corner), epsilon=0.01, resolution=300, visible_only=True)
     assert little.handles_after < all_counts.handles_after < 482
 
 

@@ -19,6 +19,8 @@ EPSILON = 0.01
 ROUNDING = 5e-5  # of what is remembered
 FRUIT = SAMPLES / "fruit.svg"
 
+pytestmark = pytest.mark.once
+
 
 def run_again(path, method="grid", **options):
     document = gradmesh.load(path)

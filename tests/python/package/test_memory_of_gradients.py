@@ -20,6 +20,8 @@ FRUIT = SAMPLES / "fruit.svg"
 WHOLE = {"resolution": 300, "epsilon": EPSILON, "visible_only": False}
 KOTUKU = ROOT.parent / "shared" / "real" / "kotuku-meshgradient.svg"
 
+pytestmark = pytest.mark.once
+
 
 def simplify(path, out, **options):
     document = gradmesh.load(path)

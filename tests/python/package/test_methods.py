@@ -15,7 +15,7 @@ METHODS = ("random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best", "
 
 def simplified(**options):
     document = gradmesh.load(FRUIT)
-    (result,) = gradmesh.simplify(document, resolution=200, **options)
+    (result,) = gradmesh.simplify(document, **{"resolution": 100, **options})
     return result, document.to_bytes()
 
 
@@ -31,7 +31,7 @@ FROM_BOTH_SIDES = [
 def test_every_option_from_both_sides(tmp_path, options):
     out, report = tmp_path / "out.svg", tmp_path / "report.json"
     flags = [text for name, value in options.items() for text in (f"--{name}", value)]
-    done = run("simplify", FRUIT, "-o", out, "--resolution", 200, "--report", report, *flags)
+    done = run("simplify", FRUIT, "-o", out, "--resolution", 100, "--report", report, *flags)
     assert (done.returncode, done.stderr) == (0, "")
     (told,) = json.loads(report.read_text())["meshes"]
     assert {name: told[name] for name in options if name != "amount"} == options or "amount" in options
@@ -43,6 +43,7 @@ def test_every_option_from_both_sides(tmp_path, options):
     assert {**result.run, "seconds": 0} == {**told, "changed": True, "refused": None, "seconds": 0}
 
 
+@pytest.mark.once
 @pytest.mark.parametrize(
     "method, name, values", [("random", "seed", (1, 2)), ("gqe", "omega", (0, 1)), ("motorcycle", "kappa", (0, 20))]
 )
@@ -51,9 +52,10 @@ def test_settings_reach_the_methods(method, name, values):
     assert made[0] != made[1]
 
 
+@pytest.mark.once
 def test_by_default_one_object_with_few_handles_is_left(tmp_path):
     out, report = tmp_path / "out.svg", tmp_path / "report.json"
-    options = ["--resolution", 200, "--report", report]
+    options = ["--resolution", 100, "--report", report]
     assert run("simplify", FRUIT, "-o", out, *options).returncode == 0
     (told,) = json.loads(report.read_text())["meshes"]
     assert (told["method"], told["objects"]) == ("plain", 1)
@@ -64,6 +66,7 @@ def test_by_default_one_object_with_few_handles_is_left(tmp_path):
     assert [data for _, data in results] == 3 * [out.read_bytes()]
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("options", [{"patches": 60}, {"ratio": 0.5, "count": "patches"}, {"count": "patches"}])
 def test_where_patches_are_counted_best_is_the_default(options):
     (result, data), best = simplified(**options), simplified(method="best", **options)
@@ -71,6 +74,7 @@ def test_where_patches_are_counted_best_is_the_default(options):
     assert result.patches_after <= options.get("patches", 66)
 
 
+@pytest.mark.once
 @pytest.mark.parametrize("target, most", [({"handles": 120}, 120), ({"ratio": 0.5}, 330), ({"handles": 30}, 30)])
 def test_of_svg_handles_are_counted(target, most):
     (result, data), plain = simplified(**target), simplified(method="plain", **target)
@@ -79,6 +83,7 @@ def test_of_svg_handles_are_counted(target, most):
     assert most / 2 <= result.handles_after <= most
 
 
+@pytest.mark.once
 def test_a_named_method_counts_patches_unless_told():
     best = simplified(method="best", ratio=0.5)[0]
     assert best.patches_after <= 66 and best.handles_after > 330
@@ -86,10 +91,11 @@ def test_a_named_method_counts_patches_unless_told():
     assert simplified(method="plain", ratio=0.5, count="patches")[0].patches_after <= 66
 
 
+@pytest.mark.once
 def test_of_hemesh_files_patches_are_counted():
     def left(**target):
         document = gradmesh.loads(grid(4, 5), "leaf.hemesh")
-        (result,) = gradmesh.simplify(document, resolution=200, **target)
+        (result,) = gradmesh.simplify(document, resolution=100, **target)
         return result
 
     assert left(ratio=0.2).patches_after <= 4
@@ -144,18 +150,20 @@ def test_the_options_are_listed_with_their_defaults():
     assert options["method"]["names"] == ["simplest", *METHODS[:7], "lines", "plain", "manual"]
 
 
+@pytest.mark.once
 def test_best_is_the_default_of_hemesh_files():
     left = []
     for method in ({}, {"method": "simplest"}, {"method": "best"}):
         document = gradmesh.loads(grid(4, 5), "leaf.hemesh")
-        (result,) = gradmesh.simplify(document, resolution=200, **method)
+        (result,) = gradmesh.simplify(document, resolution=100, **method)
         assert result.method == "best" and result.patches_after < result.patches_before
         left.append(document.to_bytes())
     assert left[0] == left[1] == left[2]
 
 
+@pytest.mark.once
 def test_best_is_the_default_of_blocks():
-    group = simplified(method="best")[1]
+    group = simplified(method="best", resolution=200)[1]
     for method in ({}, {"method": "best"}):
         document = gradmesh.loads(group)
         (result,) = gradmesh.simplify(document, resolution=200, epsilon=0.02, **method)
@@ -198,9 +206,9 @@ def test_named_edges_are_merged_after_a_look_at_their_error(tmp_path):
 
 def test_a_preview_says_what_a_run_does(tmp_path):
     document = gradmesh.load(FRUIT)
-    (told,) = gradmesh.simplify(document, resolution=200, preview=True)
+    (told,) = gradmesh.simplify(document, resolution=100, preview=True)
     assert document.to_bytes() == FRUIT.read_bytes() and not document.meshes[0].simplified
-    (done,) = gradmesh.simplify(document, resolution=200)
+    (done,) = gradmesh.simplify(document, resolution=100)
     assert (told.patches_after, told.error) == (done.patches_after, done.error)
     both = run("simplify", FRUIT, "--preview", "-o", tmp_path / "out.svg")
     neither = run("simplify", FRUIT)

@@ -57,6 +57,28 @@ def test_simplify_changes_the_document(fruit, tmp_path):
     assert gradmesh.load(tmp_path / "out.svg").meshes == [mesh]
 
 
+def test_labels_are_written_as_the_caller_translates_them():
+    document = gradmesh.loads(FRUIT.read_bytes(), translate=str.upper)
+    gradmesh.simplify(document, method="grid", resolution=64)
+    assert re.search(r'label="GRADIENT MESH: \d+ OF 660 HANDLES', document.to_bytes().decode())
+
+
+def test_update_finds_a_simplified_mesh_as_it_was_left(fruit):
+    (result,) = gradmesh.simplify(fruit, method="grid", resolution=64)
+    (found,) = gradmesh.update(fruit)
+    assert (found.id, found.handles, found.patches) == ("pear", result.handles_after, result.patches_after)
+    assert not found.changed
+
+
+def test_another_document_may_have_the_original(fruit):
+    options = {"method": "grid", "resolution": 64}
+    gradmesh.simplify(fruit, epsilon=0.02, remember_original=False, **options)
+    options.update(epsilon=0, preview=True)
+    (alone,) = gradmesh.simplify(fruit, **options)
+    (against,) = gradmesh.simplify(fruit, original=gradmesh.load(FRUIT), **options)
+    assert alone.error == 0 < against.error <= 0.02
+
+
 def test_the_error_of_small_parts_can_be_bounded(fruit):
     (free,) = gradmesh.simplify(fruit, resolution=200, preview=True)
     bound = free.local_error / 2

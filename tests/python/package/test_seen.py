@@ -14,6 +14,8 @@ import gradmesh
 BALANCED = {"epsilon": 0.01, "max_local_error": 0.1}
 BACKGROUND = Fan(turns=1.25, clear=(2, 3, 4))
 
+pytestmark = pytest.mark.once
+
 
 def simplified(text, **options):
     document = gradmesh.loads(text)

@@ -20,6 +20,8 @@ Image = pytest.importorskip("PIL.Image")
 #: Points of a line of 15 patches, and where they are.
 EDGES = range(0, 46, 3), [10 + 5 * ((i + 1) // 2) for i in range(16)]
 
+pytestmark = pytest.mark.once
+
 
 def published(text, **options):
     """What is told of the meshes, the images, and the bytes of the copy."""

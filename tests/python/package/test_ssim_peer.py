@@ -10,6 +10,8 @@ gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not t
 
 REACH = 5  # of the 11 x 11 window
 
+pytestmark = pytest.mark.once
+
 
 def peers_error(a, b):
     """1 - SSIM by scikit-image with the constants of Wang et al. 2004, which are ours.

@@ -30,6 +30,7 @@ RANK = {
     "draw": 11,
     "simplify": 11,
     "report": 12,
+    "session": 12,
     "app": 13,
     "service": 14,
     "bindings": 15,

@@ -81,7 +81,12 @@ def test_a_translation_has_the_places_of_its_message():
 @pytest.mark.parametrize(
     "document, item, options, said",
     [
-        ("fruit", "merge", [], 'path "pear": das ist kein Block eines vereinfachten Gitters.'),
+        (
+            "fruit",
+            "merge",
+            [],
+            'path "pear": bitte Zeilen und Spalten davon oder Blöcke auswählen, nicht das ganze Gitter.',
+        ),
         ("fruit", "refine", ["--row=99"], '"pear": es gibt keine Zeile 99, nur 11 Zeilen.'),
         (
             "ragged rows",
@@ -153,13 +158,13 @@ def test_why_blocks_cannot_be_merged_is_german_throughout(run, tmp_path):
         try:
             gradmesh.merge(gradmesh.load(file), pair, resolution=100)
         except gradmesh.InputError as error:
-            template, (_name, _id, reason) = error.message
+            _template, (_mesh, (_sentence, (reason,))) = error.message
             reasons.setdefault(reason[0], pair)
     assert len(reasons) == 2
     for pair in reasons.values():
         said = refused(run(file, *(f"--id={block}" for block in pair), item="merge", **GERMAN))
         assert re.fullmatch(
-            "apple.svg: pear: diese Felder können nicht eines werden, "
+            'apple.svg: g "pear": diese Felder können nicht eines werden, '
             "(weil sie einander nicht an einer ganzen Seite berühren"
             "|wegen einer Kante zwischen ihnen: (sie|ein|eine|ihre) [^.]*)[.]\n",
             said,

@@ -1,7 +1,6 @@
 #include "formats/svg/group/memory.h"
 
 #include <algorithm>
-#include <map>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -81,20 +80,11 @@ std::optional<PackedMesh> unpacked(std::string_view memory) {
   return whole.substr(mesh.size()) == check_of(mesh) ? unpack(mesh) : std::nullopt;
 }
 
-bool has_one_color_at_each_point(const Mesh& mesh) {
-  std::map<Point, glm::dvec4> colors;
-  for (const Halfedge h : mesh.halfedges())
-    if (mesh.is_leaf(h) &&
-        colors.emplace(mesh.origin(h), mesh[h].color).first->second != mesh[h].color)
-      return false;
-  return true;
-}
-
 /// Returns the blocks of a mesh; one without a search if it is a grid in the order of its faces.
 std::vector<Rectangle> blocks_of(const Mesh& mesh, const std::vector<Overlap>& overlaps) {
   const auto grid = find_grid(mesh);
   const auto face = [&](Halfedge top) { return mesh.face(top); };
-  if (grid && std::ranges::is_sorted(grid->tops, {}, face) && has_one_color_at_each_point(mesh))
+  if (grid && std::ranges::is_sorted(grid->tops, {}, face) && has_one_color_at_each_point(mesh, 0))
     return {*grid};
   return block_form(mesh, 0, overlaps).blocks;
 }

@@ -220,9 +220,9 @@ std::vector<std::size_t> objects_shown(const SvgTree& tree,
 Message describe(const MeshObject& object) { return describe(object.node); }
 void fail(const MeshObject& object, const Message& reason) { fail(object.node, reason); }
 
-Affine to_document(const MeshObject& object) {
+Affine to_document(const xmlNode* element) {
   Affine product;
-  for (const xmlNode* node = object.node; node; node = parent_element(node))
+  for (const xmlNode* node = element; node; node = parent_element(node))
     if (const auto text = attribute(node, "transform")) {
       const auto transform = parse_transform(*text);
       if (!transform) fail(node, Message("its transform {0} is malformed", excerpt(*text)));
@@ -230,6 +230,8 @@ Affine to_document(const MeshObject& object) {
     }
   return product;
 }
+
+Affine to_document(const MeshObject& object) { return to_document(object.node); }
 
 Affine to_page(const SvgTree& tree, const MeshObject& object) {
   return to_pixels(tree.root()) * to_document(object);

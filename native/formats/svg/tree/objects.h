@@ -89,6 +89,8 @@ xmlNode* opacity_mask(const SvgTree& tree, const xmlNode* group);
 /// `transform` attributes of the element and of all around it; viewBox and nested viewports do not
 /// count. Throws InputError at a malformed transform.
 Affine to_document(const MeshObject& object);
+/// Returns the same map of any element.
+Affine to_document(const xmlNode* element);
 /// Returns the map from the object's user space to pixels of the document in its own size. Throws
 /// as to_document does.
 Affine to_page(const SvgTree& tree, const MeshObject& object);

@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/values/shape.h"
 #include "formats/svg/values/transform.h"
 #include "formats/svg/xml/node.h"
+#include "formats/text/excerpt.h"
 #include "formats/text/scanner.h"
 
 namespace gradmesh {
@@ -22,6 +24,12 @@ std::optional<Affine> placed(const xmlNode* node) {
   return text ? parse_transform(*text) : Affine();
 }
 
+/// Returns by which rule a shape is filled, or clips; property: "fill-rule" or "clip-rule".
+FillRule fill_rule(const SvgTree& tree, const xmlNode* shape, const char* property) {
+  return tree.styles().inherited(shape, property) == "evenodd" ? FillRule::evenodd
+                                                               : FillRule::nonzero;
+}
+
 class VisibleFinder {
  public:
   VisibleFinder(const SvgTree& tree, const MeshObject& object) : tree_(tree), object_(object) {}
@@ -29,7 +37,7 @@ class VisibleFinder {
   VisibleArea run() {
     if (object_.gradient && object_.role == PaintRole::fill)
       if (auto outline = shape_outline(object_.node))
-        area_.sets.push_back({{*std::move(outline), rule(object_.node, "fill-rule")}});
+        area_.sets.push_back({{*std::move(outline), fill_rule(tree_, object_.node, "fill-rule")}});
     Affine to_object;
     for (const xmlNode* node = object_.node; node && stays_in_place(node);
          node = parent_element(node)) {
@@ -43,11 +51,6 @@ class VisibleFinder {
   }
 
  private:
-  FillRule rule(const xmlNode* shape, const char* property) const {
-    return tree_.styles().inherited(shape, property) == "evenodd" ? FillRule::evenodd
-                                                                  : FillRule::nonzero;
-  }
-
   /// Returns true if the surroundings of the element are painted where they stand in the document.
   bool stays_in_place(const xmlNode* node) const {
     const std::string_view name = svg_name(node);
@@ -98,9 +101,8 @@ class VisibleFinder {
     if (!clips && styles.inherited(node, "stroke").value_or("none") != "none") return false;
     auto outline = shape_outline(node);
     if (!outline) return false;
-    for (std::vector<glm::dvec2>& polygon : *outline)
-      for (glm::dvec2& p : polygon) p = to_object.point(p);
-    shapes.push_back({*std::move(outline), rule(node, rule_property)});
+    shapes.push_back(
+        {mapped(*std::move(outline), to_object), fill_rule(tree_, node, rule_property)});
     return true;
   }
 
@@ -115,6 +117,29 @@ std::optional<VisibleArea> visible_area(const SvgTree& tree, const MeshObject& o
   VisibleArea area = VisibleFinder(tree, object).run();
   if (area.sets.empty()) return std::nullopt;
   return area;
+}
+
+namespace {
+
+void add_shapes(const SvgTree& tree, const xmlNode* node, Shapes& shapes) {
+  if (auto outline = shape_outline(node)) {
+    shapes.push_back(
+        {mapped(*std::move(outline), to_document(node)), fill_rule(tree, node, "fill-rule")});
+  }
+  for (const xmlNode* child : child_elements(node)) add_shapes(tree, child, shapes);
+}
+
+}  // namespace
+
+std::vector<FilledOutline> covered_area(const SvgTree& tree, const std::string& id) {
+  const xmlNode* const node = tree.find(id);
+  if (!node) throw InputError("{0}: there is no object with the id {1}.", tree.name(), excerpt(id));
+  Shapes shapes;
+  add_shapes(tree, node, shapes);
+  if (shapes.empty())
+    throw InputError("{0}: {1} is no shape, so it covers nothing that could be protected.",
+                     tree.name(), excerpt(id));
+  return shapes;
 }
 
 bool fills_shape(const MeshObject& object) {

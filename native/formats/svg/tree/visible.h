@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/svg_tree.h"
@@ -15,6 +17,11 @@ namespace gradmesh {
 /// used elsewhere too. Returns nothing if no limit of the area is known. Throws InputError at
 /// geometry that cannot be read.
 std::optional<VisibleArea> visible_area(const SvgTree& tree, const MeshObject& object);
+
+/// Returns what the shape with that id covers, or all shapes in the group with that id, in the user
+/// space of the outermost <svg>, whatever their fill. Throws InputError if there is no such
+/// element, or no shape with an outline in it.
+std::vector<FilledOutline> covered_area(const SvgTree& tree, const std::string& id);
 
 /// Returns true if the object is a shape with a known outline that one mesh gradient fills, so that
 /// its own shape limits what is seen.

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/document.h"
+
+namespace gradmesh {
+
+/// Paints a mesh in its own frame, as Document::render does in software, with its curves over it.
+Image picture_with_lines(const Document& document, const MeshEntry& entry, int resolution);
+
+}  // namespace gradmesh

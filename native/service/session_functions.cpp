@@ -1,0 +1,320 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "app/curves.h"
+#include "app/editing.h"
+#include "draw/heat_scale.h"
+#include "geom/box.h"
+#include "service/functions.h"
+#include "service/one_mesh.h"
+#include "service/options.h"
+#include "service/results.h"
+#include "session/picture.h"
+
+namespace gradmesh {
+namespace {
+
+Editing& editing(const Call& call) {
+  const auto id = call.get<std::string>("id");
+  const auto found = call.sessions().find(id);
+  if (found == call.sessions().end())
+    throw std::invalid_argument("there is no session over '" + id + "'.");
+  return *found->second;
+}
+
+Session& session(const Call& call) { return editing(call).session; }
+
+CurveKind kind_named(const std::string& wanted) {
+  for (const CurveKind kind : {CurveKind::one_gradient, CurveKind::blocks})
+    if (wanted == name(kind)) return kind;
+  throw std::invalid_argument("a mesh is one gradient or blocks, not '" + wanted + "'.");
+}
+
+/// Returns the map from mesh units to the pixels of a picture, which shows the place (x, y) of what
+/// a person sees in its middle.
+Affine to_pixels(const Call& call) {
+  const double scale = call.get<double>("scale");
+  const glm::dvec2 middle(call.get<double>("x"), call.get<double>("y"));
+  const glm::dvec2 half = glm::dvec2(call.get<int>("width"), call.get<int>("height")) / 2.0;
+  if (!(scale > 0) || !std::isfinite(scale)) throw std::invalid_argument("a scale is above 0.");
+  return Affine::translation(half) * Affine::scaling(glm::dvec2(scale)) *
+         Affine::translation(-middle) * editing(call).view;
+}
+
+/// Returns the patch of that number; an invalid one where there is none.
+Face face_of(int number, const Mesh& mesh) {
+  const bool is_there = number >= 0 && std::size_t(number) < mesh.face_slots();
+  return is_there && mesh[Face{number}].alive ? Face{number} : Face{};
+}
+
+std::vector<Face> faces(const Call& call, const std::string& name, const Mesh& mesh) {
+  std::vector<Face> faces;
+  for (const int number : call.get<std::vector<int>>(name, {}))
+    if (const Face face = face_of(number, mesh); face.valid()) faces.push_back(face);
+  return faces;
+}
+
+/// Returns the places of a closed line, whose argument is x, y, x, y, ... in pixels.
+std::vector<glm::dvec2> lasso(const Call& call) {
+  const std::vector<double> numbers = call.get<std::vector<double>>("lasso", {});
+  std::vector<glm::dvec2> places;
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+    places.emplace_back(numbers[i], numbers[i + 1]);
+  return places;
+}
+
+Json numbers(const std::vector<Face>& faces) {
+  Json list = Json::array();
+  for (const Face face : faces) list.push_back(face.value);
+  return list;
+}
+
+Json counts_json(const Candidate& shown, int objects) {
+  const MeshCounts counts = shown.counts();
+  return {{"handles", counts.handles},
+          {"patches", counts.patches},
+          {"objects", objects},
+          {"error", shown.error},
+          {"local_error", shown.local_error}};
+}
+
+Json curves_json(const Editing& editing) {
+  const Session& session = editing.session;
+  Json all = Json::object();
+  for (const CurveKind kind : session.kinds()) {
+    const auto found = session.curves().found(kind);
+    Json& json = all[name(kind)] = found ? Json(curve_json(kind, found->curve)) : Json::object();
+    if (found && !found->curve.states.empty())
+      json["states"].front()["objects"] = editing.objects_before;
+    json["wanted"] = found.has_value();
+    json["complete"] = found && found->is_complete;
+    json["failure"] = found && found->failure ? message_json(*found->failure) : Json();
+  }
+  return all;
+}
+
+Json status_json(const Editing& editing) {
+  const Session& session = editing.session;
+  Json json = counts_json(session.now(), editing.objects());
+  json["before"] = counts_json(session.start(), editing.objects_before);
+  json["form"] = name(session.form());
+  json["state"] = session.state();
+  json["unchanged"] = session.is_unchanged();
+  json["can_undo"] = session.can_undo();
+  json["can_redo"] = session.can_redo();
+  json["protected"] = numbers(session.protected_faces());
+  return json;
+}
+
+/// Returns colours of a scale with the errors that they mean, from the lowest on.
+Json scale_json(const HeatScale& scale) {
+  constexpr int steps = 3;
+  Json json = Json::array();
+  for (int i = 0; i <= steps; ++i) {
+    const double position = double(i) / steps;
+    json.push_back({{"error", scale.error_at(position)}, {"color", HeatScale::color_at(position)}});
+  }
+  return json;
+}
+
+Json region_json(const RegionPrice& region) {
+  // Rows and columns have a meaning only where no T-junction is inside.
+  const bool is_grid = region.size() == region.region.size();
+  return {{"patches", numbers(region.patches)},
+          {"rows", is_grid ? Json(region.region.rows) : Json()},
+          {"columns", is_grid ? Json(region.region.columns) : Json()},
+          {"error", region.error}};
+}
+
+Json prices_json(const Analysis& analysis) {
+  const auto is_known = [](const CurvePrice& price) { return std::isfinite(price.error); };
+  const bool has_scale = std::ranges::any_of(analysis.prices, is_known);
+  return {{"scale", has_scale ? scale_json(scale_of(analysis.prices)) : Json::array()}};
+}
+
+Json parts_json(const Analysis& analysis) {
+  return {{"parts", analysis.parts.parts.size()}, {"limit", analysis.limit}};
+}
+
+Json regions_json(const Analysis& analysis, const Call& call, const Mesh& mesh) {
+  Json json{{"regions", 0}, {"region", nullptr}};
+  const Face patch = face_of(call.get("patch", -1), mesh);
+  if (!patch.valid()) return json;
+  const std::vector<RegionPrice> regions = largest_regions(analysis, patch);
+  const int number = call.get("region", 0);
+  json["regions"] = regions.size();
+  if (number >= 0 && std::size_t(number) < regions.size())
+    json["region"] = region_json(regions[std::size_t(number)]);
+  return json;
+}
+
+/// Does what needs no arguments, and returns how the session is then.
+Json done(const Call& call, void (Session::*edit)()) {
+  (session(call).*edit)();
+  return status_json(editing(call));
+}
+
+}  // namespace
+
+Json open_session(const Call& call) {
+  const Document& document = call.document();
+  const MeshEntry entry = one_mesh(document, call);
+  auto opened = edit_by_eye(document, entry, run_options(call));
+  Box box;
+  const Mesh& mesh = opened->session.start().surface();
+  for (const Halfedge curve : mesh.curves())
+    for (const glm::dvec2 point : points_along(mesh.curve_of(curve), opened->view)) box.add(point);
+  Json json = status_json(*opened);
+  json["id"] = entry.id;
+  json["box"] = Json::array({box.low().x, box.low().y, box.high().x, box.high().y});
+  call.sessions()[entry.id] = std::move(opened);
+  return json;
+}
+
+Json close_session(const Call& call) {
+  call.sessions().erase(call.get<std::string>("id"));
+  return nullptr;
+}
+
+Json session_status(const Call& call) {
+  Session& s = session(call);
+  if (call.get("wait", false)) s.curves().wait();
+  Json json = status_json(editing(call));
+  json["curves"] = curves_json(editing(call));
+  return json;
+}
+
+Json show_state(const Call& call) {
+  Session& s = session(call);
+  const CurveKind kind = kind_named(call.get<std::string>("kind"));
+  // Whoever asks for no state wants the curve.
+  const int state = call.get("state", -1);
+  if (state < 0)
+    s.curves().want(kind);
+  else
+    s.show(kind, state, call.get("moving", false));
+  return status_json(editing(call));
+}
+
+Json set_session_form(const Call& call) {
+  Session& s = session(call);
+  s.set_form(kind_named(call.get<std::string>("form")));
+  return status_json(editing(call));
+}
+
+Json point_at(const Call& call) {
+  Session& s = session(call);
+  s.set_fits(call.get("fits", true));
+  s.forget_proposal();
+  const glm::dvec2 place(call.get<double>("pixel_x"), call.get<double>("pixel_y"));
+  const HandEdit edit = hand_edit_named(call.get<std::string>("edit"));
+  const auto pointed =
+      pointed_at(s.now().mesh, to_pixels(call), place, call.get<double>("reach", 8.0));
+  if (!pointed) return nullptr;
+  if (edit == HandEdit::merge && !pointed->edge.valid()) return {{"face", pointed->face.value}};
+  try {
+    const Session::Proposal* const proposal = s.propose(pointed, edit);
+    Json json = counts_json(proposal->written, proposal->written.form.object_count());
+    json["face"] = pointed->face.value;
+    return json;
+  } catch (const InputError& why_not) {
+    return {{"face", pointed->face.value}, {"why_not", message_json(why_not.message())}};
+  }
+}
+
+Json make_edit(const Call& call) {
+  Session& s = session(call);
+  s.make();
+  return status_json(editing(call));
+}
+
+Json merge_marked(const Call& call) {
+  Session& s = session(call);
+  s.set_fits(call.get("fits", true));
+  s.merge(faces(call, "patches", s.now().mesh));
+  return status_json(editing(call));
+}
+
+Json protect_marked(const Call& call) {
+  Session& s = session(call);
+  const std::vector<Face> patches = faces(call, "patches", s.now().mesh);
+  if (call.get("others", false))
+    s.protect_others(patches);
+  else
+    s.protect(patches, call.get("protect", true));
+  return status_json(editing(call));
+}
+
+Json fit_session(const Call& call) { return done(call, &Session::fit); }
+Json undo_edit(const Call& call) { return done(call, &Session::undo); }
+Json redo_edit(const Call& call) { return done(call, &Session::redo); }
+
+Json find_patches(const Call& call) {
+  const auto patches_in = call.get("touched", false) ? faces_touched : faces_covered;
+  return numbers(patches_in(session(call).now().mesh, to_pixels(call), lasso(call)));
+}
+
+Json find_out(const Call& call) {
+  Session& s = session(call);
+  s.set_fits(call.get("fits", true));
+  const AnalysisKind kind = analysis_named(call.get<std::string>("kind"));
+  s.analyses().want(kind);
+  if (call.get("wait", false)) s.analyses().wait();
+  const std::shared_ptr<const Analysis> found = s.analysis(kind);
+  Json json{{"complete", found != nullptr},
+            {"failure", found && found->failure ? message_json(*found->failure) : Json()}};
+  if (!found) return json;
+  if (kind == AnalysisKind::prices) json.update(prices_json(*found));
+  if (kind == AnalysisKind::parts) json.update(parts_json(*found));
+  if (kind == AnalysisKind::regions) json.update(regions_json(*found, call, s.now().mesh));
+  return json;
+}
+
+Json worst_places(const Call& call) {
+  const Editing& e = editing(call);
+  Json list = Json::array();
+  for (const WorstPlace& worst : e.session.worst_places(call.get("most", 8))) {
+    const glm::dvec2 seen = e.view.point(worst.place);
+    list.push_back({{"x", seen.x}, {"y", seen.y}, {"error", worst.error}});
+  }
+  return list;
+}
+
+Json paint_session(const Call& call) {
+  Session& s = session(call);
+  SessionView view;
+  view.width = call.get<int>("width");
+  view.height = call.get<int>("height");
+  view.density = call.get("density", view.density);
+  view.to_pixels = to_pixels(call);
+  view.ground = ground_named(call.get<std::string>("ground", "result"));
+  view.split = call.get("split", view.split);
+  if (const auto known = call.get<std::string>("known", ""); !known.empty())
+    view.analysis = analysis_named(known);
+  view.patch = face_of(call.get("patch", -1), s.now().mesh);
+  view.region = call.get("region", view.region);
+  view.lines = call.get("lines", view.lines);
+  view.handles = call.get("handles", view.handles);
+  view.proposal = call.get("proposal", view.proposal);
+  view.marked = faces(call, "marked", s.now().mesh);
+  view.lasso = lasso(call);
+  const Image image = paint(s, view);
+  return {{"width", image.width},
+          {"height", image.height},
+          {"bytes", Json::binary(interleaved(image))}};
+}
+
+Json write_session(const Call& call) {
+  WriteOptions writing;
+  writing.remember_original = call.get("remember_original", writing.remember_original);
+  writing.keep_original = call.get("keep_original", writing.keep_original);
+  const MeshReport report = write_shown(call.document(), editing(call), writing);
+  RunOptions options;
+  options.metric = session(call).problem().metric();
+  Json json = results_json(call.document(), {report}, options, "").front();
+  // The mesh of the session is no longer the document's.
+  call.sessions().erase(call.get<std::string>("id"));
+  return json;
+}
+
+}  // namespace gradmesh

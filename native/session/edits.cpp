@@ -1,0 +1,210 @@
+#include "session/edits.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "base/error.h"
+#include "fit/plainness.h"
+#include "mesh/build.h"
+#include "mesh/rectangle.h"
+#include "mesh/subdivide.h"
+#include "ops/merge/merge_faces.h"
+#include "ops/split/split_line.h"
+#include "ops/split/split_patch.h"
+#include "ops/straighten.h"
+#include "plain/grid_fit.h"
+#include "plain/steps.h"
+#include "trial/fit_trial.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr int fit_steps = 2, steps_of_the_whole = 4;
+
+Halfedge edge_of(const Pointed& pointed) {
+  if (!pointed.edge.valid())
+    throw InputError("there is no line inside the mesh here; point at one.");
+  return pointed.edge;
+}
+
+/// Returns the line of a grid that an edge inside it is a part of.
+Step step_without(const Mesh& mesh, const Rectangle& grid, Halfedge edge) {
+  for (int i = 0; i < grid.rows; ++i)
+    for (int j = 0; j < grid.columns; ++j) {
+      const auto sides = mesh.sides(grid.top(i, j));
+      const int k = int(std::ranges::find(sides, edge) - sides.begin());
+      if (k == 4) continue;
+      const bool is_row = k % 2 == 0;
+      return {{}, is_row ? Along::rows : Along::columns, is_row ? i + k / 2 : j + (k == 1)};
+    }
+  throw std::logic_error("an edge of a grid is a side of one of its patches");
+}
+
+/// The row and the column of a patch in a grid, and which of the patch's own sides is the grid's
+/// top.
+struct GridPlace {
+  int row, column, top;
+};
+
+GridPlace place_of(const Mesh& mesh, const Rectangle& grid, Face face) {
+  const auto sides = mesh.sides(face);
+  for (int i = 0; i < grid.rows; ++i)
+    for (int j = 0; j < grid.columns; ++j) {
+      const auto top = std::ranges::find(sides, grid.top(i, j));
+      if (top != sides.end()) return {i, j, int(top - sides.begin())};
+    }
+  throw std::logic_error("a patch of a grid is in one of its rows");
+}
+
+/// Returns the curves along a line of points of a grid.
+std::vector<Halfedge> curves_along(const Mesh& mesh, const Rectangle& grid, Along along, int line) {
+  std::vector<Halfedge> curves;
+  if (along == Along::rows)
+    for (int j = 0; j < grid.columns; ++j)
+      curves.push_back(mesh.curve(mesh.sides(grid.top(line - 1, j))[2]));
+  else
+    for (int i = 0; i < grid.rows; ++i)
+      curves.push_back(mesh.curve(mesh.sides(grid.top(i, line - 1))[1]));
+  return curves;
+}
+
+/// Returns the curves of a mesh that is split further which the mesh before does not have.
+std::vector<Halfedge> new_curves(const Mesh& before, const Mesh& after) {
+  std::vector<Cubic<Value>> known;
+  for (const Halfedge curve : before.curves()) known.push_back(before.curve_of(curve));
+  std::vector<Halfedge> come;
+  for (const Halfedge curve : after.curves()) {
+    const Cubic<Value> c = after.curve_of(curve);
+    const auto is_same = [&](const Cubic<Value>& other) {
+      const auto same = [](const Value& a, const Value& b) { return a.position == b.position; };
+      return (same(c.p0, other.p0) && same(c.p1, other.p1)) ||
+             (same(c.p0, other.p1) && same(c.p1, other.p0));
+    };
+    if (std::ranges::none_of(known, is_same)) come.push_back(curve);
+  }
+  return come;
+}
+
+/// A place too near to a side makes a sliver.
+double inner_place(double t) { return std::clamp(t, 0.05, 0.95); }
+
+}  // namespace
+
+HandEdit hand_edit_named(const std::string& name) {
+  if (name == "merge") return HandEdit::merge;
+  if (name == "rows") return HandEdit::split_rows;
+  if (name == "columns") return HandEdit::split_columns;
+  if (name == "both") return HandEdit::split_both;
+  throw std::invalid_argument("edits are merge, rows, columns and both, not '" + name + "'.");
+}
+
+std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh) {
+  const Rectangle grid = find_grid(mesh).value();
+  std::vector<std::vector<Halfedge>> lines;
+  for (int i = 1; i < grid.rows; ++i) lines.push_back(curves_along(mesh, grid, Along::rows, i));
+  for (int j = 1; j < grid.columns; ++j)
+    lines.push_back(curves_along(mesh, grid, Along::columns, j));
+  return lines;
+}
+
+MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, bool fits,
+                    const Problem& problem) {
+  const Rectangle grid = find_grid(mesh).value();
+  if (edit == HandEdit::merge) {
+    const Step step = step_without(mesh, grid, edge_of(pointed));
+    PlainGrid plain(mesh);
+    if (!plain.may_take_out(step.along, step.line))
+      throw InputError("a patch beside this line is protected.");
+    make(step, plain);
+    if (fits) fit_grid_and_colors(plain, *problem.reference(), fit_steps, points_near(step, plain));
+    return {build_derived_mesh(plain.parts()), curves_along(mesh, grid, step.along, step.line), {}};
+  }
+  const GridPlace place = place_of(mesh, grid, pointed.face);
+  Mesh cut = mesh;
+  Journal journal(cut);
+  // A patch that is cut keeps its top and its left side.
+  if (edit != HandEdit::split_columns)
+    split_line_across(journal, mesh.sides(pointed.face)[1], inner_place(pointed.along_left));
+  if (edit != HandEdit::split_rows)
+    split_line_across(journal, cut.sides(pointed.face)[0], inner_place(pointed.along_top));
+  MadeEdit made{build_mesh(subdivided(cut, 1))};
+  if (made.mesh.fixed_face_count() != mesh.fixed_face_count())
+    throw InputError("a patch through which the line goes is protected.");
+  const Rectangle finer = find_grid(made.mesh).value();
+  const auto add = [&](Along along, int line) {
+    for (const Halfedge curve : curves_along(made.mesh, finer, along, line))
+      made.come.push_back(curve);
+  };
+  const bool is_turned = place.top % 2 == 1;
+  if (edit != HandEdit::split_columns)
+    is_turned ? add(Along::columns, place.column + 1) : add(Along::rows, place.row + 1);
+  if (edit != HandEdit::split_rows)
+    is_turned ? add(Along::rows, place.row + 1) : add(Along::columns, place.column + 1);
+  return made;
+}
+
+MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
+  if (edit == HandEdit::merge) {
+    const Halfedge side = mesh.curve_side(edge_of(pointed));
+    std::vector<Face> faces;
+    for (const Halfedge of_curve : {side, mesh.other_side(side)})
+      for (const Halfedge leaf : mesh.leaves(of_curve)) faces.push_back(mesh.face(leaf));
+    MadeEdit made = merged_patches(mesh, std::move(faces));
+    made.gone = {mesh.curve(side)};
+    return made;
+  }
+  if (mesh.is_fixed(pointed.face)) throw InputError("this patch is protected.");
+  MadeEdit made{mesh};
+  Journal journal(made.mesh);
+  std::optional<double> row, column;
+  if (edit != HandEdit::split_columns) row = inner_place(pointed.along_left);
+  if (edit != HandEdit::split_rows) column = inner_place(pointed.along_top);
+  split_patch(journal, pointed.face, row, column);
+  // Where lines meet on both sides of a curve there are ordinary points now.
+  made.mesh = build_mesh(subdivided(made.mesh, 1));
+  made.come = new_curves(mesh, made.mesh);
+  return made;
+}
+
+MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
+  std::ranges::sort(faces);
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  if (faces.size() < 2) throw InputError("that is one patch already; choose two or more.");
+  MadeEdit made{mesh};
+  const Plainness plain(made.mesh);
+  Journal journal(made.mesh);
+  const MergedFaces merged = merge_faces(journal, faces);
+  if (!merged.face.valid())
+    throw InputError(
+        "these patches cannot become one, {0}.",
+        merged.obstacle == MergeObstacle::none
+            ? Message("because they do not touch along a whole side")
+            : Message("because of an edge between them: {0}", describe(merged.obstacle)));
+  // Twists that no one asked for would be four handles more, in the neighbours too, whose sides
+  // change.
+  journal.begin();
+  plain.keep_coons(journal, 0);
+  if (std::ranges::all_of(faces, [&](Face f) { return plain.is_coons(f); }))
+    drop_tensor(journal, merged.face);
+  made.merged = merged.face;
+  for (const Halfedge side : made.mesh.sides(merged.face))
+    made.come.push_back(made.mesh.curve(side));
+  return made;
+}
+
+Mesh fitted(const Mesh& mesh, bool is_gradient, const std::vector<Face>& faces,
+            const Problem& problem) {
+  if (is_gradient) {
+    PlainGrid grid(mesh);
+    fit_grid_and_colors(grid, *problem.reference(), steps_of_the_whole, GridPoints::all(grid));
+    return build_derived_mesh(grid.parts());
+  }
+  const bool masks = problem.rules && problem.rules->may_mask_opacity();
+  FitTrial::Fork fork(mesh, EditError(problem.reference(), mesh, masks), true);
+  fork.trial.improve(faces, steps_of_the_whole);
+  return fork.mesh;
+}
+
+}  // namespace gradmesh

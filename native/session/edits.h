@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "problem/problem.h"
+#include "session/pointing.h"
+
+namespace gradmesh {
+
+/// What a person does to a mesh by hand. In a mesh that is one gradient and stays one, whole lines
+/// go and come; otherwise single patches are merged and split.
+enum class HandEdit { merge, split_rows, split_columns, split_both };
+
+/// Returns the edit of that name: "merge", "rows", "columns" or "both". Throws
+/// std::invalid_argument with all names if there is none.
+HandEdit hand_edit_named(const std::string& name);
+
+/// An edit that can be made.
+struct MadeEdit {
+  Mesh mesh = {};
+  /// The curves of the mesh before that go, and those of the mesh after that come.
+  std::vector<Halfedge> gone = {}, come = {};
+  /// The patch that others were merged to; invalid if there is none.
+  Face merged = {};
+};
+
+/// Returns for each line of points inside a mesh that is one grid the curves along it, those along
+/// rows first.
+std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh);
+
+/// Returns the mesh, which is one grid, without the line of points through an edge, or with lines
+/// more through a place. If `fits` is true, the points around a line that is gone are fitted to the
+/// picture of the problem. Throws InputError if there is no edge where there has to be one.
+MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, bool fits,
+                    const Problem& problem);
+
+/// Returns the mesh with the two patches beside an edge merged, or with the patch at a place split.
+/// Throws InputError if there is no edge where there has to be one, or if the patches cannot be
+/// merged.
+MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit);
+
+/// Returns the mesh with these patches merged to one. Throws InputError if they cannot be.
+MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces);
+
+/// Returns the mesh fitted to the picture of the problem as far as its points, handles and colours
+/// allow: a grid if `is_gradient` is true, otherwise these faces of any mesh.
+Mesh fitted(const Mesh& mesh, bool is_gradient, const std::vector<Face>& faces,
+            const Problem& problem);
+
+}  // namespace gradmesh

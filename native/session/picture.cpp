@@ -1,0 +1,214 @@
+#include "session/picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/limits.h"
+#include "draw/heat_scale.h"
+#include "raster/hidden.h"
+#include "raster/painting.h"
+#include "session/canvas.h"
+#include "session/mesh_lines.h"
+#include "session/overlay.h"
+
+namespace gradmesh {
+namespace {
+
+using Ground = SessionView::Ground;
+
+/// Inks that can be told apart on light and dark pictures, also without seeing red or green.
+const Ink gone_ink{glm::dvec3(0.90, 0.35, 0.0), 1.0, 3.2},
+    come_ink{glm::dvec3(0.0, 0.6, 1.0), 1.0, 2.4};
+const Ink fixed_ink{glm::dvec3(0.1), 0.45, 1.4};
+const Ink mark_ink{glm::dvec3(0.34, 0.70, 0.91), 0.9, 2.0};
+
+class PicturePainter {
+ public:
+  PicturePainter(const Session& session, const SessionView& view)
+      : session_(session), view_(view), frame_{view.width, view.height, view.to_pixels} {}
+
+  Image paint() {
+    Image image = ground();
+    veil_hidden(image);
+    const std::shared_ptr<const Analysis> known = what_is_known();
+    if (known) Overlay::fade(image);
+    Canvas canvas(image, view_.density);
+    draw_hatched(canvas);
+    if (known) draw_known(canvas, *known);
+    if (view_.lines && !known) draw_lines(canvas, shown(), view_.to_pixels);
+    if (view_.handles) draw_handles(canvas);
+    if (view_.proposal && session_.proposal()) draw_proposal(canvas, *session_.proposal());
+    canvas.lines({view_.lasso}, below_lines);
+    canvas.lines({view_.lasso}, come_ink);
+    return image;
+  }
+
+ private:
+  /// What of the mesh is not seen in the document is pale.
+  void veil_hidden(Image& image) const {
+    const std::optional<VisibleArea>& seen = session_.problem().layout().visible;
+    if (!seen) return;
+    constexpr int share = 5;
+    const HiddenPixels hidden(*seen, frame_);
+    for (int y = 0; y < image.height; ++y)
+      for (const HiddenPixels::Run run : hidden.row(y))
+        for (int x = run.begin; x < run.end; ++x)
+          for (int c = 0; c < 3; ++c) {
+            std::uint8_t& sample = *image.at(x, y, c);
+            sample = std::uint8_t(255 - (255 - sample) / share);
+          }
+  }
+
+  Image painted(const Mesh& mesh) const { return paint_whole(mesh, frame_).image; }
+  const Mesh& shown() const {
+    const Session::Proposal* const proposal = view_.proposal ? session_.proposal() : nullptr;
+    return (proposal ? proposal->written : session_.now()).surface();
+  }
+
+  Image ground() const {
+    switch (view_.ground) {
+      case Ground::result:
+        return painted(shown());
+      case Ground::original:
+        return painted(*session_.problem().original());
+      case Ground::error:
+        return error_map();
+      case Ground::halves:
+        break;
+    }
+    Image image = painted(shown());
+    const int split = std::clamp(int(std::lround(view_.split * view_.width)), 0, view_.width);
+    Painting left(Window{0, 0, split, view_.height});
+    paint_whole(*session_.problem().original(), frame_, left);
+    copy(left.image, left.window(), image);
+    Canvas(image, view_.density)
+        .lines({{glm::dvec2(split, 0), glm::dvec2(split, view_.height)}},
+               {glm::dvec3(0.5), 1.0, 1.5});
+    return image;
+  }
+
+  /// Shows the metric's map, which has the pixels of the problem's frame.
+  Image error_map() const {
+    constexpr double most = 0.3;
+    const Plane& map = session_.now().measured->map();
+    const Affine to_map = session_.problem().frame().to_pixels * view_.to_pixels.inverse();
+    Image image(view_.width, view_.height, 255);
+    for (int y = 0; y < view_.height; ++y)
+      for (int x = 0; x < view_.width; ++x) {
+        const glm::dvec2 at = to_map.point({x + 0.5, y + 0.5});
+        const int i = int(std::floor(at.x)), j = int(std::floor(at.y));
+        if (i < 0 || j < 0 || i >= map.width || j >= map.height) continue;
+        const glm::dvec3 color = heat_color(*map.at(i, j) / most);
+        for (int c = 0; c < 3; ++c) *image.at(x, y, c) = std::uint8_t(std::lround(255 * color[c]));
+      }
+    return image;
+  }
+
+  std::vector<glm::dvec2> points(const Mesh& mesh, Halfedge curve) const {
+    return points_along(mesh.curve_of(curve), view_.to_pixels);
+  }
+
+  void draw_handles(Canvas& canvas) const {
+    constexpr double size = 6, straight = 0.3;
+    const Mesh& mesh = shown();
+    std::vector<glm::dvec2> corners, ends;
+    std::vector<std::vector<glm::dvec2>> arms;
+    for (const Halfedge side : mesh.curves()) {
+      const Cubic<Value> c = mesh.curve_of(side);
+      const auto at = [&](const Value& v) { return view_.to_pixels.point(v.position); };
+      const glm::dvec2 from = at(c.p0), to = at(c.p1);
+      corners.push_back(from);
+      corners.push_back(to);
+      const glm::dvec2 first = at(c.bezier1()), second = at(c.bezier2());
+      if (glm::length(first - glm::mix(from, to, 1.0 / 3)) < straight &&
+          glm::length(second - glm::mix(from, to, 2.0 / 3)) < straight)
+        continue;
+      arms.push_back({from, first});
+      arms.push_back({to, second});
+      ends.push_back(first);
+      ends.push_back(second);
+    }
+    canvas.lines(arms, {glm::dvec3(0.1, 0.3, 0.8), 0.8, 1.0});
+    canvas.squares(ends, size - 2, {glm::dvec3(0.1, 0.3, 0.8), 1.0}, glm::dvec3(1.0));
+    canvas.squares(corners, size, {glm::dvec3(1.0), 1.0}, glm::dvec3(0.1, 0.1, 0.1));
+  }
+
+  void draw_proposal(Canvas& canvas, const Session::Proposal& proposal) const {
+    std::vector<std::vector<glm::dvec2>> gone, come;
+    for (const Halfedge curve : proposal.made.gone)
+      gone.push_back(points(session_.now().mesh, curve));
+    for (const Halfedge curve : proposal.made.come)
+      come.push_back(points(proposal.made.mesh, curve));
+    canvas.lines(come, come_ink);
+    canvas.lines(gone, gone_ink);
+  }
+
+  /// Returns what is known and is to be shown; null as long as there is nothing of it to be seen.
+  std::shared_ptr<const Analysis> what_is_known() const {
+    if (!view_.analysis) return nullptr;
+    if (*view_.analysis == AnalysisKind::regions && !view_.patch.valid()) return nullptr;
+    const std::shared_ptr<const Analysis> known = session_.analysis(*view_.analysis);
+    return known && !known->failure ? known : nullptr;
+  }
+
+  void draw_known(Canvas& canvas, const Analysis& known) const {
+    const Mesh& mesh = session_.now().mesh;
+    const Raster<std::uint32_t, 1> top = paint_whole(mesh, frame_).top;
+    Overlay overlay(canvas, mesh, view_.to_pixels, top);
+    switch (*view_.analysis) {
+      case AnalysisKind::prices:
+        return overlay.draw_prices(known.prices);
+      case AnalysisKind::parts:
+        return overlay.draw_parts(known.parts);
+      case AnalysisKind::regions:
+        break;
+    }
+    const std::vector<RegionPrice> regions = largest_regions(known, view_.patch);
+    const bool is_there = view_.region >= 0 && std::size_t(view_.region) < regions.size();
+    overlay.draw_region(view_.patch, is_there ? &regions[std::size_t(view_.region)] : nullptr);
+  }
+
+  void draw_hatched(Canvas& canvas) const {
+    const std::vector<Face> fixed = session_.protected_faces();
+    if (fixed.empty() && view_.marked.empty()) return;
+    const Raster<std::uint32_t, 1> top = paint_whole(session_.now().mesh, frame_).top;
+    hatch(canvas, top, fixed, fixed_ink, 10);
+    hatch(canvas, top, view_.marked, mark_ink, 8);
+  }
+
+  void hatch(Canvas& canvas, const Raster<std::uint32_t, 1>& top, const std::vector<Face>& faces,
+             const Ink& ink, double distance) const {
+    std::vector<char> is_one(session_.now().mesh.face_slots(), false);
+    for (const Face face : faces)
+      if (std::size_t(face.value) < is_one.size()) is_one[std::size_t(face.value)] = true;
+    canvas.hatch(distance, ink, [&](int x, int y) {
+      const Face face = TopFace(*top.at(x, y)).face();
+      return face.valid() && is_one[std::size_t(face.value)];
+    });
+  }
+
+  const Session& session_;
+  const SessionView& view_;
+  const Frame frame_;
+};
+
+}  // namespace
+
+SessionView::Ground ground_named(const std::string& name) {
+  if (name == "result") return Ground::result;
+  if (name == "original") return Ground::original;
+  if (name == "halves") return Ground::halves;
+  if (name == "error") return Ground::error;
+  throw std::invalid_argument("grounds are result, original, halves and error, not '" + name +
+                              "'.");
+}
+
+Image paint(const Session& session, const SessionView& view) {
+  constexpr int most = 16384;
+  if (view.width < 1 || view.height < 1 || view.width > most || view.height > most)
+    throw std::invalid_argument("a picture has 1 to 16384 pixels a side.");
+  return PicturePainter(session, view).paint();
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,269 @@
+#include "session/session.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/face_outline.h"
+#include "mesh/faces_under.h"
+#include "mesh/rectangle.h"
+#include "metric/local_mean.h"
+#include "ops/fix.h"
+
+namespace gradmesh {
+namespace {
+
+/// Returns the problem with everything painted that searches and edits share.
+Problem prepared(Problem problem) {
+  problem.bounds = {1};
+  problem.trial();
+  if (problem.gradient_rules) problem.as_gradient().trial();
+  return problem;
+}
+
+/// Returns the patches of another mesh that lie under these.
+std::vector<Face> faces_there(const Mesh& mesh, const std::vector<Face>& faces, const Mesh& there) {
+  std::vector<Face> all;
+  for (const Face face : faces) {
+    const std::vector<Face> under = faces_under(there, face_outline(mesh, face));
+    all.insert(all.end(), under.begin(), under.end());
+  }
+  return all;
+}
+
+/// Ends a search, which is kept among others until it has ended.
+template <class Search>
+void retire(std::unique_ptr<Search>& search, std::vector<std::unique_ptr<Search>>& old) {
+  std::erase_if(old, [](const auto& each) { return !each->is_busy(); });
+  if (!search) return;
+  search->end();
+  old.push_back(std::move(search));
+}
+
+}  // namespace
+
+Session::Session(const Problem& problem)
+    : problem_(prepared(problem)),
+      kinds_(curve_kinds(problem_)),
+      curves_(std::make_unique<CurveSearch>(problem_)) {
+  const CurveKind form = kinds_.empty() ? CurveKind::blocks : kinds_.front();
+  start_ = now_ = measured(problem_.mesh(), form);
+  place_ = kept_place_ = {form, 0, std::make_shared<const Mesh>(problem_.mesh())};
+  kept_ = now_.mesh;
+  if (!kinds_.empty()) curves_->want(form);
+}
+
+Session::~Session() {
+  // Before one of them is waited for, all have to know.
+  if (analyses_) analyses_->end();
+  if (curves_) curves_->end();
+}
+
+bool Session::is_as_it_is(const Mesh& mesh, CurveKind form) const {
+  // In another form it would be written as something else.
+  return mesh == problem_.mesh() && (kinds_.empty() || form == kinds_.front());
+}
+
+bool Session::is_unchanged() const { return is_as_it_is(now_.mesh, place_.form); }
+
+Candidate Session::as_it_is() const {
+  Candidate found = problem_.unchanged();
+  found.measured =
+      std::make_shared<MeasuredSurface>(*problem_.reference(), found.mesh, false, nullptr);
+  return found;
+}
+
+Candidate Session::measured(const Mesh& mesh, CurveKind form) const {
+  if (is_as_it_is(mesh, form)) return as_it_is();
+  const bool is_near = now_.measured && place_.form == form;
+  return problem_as(form).measure(mesh, is_near ? &now_ : nullptr);
+}
+
+AnalysisSearch& Session::analyses() {
+  if (!analyses_ || analyses_->fits() != fits_) {
+    retire(analyses_, old_analyses_);
+    analyses_ = std::make_unique<AnalysisSearch>(problem_as(place_.form), place_.form, now_, fits_);
+  }
+  return *analyses_;
+}
+
+void Session::set_now(Candidate written) {
+  now_ = std::move(written);
+  proposal_.reset();
+  retire(analyses_, old_analyses_);
+}
+
+std::vector<WorstPlace> Session::worst_places(int most) const {
+  std::vector<std::pair<double, glm::ivec2>> windows;
+  for_each_local_mean(now_.measured->map(), [&](int x, int y, double mean) {
+    constexpr int step = local_side / 4;
+    if (x % step == 0 && y % step == 0 && mean > 0) windows.emplace_back(mean, glm::ivec2(x, y));
+  });
+  std::ranges::stable_sort(windows, std::greater{}, &std::pair<double, glm::ivec2>::first);
+  const Affine back = problem_.frame().to_pixels.inverse();
+  std::vector<glm::ivec2> taken;
+  std::vector<WorstPlace> worst;
+  for (const auto& [mean, corner] : windows) {
+    if (int(worst.size()) == most) break;
+    const auto overlaps = [c = corner](glm::ivec2 other) {
+      return std::abs(c.x - other.x) < local_side && std::abs(c.y - other.y) < local_side;
+    };
+    if (std::ranges::any_of(taken, overlaps)) continue;
+    taken.push_back(corner);
+    worst.push_back({back.point(glm::dvec2(corner) + double(local_side) / 2), mean});
+  }
+  return worst;
+}
+
+void Session::show(CurveKind kind, int state, bool moves_on) {
+  curves_->want(kind);
+  const auto found = curves_->found(kind);
+  if (!found || state < 0 || std::size_t(state) >= found->curve.states.size())
+    throw std::invalid_argument("the curve has no state " + std::to_string(state) + " yet.");
+  const Mesh& mesh = *found->curve.states[std::size_t(state)].mesh;
+  set_now(measured(mesh, kind));
+  place_.form = kind;
+  place_.state = state;
+  if (!moves_on) take_down();
+}
+
+void Session::set_form(CurveKind form) {
+  if (form == place_.form) return;
+  if (form == CurveKind::one_gradient && (!problem_.gradient_rules || !find_grid(now_.mesh)))
+    throw InputError(
+        "the mesh is no grid of whole rows and columns, so it cannot be one gradient.");
+  become(measured(now_.mesh, form), {form, now_.mesh == *place_.start ? 0 : -1, place_.start});
+}
+
+const Session::Proposal* Session::propose(const std::optional<Pointed>& pointed, HandEdit edit) {
+  proposal_.reset();
+  if (!pointed) return nullptr;
+  const bool is_gradient = place_.form == CurveKind::one_gradient;
+  MadeEdit made = is_gradient ? edit_lines(now_.mesh, *pointed, edit, fits_, problem_)
+                              : edit_patches(now_.mesh, *pointed, edit);
+  Candidate written = measured(made.mesh, place_.form);
+  proposal_ = Proposal{std::move(made), std::move(written)};
+  return &*proposal_;
+}
+
+bool Session::make() {
+  if (!proposal_) return false;
+  carry_out(*std::exchange(proposal_, std::nullopt));
+  return true;
+}
+
+void Session::merge(const std::vector<Face>& faces) {
+  MadeEdit made = merged_patches(now_.mesh, faces);
+  Candidate written = measured(made.mesh, CurveKind::blocks);
+  place_.form = CurveKind::blocks;
+  carry_out({std::move(made), std::move(written)});
+}
+
+void Session::carry_out(Proposal proposal) {
+  Candidate& written = proposal.written;
+  if (const Face merged = proposal.made.merged; fits_ && merged.valid()) {
+    Candidate better = measured(fitted(written.mesh, false, {merged}, problem_), place_.form);
+    if (better.error < written.error) written = std::move(better);
+  }
+  become(std::move(written), {place_.form, -1, place_.start});
+}
+
+void Session::fit() {
+  std::vector<Face> faces;
+  for (const Face face : now_.mesh.faces()) faces.push_back(face);
+  const bool is_gradient = place_.form == CurveKind::one_gradient;
+  Candidate found = measured(fitted(now_.mesh, is_gradient, faces, problem_), place_.form);
+  if (found.error < now_.error) become(std::move(found), {place_.form, -1, place_.start});
+}
+
+void Session::become(Candidate written, Place place) {
+  set_now(std::move(written));
+  place_ = place;
+  take_down();
+}
+
+void Session::take_down() {
+  if (kept_ == now_.mesh && kept_place_.form == place_.form && kept_place_.start == place_.start) {
+    kept_place_ = place_;
+    return;
+  }
+  history_.erase(history_.begin() + std::ptrdiff_t(done_), history_.end());
+  history_.push_back({MeshDifference(kept_, now_.mesh), kept_place_, place_});
+  done_ = history_.size();
+  kept_ = now_.mesh;
+  kept_place_ = place_;
+}
+
+void Session::undo() {
+  if (!can_undo()) return;
+  const Change& change = history_[--done_];
+  change.mesh.back(kept_);
+  kept_place_ = change.before;
+  show_kept();
+}
+
+void Session::redo() {
+  if (!can_redo()) return;
+  const Change& change = history_[done_++];
+  change.mesh.forward(kept_);
+  kept_place_ = change.after;
+  show_kept();
+}
+
+void Session::show_kept() {
+  start_from(kept_place_.start);
+  set_now(measured(kept_, kept_place_.form));
+  place_ = kept_place_;
+}
+
+void Session::start_from(const std::shared_ptr<const Mesh>& start) {
+  if (*start == problem_.mesh()) return;
+  retire(curves_, old_curves_);
+  problem_ = prepared(problem_.with_mesh(start));
+  kinds_ = curve_kinds(problem_);
+  curves_ = std::make_unique<CurveSearch>(problem_);
+  if (std::ranges::find(kinds_, place_.form) != kinds_.end()) curves_->want(place_.form);
+}
+
+void Session::protect(const std::vector<Face>& faces, bool is_protected) {
+  is_protected ? set_protected(faces, {}) : set_protected({}, faces);
+}
+
+void Session::protect_others(const std::vector<Face>& faces) {
+  std::vector<Face> others;
+  for (const Face face : now_.mesh.faces())
+    if (std::ranges::find(faces, face) == faces.end()) others.push_back(face);
+  set_protected(others, faces);
+}
+
+void Session::set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released) {
+  Mesh mesh = now_.mesh, start = *place_.start;
+  const std::vector<Face> fixed_there = faces_there(mesh, fixed, start);
+  const std::vector<Face> released_there = faces_there(mesh, released, start);
+  Journal journal(mesh), journal_there(start);
+  set_fixed(journal, released, false);
+  set_fixed(journal, fixed, true);
+  // What lies under both stays as it is.
+  set_fixed(journal_there, released_there, false);
+  set_fixed(journal_there, fixed_there, true);
+  const bool was_start = now_.mesh == *place_.start;
+  const auto from = std::make_shared<const Mesh>(std::move(start));
+  start_from(from);
+  become(measured(mesh, place_.form), {place_.form, was_start ? 0 : -1, from});
+}
+
+std::vector<Face> Session::protected_faces() const {
+  std::vector<Face> faces;
+  for (const Face face : now_.mesh.faces())
+    if (now_.mesh.is_fixed(face)) faces.push_back(face);
+  return faces;
+}
+
+std::size_t Session::history_bytes() const {
+  std::size_t sum = 0;
+  for (const Change& change : history_) sum += change.mesh.bytes();
+  return sum;
+}
+
+}  // namespace gradmesh

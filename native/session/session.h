@@ -1,0 +1,162 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ops/mesh_difference.h"
+#include "problem/problem.h"
+#include "session/analysis.h"
+#include "session/background.h"
+#include "session/edits.h"
+
+namespace gradmesh {
+
+/// A place in the picture where the error is large: the middle of a window of 32 x 32 pixels of the
+/// frame, in mesh units, and the mean error in it.
+struct WorstPlace {
+  glm::dvec2 place;
+  double error;
+};
+
+/// One mesh, and what a person makes of it by eye: goes along curves, merges and splits by hand,
+/// takes back. All that it shows is measured as it will be written. Not thread-safe; curves are
+/// searched for in the background.
+class Session {
+ public:
+  /// `problem` has the mesh as it is and the picture that counts; its bounds do not count. Throws
+  /// InputError if the mesh covers no pixel.
+  explicit Session(const Problem& problem);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  /// Waits until all searches have ended.
+  ~Session();
+
+  /// Returns the problem, whose mesh has what is protected.
+  const Problem& problem() const { return problem_; }
+  /// Returns the kinds of curves that the mesh has.
+  const std::vector<CurveKind>& kinds() const { return kinds_; }
+  CurveSearch& curves() { return *curves_; }
+  const CurveSearch& curves() const { return *curves_; }
+
+  // --- what is shown ---
+  /// Returns the mesh as it is shown, measured.
+  const Candidate& now() const { return now_; }
+  /// Returns what the mesh is, and will be written as.
+  CurveKind form() const { return place_.form; }
+  /// Returns the state of the curve of form() that is shown; -1 if it was edited by hand.
+  int state() const { return place_.state; }
+  /// Returns the mesh as its document has it now.
+  const Candidate& start() const { return start_; }
+  bool is_unchanged() const;
+  /// Returns at most that many places, the worst first, of which no two overlap.
+  std::vector<WorstPlace> worst_places(int most) const;
+
+  /// Returns the search for what can be found out about the mesh that is shown. All that it has
+  /// found is forgotten as soon as another mesh is shown.
+  AnalysisSearch& analyses();
+  /// Returns what was found out; null if that is not known.
+  std::shared_ptr<const Analysis> analysis(AnalysisKind kind) const {
+    return analyses_ ? analyses_->found(kind) : nullptr;
+  }
+
+  // --- the curve ---
+  /// Shows a state of a curve. As long as `moves_on` is true, nothing of it is taken down to be
+  /// taken back. Throws std::invalid_argument if there is no such state.
+  void show(CurveKind kind, int state, bool moves_on);
+
+  // --- by hand ---
+  /// Sets whether edits are followed by fits.
+  void set_fits(bool fits) { fits_ = fits; }
+  /// Makes what edits are about lines of one gradient, or patches. Throws InputError if the mesh is
+  /// to be one gradient and is none.
+  void set_form(CurveKind form);
+
+  /// An edit that is shown before it is made.
+  struct Proposal {
+    MadeEdit made;
+    /// The mesh after it, measured. Where a patch was merged, making it may fit the patch as well.
+    Candidate written;
+  };
+  /// Works out what a click would do. Returns null beside the mesh. Throws InputError where it
+  /// cannot be done, with the reason.
+  const Proposal* propose(const std::optional<Pointed>& pointed, HandEdit edit);
+  const Proposal* proposal() const { return proposal_ ? &*proposal_ : nullptr; }
+  void forget_proposal() { proposal_.reset(); }
+  /// Makes what was proposed. Returns false if nothing is.
+  bool make();
+  /// Merges patches to one. Throws InputError where that cannot be.
+  void merge(const std::vector<Face>& faces);
+  /// Fits the mesh to the picture.
+  void fit();
+
+  // --- what stays as it is ---
+  /// Sets whether patches of the mesh that is shown are protected: neither edits nor states change
+  /// anything of them. States then are those of a curve that leaves what lies there as it was at
+  /// first.
+  void protect(const std::vector<Face>& faces, bool is_protected);
+  /// Protects all patches but these, which are released.
+  void protect_others(const std::vector<Face>& faces);
+  /// Returns the patches of the mesh that is shown that are protected.
+  std::vector<Face> protected_faces() const;
+
+  // --- history ---
+  bool can_undo() const { return done_ > 0; }
+  bool can_redo() const { return done_ < history_.size(); }
+  void undo();
+  void redo();
+  /// Returns about how many bytes the history takes.
+  std::size_t history_bytes() const;
+
+ private:
+  /// What is shown beside the mesh itself.
+  struct Place {
+    CurveKind form;
+    int state;
+    /// The mesh as it was at first, with what is protected of it.
+    std::shared_ptr<const Mesh> start;
+  };
+  struct Change {
+    MeshDifference mesh;
+    Place before, after;
+  };
+
+  Problem problem_as(CurveKind form) const {
+    return form == CurveKind::blocks ? problem_ : problem_.as_gradient();
+  }
+  Candidate measured(const Mesh& mesh, CurveKind form) const;
+  /// Returns the mesh as it is in its document, which need not be written anew.
+  Candidate as_it_is() const;
+  bool is_as_it_is(const Mesh& mesh, CurveKind form) const;
+  void set_now(Candidate written);
+  void carry_out(Proposal proposal);
+  /// Shows a mesh, and takes it down.
+  void become(Candidate written, Place place);
+  /// Takes down how what is shown differs from what was taken down last.
+  void take_down();
+  void show_kept();
+  void set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released);
+  /// Looks for curves of that mesh from now on.
+  void start_from(const std::shared_ptr<const Mesh>& start);
+
+  Problem problem_;
+  std::vector<CurveKind> kinds_;
+  std::unique_ptr<CurveSearch> curves_;
+  Candidate start_, now_;
+  Place place_;
+  /// What was shown when something was last taken down.
+  Mesh kept_;
+  Place kept_place_;
+  bool fits_ = true;
+  std::optional<Proposal> proposal_;
+  /// Of what is shown now; null if nothing was asked about it.
+  std::unique_ptr<AnalysisSearch> analyses_;
+  /// Searches whose mesh is no longer shown. Nobody waits until they have ended.
+  std::vector<std::unique_ptr<AnalysisSearch>> old_analyses_;
+  std::vector<std::unique_ptr<CurveSearch>> old_curves_;
+  std::vector<Change> history_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace gradmesh

@@ -1,0 +1,129 @@
+#include "simplify/curve.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "methods/method.h"
+#include "methods/plain.h"
+#include "simplify/options.h"
+
+namespace gradmesh {
+namespace {
+
+/// Bounds, and the amount whose bounds they are, if there is one.
+struct Rung {
+  Bounds bounds;
+  std::string amount = "";
+};
+
+std::vector<Rung> rungs_of_amounts(MetricKind metric) {
+  std::vector<Rung> rungs;
+  for (const Amount& amount : all_amounts())
+    rungs.push_back({bounds_of(amount, metric), amount.name});
+  return rungs;
+}
+
+CurveState state_of(const Candidate& written) {
+  return {std::make_shared<const Mesh>(written.mesh), written.counts(), written.form.object_count(),
+          written.error, written.local_error};
+}
+
+/// A curve while it grows.
+class Growing {
+ public:
+  /// The first state is the mesh as it is, which is not written anew.
+  Growing(const Problem& problem, const CurveGrown& grown) : grown_(grown) {
+    add(problem.unchanged());
+  }
+
+  /// Adds a mesh as the next state; one with as many handles as the last takes its place.
+  void add(const Candidate& written) {
+    CurveState state = state_of(written);
+    if (!curve_.states.empty()) {
+      const CurveState& last = curve_.states.back();
+      if (state.counts.handles > last.counts.handles) return;
+      if (state.counts.handles == last.counts.handles) {
+        const bool may_go = curve_.states.size() > 1 && !is_marked_;
+        if (!may_go || state.error > last.error) return;
+        curve_.states.pop_back();
+      }
+    }
+    curve_.states.push_back(std::move(state));
+    is_marked_ = false;
+    if (grown_) grown_(curve_);
+  }
+
+  /// Marks the last state as that of an amount.
+  void mark(const std::string& amount) {
+    if (amount.empty()) return;
+    curve_.marks.push_back({amount, int(curve_.states.size()) - 1});
+    is_marked_ = true;
+    if (grown_) grown_(curve_);
+  }
+
+  Curve take() { return std::move(curve_); }
+
+ private:
+  const CurveGrown& grown_;
+  Curve curve_;
+  bool is_marked_ = false;
+};
+
+void add_plain(const Problem& problem, StopWatch& watch, Growing& curve) {
+  std::vector<Rung> rungs = rungs_of_amounts(problem.metric());
+  // A person who looks for what is too much has to see it.
+  const Bounds strongest = rungs.back().bounds;
+  for (const double times : {2, 4})
+    rungs.push_back(
+        {{times * strongest.epsilon, times * *strongest.local, times * *strongest.edge_shift}});
+  std::vector<Bounds> bounds;
+  for (const Rung& rung : rungs) bounds.push_back(rung.bounds);
+  pass_plain(
+      problem, bounds, watch, [&](const Candidate& written) { curve.add(written); },
+      [&](std::size_t n) { curve.mark(rungs[n].amount); });
+}
+
+/// Adds a state between any two amounts, too, as those of blocks are few. What is beyond the
+/// strongest takes minutes, as the prices of all regions are needed that cost so much.
+void add_blocks(const Problem& problem, StopWatch& watch, Growing& curve) {
+  const Method& best = method_named(best_method);
+  double last = 0;
+  for (const auto& [bounds, amount] : rungs_of_amounts(problem.metric())) {
+    for (const double epsilon : {(last + bounds.epsilon) / 2, bounds.epsilon}) {
+      if (watch.is_over()) return;
+      const Candidate written =
+          best.run(problem.within({epsilon, bounds.local, bounds.edge_shift}), watch);
+      if (written.changed && !watch.is_over()) curve.add(written);
+    }
+    curve.mark(amount);
+    last = bounds.epsilon;
+  }
+}
+
+}  // namespace
+
+const char* name(CurveKind kind) { return kind == CurveKind::blocks ? "blocks" : "one gradient"; }
+
+std::vector<CurveKind> curve_kinds(const Problem& problem) {
+  std::vector<CurveKind> kinds;
+  if (problem.gradient_rules && suits(method_named(plain_method), problem.mesh()))
+    kinds.push_back(CurveKind::one_gradient);
+  if (suits(method_named(best_method), problem.mesh())) kinds.push_back(CurveKind::blocks);
+  return kinds;
+}
+
+Curve find_curve(const Problem& asked, CurveKind kind, StopWatch& watch, const CurveGrown& grown) {
+  const bool is_gradient = kind == CurveKind::one_gradient;
+  const Method& method = method_named(is_gradient ? plain_method : best_method);
+  if (const auto why = method.why_not(asked.mesh())) throw InputError(*why);
+  Problem problem = is_gradient ? asked.as_gradient() : asked;
+  problem.count = Count::handles;
+  problem.bounds = {1};
+  const ThreadLimit limit = problem.thread_limit();
+  problem.trial();
+  Growing curve(problem, grown);
+  (is_gradient ? add_plain : add_blocks)(problem, watch, curve);
+  return curve.take();
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,298 @@
+// What a person does to a mesh by eye (session/session.h), without a window.
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "base/error.h"
+#include "mesh/rectangle.h"
+#include "mesh/validate.h"
+#include "sessions.h"
+#include "simplify/curve.h"
+
+namespace gradmesh {
+namespace {
+
+using test::mesh_for;
+using test::problem_for;
+using test::view_of;
+
+const Curve& found(Session& session, CurveKind kind) {
+  session.curves().want(kind);
+  session.curves().wait();
+  static Curve curve;
+  curve = session.curves().found(kind)->curve;
+  return curve;
+}
+
+std::optional<Pointed> point(const Session& session, glm::dvec2 place, double reach) {
+  return pointed_at(session.now().mesh, view_of(session).to_pixels, place, reach);
+}
+
+constexpr double anywhere = 1000;
+const glm::dvec2 middle(100, 100);
+
+TEST(Curve, begins_with_the_mesh_and_loses_handles_from_state_to_state) {
+  const Problem problem = problem_for(mesh_for(1));
+  for (const CurveKind kind : curve_kinds(problem)) {
+    StopWatch watch(0, {});
+    const Curve curve = find_curve(problem, kind, watch);
+    ASSERT_GT(curve.states.size(), 2u) << name(kind);
+    EXPECT_EQ(curve.states.front().mesh->face_count(), problem.mesh().face_count());
+    for (std::size_t i = 1; i < curve.states.size(); ++i)
+      EXPECT_LT(curve.states[i].counts.handles, curve.states[i - 1].counts.handles) << i;
+    ASSERT_EQ(curve.marks.size(), all_amounts().size());
+    for (std::size_t i = 0; i < curve.marks.size(); ++i) {
+      const CurveState& state = curve.states[std::size_t(curve.marks[i].state)];
+      const Bounds bounds = bounds_of(all_amounts()[i], problem.metric());
+      EXPECT_EQ(curve.marks[i].amount, all_amounts()[i].name);
+      EXPECT_LE(state.error, bounds.epsilon);
+      EXPECT_LE(state.local_error, *bounds.local);
+    }
+  }
+}
+
+TEST(Curve, is_the_same_for_any_number_of_threads) {
+  const auto curve_with = [](int threads) {
+    Problem problem = problem_for(mesh_for(2));
+    problem.threads = threads;
+    StopWatch watch(0, {});
+    return find_curve(problem, CurveKind::one_gradient, watch);
+  };
+  const Curve one = curve_with(1), three = curve_with(3);
+  ASSERT_EQ(one.states.size(), three.states.size());
+  for (std::size_t i = 0; i < one.states.size(); ++i)
+    EXPECT_EQ(*one.states[i].mesh, *three.states[i].mesh);
+}
+
+TEST(Session, shows_the_states_of_its_curve) {
+  Session session(problem_for(mesh_for(1)));
+  EXPECT_TRUE(session.is_unchanged());
+  const Curve& curve = found(session, CurveKind::one_gradient);
+  for (int i = int(curve.states.size()) - 1; i >= 0; --i) {
+    session.show(CurveKind::one_gradient, i, true);
+    EXPECT_EQ(session.now().mesh, *curve.states[std::size_t(i)].mesh);
+    EXPECT_EQ(session.now().error, curve.states[std::size_t(i)].error);
+    EXPECT_EQ(session.now().counts().handles, curve.states[std::size_t(i)].counts.handles);
+  }
+  // Nothing of that was taken down.
+  EXPECT_FALSE(session.can_undo());
+  session.show(CurveKind::one_gradient, 1, false);
+  EXPECT_TRUE(session.can_undo());
+  EXPECT_THROW(session.show(CurveKind::one_gradient, int(curve.states.size()), false),
+               std::invalid_argument);
+}
+
+TEST(Session, a_click_on_a_line_takes_it_out_as_was_shown_before) {
+  Session session(problem_for(mesh_for(3)));
+  const Session::Proposal* const proposal =
+      session.propose(point(session, middle, anywhere), HandEdit::merge);
+  ASSERT_TRUE(proposal);
+  const Mesh shown = proposal->written.mesh;
+  const double error = proposal->written.error;
+  EXPECT_EQ(shown.face_count(), 20);
+  EXPECT_EQ(proposal->made.gone.size(), 5u);
+  ASSERT_TRUE(session.make());
+  EXPECT_EQ(session.now().mesh, shown);
+  EXPECT_EQ(session.now().error, error);
+  EXPECT_EQ(session.state(), -1);
+  EXPECT_TRUE(find_grid(session.now().mesh));
+  EXPECT_FALSE(session.make()) << "nothing is proposed any more";
+}
+
+TEST(Session, new_lines_of_one_gradient_change_nothing_that_is_seen) {
+  for (const auto& [edit, patches, lines] :
+       {std::tuple(HandEdit::split_rows, 30, 5u), std::tuple(HandEdit::split_columns, 30, 5u),
+        std::tuple(HandEdit::split_both, 36, 12u)}) {
+    Session session(problem_for(mesh_for(4)));
+    const Session::Proposal* const proposal =
+        session.propose(point(session, middle + 7.0, 0), edit);
+    ASSERT_TRUE(proposal);
+    EXPECT_EQ(proposal->made.come.size(), lines);
+    session.make();
+    EXPECT_EQ(session.now().mesh.face_count(), patches);
+    EXPECT_TRUE(find_grid(session.now().mesh));
+    // Colours of new points are rounded to 8 bits; FLIP of a whole level everywhere is 0.03.
+    EXPECT_LT(session.now().error, 0.006);
+  }
+}
+
+TEST(Session, patches_of_blocks_are_merged_and_split_alone) {
+  Session session(problem_for(mesh_for(5)));
+  session.set_form(CurveKind::blocks);
+  ASSERT_TRUE(session.propose(point(session, middle, anywhere), HandEdit::merge));
+  session.make();
+  EXPECT_EQ(session.now().mesh.face_count(), 24);
+  EXPECT_EQ(validate(session.now().mesh), std::vector<std::string>{});
+  ASSERT_TRUE(session.propose(point(session, middle, 0), HandEdit::split_both));
+  session.make();
+  EXPECT_EQ(session.now().mesh.face_count(), 27);
+  EXPECT_THROW(session.set_form(CurveKind::one_gradient), InputError);
+  session.undo();
+  session.undo();
+  EXPECT_FALSE(session.is_unchanged()) << "blocks would be written as a group";
+  session.undo();
+  EXPECT_TRUE(session.is_unchanged());
+}
+
+TEST(Session, fits_lower_the_error_of_what_is_taken_out) {
+  const auto error_with = [](bool fits) {
+    Session session(problem_for(mesh_for(6)));
+    session.set_fits(fits);
+    return session.propose(point(session, middle, anywhere), HandEdit::merge)->written.error;
+  };
+  EXPECT_LT(error_with(true), error_with(false));
+}
+
+TEST(Session, nothing_lies_beside_the_mesh) {
+  Session session(problem_for(mesh_for(1)));
+  EXPECT_FALSE(point(session, glm::dvec2(-500), 8));
+  EXPECT_FALSE(session.propose(std::nullopt, HandEdit::merge));
+  EXPECT_FALSE(session.make());
+}
+
+/// Whatever is done in whatever order, the meshes are sound, and undo and redo give the very same.
+TEST(Session, any_sequence_ends_in_sound_meshes_and_can_be_taken_back) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    std::mt19937 random(seed);
+    Session session(problem_for(mesh_for(seed)));
+    const int states = int(found(session, CurveKind::one_gradient).states.size());
+    const Mesh before = session.now().mesh;
+    std::vector<Mesh> done;
+    for (int step = 0; step < 30; ++step) {
+      const glm::dvec2 place(random() % 200, random() % 200);
+      try {
+        switch (random() % 8) {
+          case 0:
+            session.show(CurveKind::one_gradient, int(random() % unsigned(states)),
+                         random() % 2 == 0);
+            break;
+          case 1:
+            session.undo();
+            break;
+          case 2:
+            session.redo();
+            break;
+          case 3:
+            session.set_form(random() % 2 == 0 ? CurveKind::blocks : CurveKind::one_gradient);
+            break;
+          case 4:
+            session.fit();
+            break;
+          default:
+            session.set_fits(random() % 2 == 0);
+            session.propose(point(session, place, 30), HandEdit(random() % 4));
+            session.make();
+        }
+      } catch (const InputError&) {
+        // It says that this cannot be done here.
+      }
+      ASSERT_EQ(validate(session.now().mesh), std::vector<std::string>{}) << seed << ", " << step;
+      const Candidate again =
+          (session.form() == CurveKind::blocks ? session.problem()
+                                               : session.problem().as_gradient())
+              .measure(session.now().mesh);
+      if (!session.is_unchanged()) {
+        ASSERT_NEAR(session.now().error, again.error, 1e-9) << seed << ", " << step;
+      }
+    }
+    while (session.can_undo()) {
+      done.push_back(session.now().mesh);
+      session.undo();
+    }
+    EXPECT_EQ(session.now().mesh, before);
+    // The last may have been shown without being taken down.
+    for (std::size_t i = done.size() - 1; i > 0; --i) {
+      session.redo();
+      ASSERT_EQ(session.now().mesh, done[i]) << "seed " << seed << ", " << i;
+    }
+  }
+}
+
+TEST(Session, a_history_of_small_edits_is_small) {
+  Session session(
+      problem_for(test::grid_mesh({.rows = 12, .columns = 12, .color_noise = 0.05}, 1)));
+  session.set_form(CurveKind::blocks);
+  session.set_fits(false);
+  session.propose(point(session, middle, anywhere), HandEdit::merge);
+  session.make();
+  const std::size_t of_one = session.history_bytes();
+  Session whole(problem_for(test::grid_mesh({.rows = 12, .columns = 12, .color_noise = 0.05}, 1)));
+  whole.propose(point(whole, middle, anywhere), HandEdit::merge);
+  whole.make();
+  EXPECT_LT(10 * of_one, whole.history_bytes());
+}
+
+TEST(Session, the_worst_places_are_apart_and_in_order) {
+  Session session(problem_for(mesh_for(7)));
+  const auto states = found(session, CurveKind::one_gradient).states.size();
+  session.show(CurveKind::one_gradient, int(states) - 1, false);
+  const std::vector<WorstPlace> worst = session.worst_places(4);
+  ASSERT_EQ(worst.size(), 4u);
+  EXPECT_LE(worst[0].error, session.now().local_error);
+  const double apart = 32 / session.problem().frame().to_pixels.linear[0][0];
+  for (std::size_t i = 1; i < worst.size(); ++i) {
+    EXPECT_LE(worst[i].error, worst[i - 1].error);
+    for (std::size_t j = 0; j < i; ++j) {
+      const glm::dvec2 d = glm::abs(worst[i].place - worst[j].place);
+      EXPECT_GE(std::max(d.x, d.y), apart - 1e-9);
+    }
+  }
+}
+
+TEST(Session, pictures_show_what_they_are_asked_for) {
+  Session session(problem_for(mesh_for(8)));
+  const auto states = found(session, CurveKind::one_gradient).states.size();
+  SessionView view = view_of(session);
+  view.lines = false;
+  view.ground = SessionView::Ground::original;
+  const Image start = paint(session, view);
+  session.show(CurveKind::one_gradient, int(states) - 1, false);
+  EXPECT_EQ(paint(session, view), start);
+  view.ground = SessionView::Ground::halves;
+  const Image halves = paint(session, view);
+  view.ground = SessionView::Ground::result;
+  const Image result = paint(session, view);
+  EXPECT_NE(result, start);
+  for (int y = 0; y < view.height; y += 7) {
+    EXPECT_EQ(halves.pixel(60, y), start.pixel(60, y));
+    EXPECT_EQ(halves.pixel(140, y), result.pixel(140, y));
+  }
+  view.handles = true;
+  EXPECT_NE(paint(session, view), result);
+  view.width = 0;
+  EXPECT_THROW(paint(session, view), std::invalid_argument);
+}
+
+TEST(Session, the_first_state_is_the_mesh_as_it_is) {
+  Session session(problem_for(mesh_for(1)));
+  const MeshCounts as_it_is = counts_of(session.problem().mesh());
+  const CurveState first = found(session, CurveKind::one_gradient).states.front();
+  EXPECT_EQ(first.counts.handles, as_it_is.handles);
+  EXPECT_EQ(first.error, 0);
+  EXPECT_EQ(session.now().counts().handles, as_it_is.handles);
+  EXPECT_EQ(session.now().error, 0);
+  EXPECT_TRUE(session.worst_places(5).empty());
+  session.show(CurveKind::one_gradient, 1, false);
+  session.undo();
+  EXPECT_EQ(session.now().error, 0);
+  session.set_form(CurveKind::blocks);
+  EXPECT_GT(session.now().error, 0) << "blocks are written anew";
+}
+
+TEST(Session, only_what_is_named_may_change_whatever_was_protected_before) {
+  Session session(problem_for(mesh_for(1)));
+  session.protect({{0}, {1}}, true);
+  session.protect_others({{1}, {2}});
+  EXPECT_EQ(session.protected_faces().size(), 23u);
+  EXPECT_FALSE(session.now().mesh.is_fixed({1}));
+  EXPECT_FALSE(session.problem().mesh().is_fixed({1}));
+  EXPECT_TRUE(session.problem().mesh().is_fixed({3}));
+  session.undo();
+  EXPECT_EQ(session.protected_faces(), (std::vector<Face>{{0}, {1}})) << "it was one step";
+}
+
+}  // namespace
+}  // namespace gradmesh
