@@ -18,7 +18,7 @@ from pictures import on_white
 REAL = ROOT.parent / "shared" / "real"
 DOCUMENTS = sorted(REAL.glob("*.svg"))
 #: Balanced in Inkscape's dialog.
-BALANCED = {"--epsilon": "0.01", "--max-local-error": "0.1"}
+BALANCED = {"--epsilon": "0.01", "--max-local-error": "0.1", "--resolution": "500"}
 PIXELS = 500
 #: What nothing can be read of: Inkscape crashes at the first, and of the second paints nothing.
 UNREAD = {"svgmatrix-mesh-gradient-basic", "svgmatrix-mesh-gradient-02"}

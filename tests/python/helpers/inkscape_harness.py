@@ -134,9 +134,10 @@ class Display:
     def __enter__(self) -> "Display":
         read_end, write_end = os.pipe()
         width, height = SCREEN
+        self._memory = tempfile.TemporaryDirectory(prefix="display-")
         self._process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24"]
-            + ["-nolisten", "tcp"],
+            + ["-fbdir", self._memory.name, "-nolisten", "tcp"],
             pass_fds=[write_end],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
@@ -146,13 +147,19 @@ class Display:
         with os.fdopen(read_end) as pipe:
             number = pipe.readline().strip()  # ends with the number, or empty if Xvfb dies
         if not number:
-            kill_group(self._process)
+            self.__exit__()
             raise RuntimeError("Xvfb did not start")
         self.name = f":{number}"
         return self
 
     def __exit__(self, *_) -> None:
         kill_group(self._process)
+        self._memory.cleanup()
+
+    def pixels(self) -> bytes:
+        """What the display shows at this moment, without starting a program to look: the file in which Xvfb
+        holds it."""
+        return (Path(self._memory.name) / "Xvfb_screen0").read_bytes()
 
 
 def preferences(values: Mapping[str, str]) -> str:
@@ -190,10 +197,10 @@ class Inkscape:
         self.extensions.mkdir(parents=True)
         self.set_values(self._values)
         # A blinking cursor or an animation would keep a window from ever looking settled. On a busy
-        # machine the two clicks of one double click are far apart, others more than two seconds.
+        # machine the two clicks of one double click are far apart; others are so by settle().
         gtk = self.home / "config" / "gtk-3.0" / "settings.ini"
         gtk.parent.mkdir(parents=True)
-        settings = ("cursor-blink=false", "enable-animations=false", "double-click-time=1500")
+        settings = ("cursor-blink=false", "enable-animations=false", "double-click-time=1000")
         gtk.write_text("\n".join(["[Settings]", *(f"gtk-{setting}" for setting in settings)]))
         if self._display:
             try:
@@ -224,6 +231,10 @@ class Inkscape:
             "NO_AT_BRIDGE": "1",
             "DBUS_SESSION_BUS_ADDRESS": "disabled:",
         }
+
+    def pixels(self) -> bytes:
+        """What its display shows; only a display of its own can be looked at."""
+        return self._display.pixels()
 
     def set_values(self, values: Mapping[str, str]) -> None:
         """Replaces all preset extension parameters."""
@@ -359,6 +370,7 @@ class InkscapeWindow(Started):
 
     def __init__(self, inkscape: Inkscape, svg, timeout: float):
         super().__init__([INKSCAPE, svg], inkscape.env, timeout)
+        self._look = inkscape.pixels
         self._svg = Path(svg)
         self.is_asking = False
 
@@ -375,11 +387,6 @@ class InkscapeWindow(Started):
             raise
         return self
 
-    def _pixels(self) -> bytes:
-        with tempfile.NamedTemporaryFile(suffix=".rgb") as shot:
-            run(["import", "-window", "root", "-depth", "8", shot.name], self._env, 30)
-            return Path(shot.name).read_bytes()
-
     def settle(self) -> None:
         """Waits until Inkscape, and all that it has started, has nothing left to do and the screen
         stays the same. A screen that stays the same alone may be of an Inkscape that is busy."""
@@ -388,8 +395,8 @@ class InkscapeWindow(Started):
         while same < 3:
             if time.monotonic() > end:
                 raise Timeout(f"the window of {self._svg} keeps changing; {seen(self._env)}")
-            time.sleep(0.7)
-            now = None if is_busy(self._process.pid, not self.is_asking) else self._pixels()
+            time.sleep(0.3)
+            now = None if is_busy(self._process.pid, not self.is_asking) else self._look()
             same = same + 1 if now and now == before else 0
             before = now
 
