@@ -173,6 +173,19 @@ TEST(SvgStyleSheets, what_is_set_wins_over_important_rules) {
   EXPECT_EQ(take_style(rect, "fill"), "url(#m)");
 }
 
+TEST(SvgStyleSheets, what_rules_said_of_an_element_stays_where_it_moves) {
+  SvgTree tree = with_body(
+      "<style>svg > .a{stroke:blue;stroke-width:8} .a{fill:red}</style><rect id='r' class='a'/>");
+  xmlNode* const rect = tree.find("r");
+  const Declarations said = said_by_rules(tree.styles(), rect);
+  xmlNode* const group = add_child(tree.root(), "g");
+  xmlUnlinkNode(rect);
+  xmlAddChild(group, rect);
+  EXPECT_FALSE(tree.styles().declared(rect, "stroke"));
+  keep_said(tree.styles(), said, rect);
+  EXPECT_EQ(attribute(rect, "style"), "stroke:blue;stroke-width:8");
+}
+
 TEST(SvgStyleSheets, a_rule_uses_what_some_element_has_of_it) {
   SvgTree tree = with_body(
       "<style>.a{fill:url(#m)} .z{fill:url(#n)} .a:not(.b){fill:url(#o)} #q stop{fill:red}</style>"

@@ -23,10 +23,14 @@ class ShapeReplacer {
     xmlNode* shape = object_.node;
     const std::string gradient = attribute(object_.gradient, "id").value_or("");
     const std::string fill_opacity = tree_.styles().inherited(shape, "fill-opacity").value_or("1");
+    Declarations said = said_by_rules(tree_.styles(), shape);
     // Not the shape's own namespace, which it may declare itself and take away with it.
     xmlNode* outer = add_child(parent_element(shape), "g");
     xmlAddPrevSibling(shape, outer);
+    keep_said(tree_.styles(), said, shape);
     move_group_attributes(tree_.styles(), shape, outer);
+    std::erase_if(said, [](const auto& one) { return is_effect(one.first); });
+    keep_said(tree_.styles(), said, shape);
 
     // One group, so that a double click is enough to get at the content, unless what else the
     // object paints, or an effect that comes before clipping, needs a group of its own. A group has
@@ -41,8 +45,11 @@ class ShapeReplacer {
     hold(holder, shape, box);
 
     xmlUnlinkNode(shape);
+    keep_said(tree_.styles(), said, shape);
     if (other_paint) {
       keep_other_paint(shape, outer, holder);
+      for (const char* paint : {"fill", "stroke"}) said.erase(paint);
+      keep_said(tree_.styles(), said, shape);
     } else {
       xmlFreeNode(shape);
     }

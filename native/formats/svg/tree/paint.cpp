@@ -168,6 +168,24 @@ void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* gr
   move_description(shape, group);
 }
 
+Declarations said_by_rules(const StyleSheet& styles, const xmlNode* node) {
+  Declarations said;
+  for (const std::string& property : styles.properties([](std::string_view) { return true; }))
+    if (const auto value = styles.declared(node, property);
+        value && styles.rules_say(node, property))
+      said[property] = *value;
+  return said;
+}
+
+void keep_said(const StyleSheet& styles, const Declarations& said, xmlNode* node) {
+  for (const auto& [property, value] : said)
+    if (styles.declared(node, property) != value) set_style(styles, node, property, value);
+}
+
+bool is_effect(std::string_view property) {
+  return std::ranges::any_of(effects, [&](const auto& effect) { return effect.first == property; });
+}
+
 void turn_off_effects(const StyleSheet& styles, xmlNode* node) {
   for (const auto& [name, off] : effects)
     if (styles.declared(node, name)) set_style(styles, node, name, off);

@@ -22,6 +22,13 @@ void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* gr
 /// group's title and description: the reverse of move_group_attributes.
 void return_group_attributes(const StyleSheet& styles, xmlNode* group, xmlNode* shape);
 
+/// Returns what rules say of the element, with the values that count for it.
+Declarations said_by_rules(const StyleSheet& styles, const xmlNode* node);
+/// Writes into the style attribute what rules said of the element and, as it is now, say no more.
+void keep_said(const StyleSheet& styles, const Declarations& said, xmlNode* node);
+
+/// Returns true for a property that acts on an object as a whole and is not inherited.
+bool is_effect(std::string_view property);
 /// Turns off what rules would do to an object as a whole, such as its opacity.
 void turn_off_effects(const StyleSheet& styles, xmlNode* node);
 

@@ -47,6 +47,10 @@ class StyleSheet {
   bool has_important() const { return has_important_; }
   /// Returns the properties to which some rule gives a value that `is_wanted` accepts.
   std::vector<std::string> properties(const std::function<bool(std::string_view)>& is_wanted) const;
+  /// Returns true if a rule for this element has the property.
+  bool rules_say(const xmlNode* node, std::string_view property) const {
+    return from_rules(node, property) != nullptr;
+  }
   /// Returns true if the property has to be `!important` in the `style` attribute, as it is in a
   /// rule.
   bool outranks_style(const xmlNode* node, std::string_view property) const;
