@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
@@ -12,6 +13,7 @@
 
 #include "app/smallest_picture.h"
 #include "app/svg_meshes.h"
+#include "base/clamped_int.h"
 #include "base/limits.h"
 #include "files/image_file.h"
 #include "form/linear_colors.h"
@@ -104,8 +106,8 @@ class MeshPublisher {
     const glm::dvec2 low = glm::floor(grid.point(seen.low())) - margin;
     const glm::dvec2 size = glm::ceil(grid.point(seen.high())) + margin - low;
     scale = std::min(scale, double(limits().resolution) / std::max(size.x, size.y));
-    frame_.width = std::max(1, int(size.x * scale));
-    frame_.height = std::max(1, int(size.y * scale));
+    frame_.width = clamped_int(size.x * scale, 1, INT_MAX);
+    frame_.height = clamped_int(size.y * scale, 1, INT_MAX);
     frame_.to_pixels =
         Affine::scaling(glm::dvec2(scale)) * Affine::translation(-low) * grid * place_.to_user;
     box_.add(grid.inverse().point(low));

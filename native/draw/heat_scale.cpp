@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <glm/common.hpp>
 
+#include "base/clamped_int.h"
+
 namespace gradmesh {
 namespace {
 
@@ -26,7 +28,7 @@ glm::dvec3 anchor(int i) { return glm::dvec3(anchors[i][0], anchors[i][1], ancho
 
 glm::dvec3 heat_color(double t) {
   const double at = std::clamp(t, 0.0, 1.0) * (anchors.size() - 1);
-  const int i = std::min(int(at), int(anchors.size()) - 2);
+  const int i = clamped_int(at, 0, int(anchors.size()) - 2);
   return glm::mix(anchor(i), anchor(i + 1), at - i);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/clamped_int.h"
 #include "base/power_of_ten.h"
 #include "formats/text/number.h"
 
@@ -120,7 +121,7 @@ void Legend::scale(const HeatScale& scale, double least) {
   tick(1, subject_.say(Message("{0} (largest)", short_number(scale.highest()))));
   const std::string lowest = short_number(scale.lowest());
   tick(0, least < scale.lowest() ? subject_.say(Message("{0} and less", lowest)) : lowest);
-  const int first = int(std::ceil(std::log10(scale.lowest())));
+  const int first = clamped_int(std::ceil(std::log10(scale.lowest())), -400, 400);
   for (int power = first; power < std::log10(scale.highest()); ++power) {
     const double position = scale.position(power_of_ten(power));
     // The ends have their own numbers, which must stay legible.

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "base/clamped_int.h"
 #include "fit/samples.h"
 
 namespace gradmesh {
@@ -55,7 +56,7 @@ int sample_count(const Patch& patch, int side, int opposite, const Frame& frame)
     longest = std::max(longest,
                        glm::length(frame.to_pixels.vector(curve.p1.position - curve.p0.position)));
   }
-  return std::clamp(int(longest / pixels), 5, most_samples);
+  return clamped_int(longest / pixels, 5, most_samples);
 }
 
 /// Sets the difference, slopes and weight of the i-th sample, from the colours over white.
@@ -237,7 +238,7 @@ void add_outline(const Patch& patch, const std::vector<Influence>& influences,
                  const Columns& columns, const std::map<int, int>& local, int side,
                  const Reference& target, NormalEquations& equations) {
   const Cubic<glm::dvec2> line = in_pixels(patch.side(side), target.frame());
-  const int steps = std::clamp(int(glm::length(line.p1 - line.p0) / 3), 6, 40);
+  const int steps = clamped_int(glm::length(line.p1 - line.p0) / 3, 6, 40);
   // y follows x, by as many columns as there are places.
   const int to_y = int(influences.size());
   for (int i = 0; i < steps; ++i) {

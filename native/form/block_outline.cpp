@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/clamped_int.h"
+
 namespace gradmesh {
 namespace {
 
@@ -51,7 +53,7 @@ int steps_within(const Mesh& mesh, const std::array<std::vector<Halfedge>, 4>& s
       const glm::dvec2 b2 = curve.bezier2().position, b3 = curve.p1.position;
       bend = std::max({bend, glm::length(b0 - 2.0 * b1 + b2), glm::length(b1 - 2.0 * b2 + b3)});
     }
-  return int(std::clamp(std::ceil(std::sqrt(6 * bend / (8 * flatness))), 1.0, 64.0));
+  return clamped_int(std::ceil(std::sqrt(6 * bend / (8 * flatness))), 1, 64);
 }
 
 Polygon without_repeats(const Polygon& polygon) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
+#include "base/clamped_int.h"
 #include "base/power_of_ten.h"
 
 namespace gradmesh {
@@ -13,7 +14,7 @@ namespace gradmesh {
 /// digits are shorter.
 inline double decimal_step(double most) {
   constexpr double least = 1e-9;
-  return most < least ? 0 : power_of_ten(std::min(0, int(std::floor(std::log10(most) + 1e-9))));
+  return most < least ? 0 : power_of_ten(clamped_int(std::floor(std::log10(most) + 1e-9), -400, 0));
 }
 
 /// Returns the multiple of a decimal step that is nearest; upwards where two are, up to the last

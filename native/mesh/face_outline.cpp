@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/clamped_int.h"
 #include "geom/box.h"
 
 namespace gradmesh {
@@ -11,11 +12,11 @@ namespace {
 
 /// Returns into how many pieces a curve is cut so that chords are off by at most `flatness`.
 int pieces_within(const Cubic<Value>& curve, double flatness) {
-  constexpr double most = 64;
+  constexpr int most = 64;
   const glm::dvec2 b0 = curve.p0.position, b1 = curve.bezier1().position;
   const glm::dvec2 b2 = curve.bezier2().position, b3 = curve.p1.position;
   const double bend = std::max(glm::length(b0 - 2.0 * b1 + b2), glm::length(b1 - 2.0 * b2 + b3));
-  return int(std::clamp(std::ceil(std::sqrt(6 * bend / (8 * flatness))), 1.0, most));
+  return clamped_int(std::ceil(std::sqrt(6 * bend / (8 * flatness))), 1, most);
 }
 
 }  // namespace

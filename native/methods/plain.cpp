@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "base/clamped_int.h"
 #include "base/parallel.h"
 #include "mesh/build.h"
 #include "methods/lines.h"
@@ -256,7 +257,7 @@ class Selection {
       double shift = 0, distance = closest.first;
       for (const glm::dvec2 place : places_along(proposal.outcome->grid, side)) {
         distance = std::min(distance, glm::length(place - worst));
-        const int x = int(std::floor(place.x)), y = int(std::floor(place.y));
+        const int x = clamped_pixel(std::floor(place.x)), y = clamped_pixel(std::floor(place.y));
         if (x >= 0 && y >= 0 && x < shifts.width && y < shifts.height)
           shift = std::max(shift, double(*shifts.at(x, y)));
       }

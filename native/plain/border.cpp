@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "base/clamped_int.h"
+
 namespace gradmesh {
 namespace {
 
@@ -12,7 +14,7 @@ double gap_of(const PlainGrid& grid, Along along, int row, int column, const Ref
   const Affine& to_pixels = picture.frame().to_pixels;
   const Cubic<glm::dvec2> side = grid.side(along, row, column);
   const double length = glm::length(to_pixels.vector(side.p1 - side.p0));
-  const int steps = std::clamp(int(length / spacing), 4, 100);
+  const int steps = clamped_int(length / spacing, 4, 100);
   double gap = 0;
   for (int i = 0; i <= steps; ++i) {
     const glm::dvec2 place = to_pixels.point(side.at(double(i) / steps));

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/clamped_int.h"
 #include "base/parallel.h"
 #include "form/smooth_colors.h"
 #include "raster/painter.h"
@@ -99,7 +100,7 @@ class FixedWalk {
 Color16 color16(const glm::dvec4& color) {
   Color16 result;
   for (int k = 0; k < 4; ++k)
-    result[k] = int(std::floor(std::clamp(color[k], 0.0, 1.0) * 65535 + 0.5));
+    result[k] = clamped_int(std::clamp(color[k], 0.0, 1.0) * 65535 + 0.5, 0, 65535);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/clamped_int.h"
 #include "base/parallel.h"
 
 namespace gradmesh {
@@ -22,7 +23,7 @@ class Side {
       : sums_(std::size_t(shorter)), squares_(std::size_t(shorter)), next_(std::size_t(shorter)) {
     for (int i = 0; i < longer; ++i) {
       const double place = std::clamp((i + 0.5) * shorter / longer - 0.5, 0.0, double(shorter - 1));
-      const int first = std::min(int(place), shorter - 2);
+      const int first = std::min(clamped_int(place, 0, shorter - 1), shorter - 2);
       add({std::size_t(first), place - first});
     }
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
+#include "base/clamped_int.h"
 #include "geom/patch.h"
 #include "raster/bicubic.h"
 
@@ -25,7 +26,7 @@ struct Folds {
   }
   int sign_at(double u, double v) const { return sign[cell(u)][cell(v)]; }
   /// Returns the cell of a parameter in [0, 1].
-  static int cell(double t) { return t < 1 ? int(t * cells) : cells - 1; }
+  static int cell(double t) { return clamped_int(t * cells, 0, cells - 1); }
 };
 
 /// Returns the folds of a patch; `bezier` holds the Bezier points of its position.

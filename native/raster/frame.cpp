@@ -1,8 +1,10 @@
 #include "raster/frame.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 
+#include "base/clamped_int.h"
 #include "base/error.h"
 #include "base/limits.h"
 #include "geom/box.h"
@@ -52,8 +54,8 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePaddi
   const double scale = resolution / (longer + 2 * pad);
   Frame frame;
   // The small addition keeps a side of exactly `resolution` pixels from being cut by rounding.
-  frame.width = std::max(1, int((size.x + 2 * pad) * scale + 1e-9));
-  frame.height = std::max(1, int((size.y + 2 * pad) * scale + 1e-9));
+  frame.width = clamped_int((size.x + 2 * pad) * scale + 1e-9, 1, INT_MAX);
+  frame.height = clamped_int((size.y + 2 * pad) * scale + 1e-9, 1, INT_MAX);
   check_size(frame);
   const Affine fit =
       Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low());
@@ -69,10 +71,9 @@ Window pixel_bounds(const Patch& patch, const Frame& frame) {
   Box box;
   for (const auto& row : bezier_net(patch))
     for (const Value& b : row) box.add(frame.to_pixels.point(b.position));
-  // Far beyond any frame, and still an int.
-  const auto pixel = [](double x) { return int(std::clamp(x, -1e6, 1e6)); };
-  return {pixel(std::floor(box.low().x)) - 1, pixel(std::floor(box.low().y)) - 1,
-          pixel(std::ceil(box.high().x)) + 1, pixel(std::ceil(box.high().y)) + 1};
+  return Window{clamped_pixel(std::floor(box.low().x)), clamped_pixel(std::floor(box.low().y)),
+                clamped_pixel(std::ceil(box.high().x)), clamped_pixel(std::ceil(box.high().y))}
+      .grown(1);
 }
 
 }  // namespace gradmesh

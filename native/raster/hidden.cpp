@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "base/clamped_int.h"
+
 namespace gradmesh {
 namespace {
 
@@ -20,16 +22,16 @@ struct Crossing {
 /// its upper end and not its lower one, so that corners count once.
 std::vector<std::vector<Crossing>> crossings(const Outline& outline, const Affine& to_pixels,
                                              int lines) {
-  std::vector<std::vector<Crossing>> result(static_cast<std::size_t>(lines));
+  std::vector<std::vector<Crossing>> result{std::size_t(lines)};
   for (const std::vector<glm::dvec2>& polygon : outline)
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       glm::dvec2 a = to_pixels.point(polygon[i]);
       glm::dvec2 b = to_pixels.point(polygon[(i + 1) % polygon.size()]);
       const int winding = a.y < b.y ? 1 : -1;
       if (winding < 0) std::swap(a, b);
-      const double first = std::max(std::ceil(a.y * lines_a_row), 0.0);
-      const double end = std::min(std::ceil(b.y * lines_a_row), double(lines));
-      for (int k = int(first); k < end; ++k) {
+      const int first = clamped_int(std::ceil(a.y * lines_a_row), 0, lines);
+      const int end = clamped_int(std::ceil(b.y * lines_a_row), 0, lines);
+      for (int k = first; k < end; ++k) {
         const double t = (double(k) / lines_a_row - a.y) / (b.y - a.y);
         result[std::size_t(k)].push_back({std::lerp(a.x, b.x, t), winding});
       }
@@ -40,15 +42,15 @@ std::vector<std::vector<Crossing>> crossings(const Outline& outline, const Affin
 /// Marks the pixels of a row that the line meets inside the polygons.
 void mark(std::vector<Crossing> line, FillRule rule, std::span<char> seen) {
   std::ranges::sort(line, {}, &Crossing::x);
-  const auto width = double(seen.size());
+  const auto width = int(seen.size());
   int winding = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     winding += line[i].winding;
     const bool inside = rule == FillRule::evenodd ? winding % 2 != 0 : winding != 0;
     if (!inside) continue;
-    const double first = std::clamp(std::floor(line[i].x), 0.0, width);
-    const double end = std::clamp(std::ceil(line[i + 1].x), 0.0, width);
-    std::fill(seen.begin() + int(first), seen.begin() + int(end), true);
+    const int first = clamped_int(std::floor(line[i].x), 0, width);
+    const int end = clamped_int(std::ceil(line[i + 1].x), 0, width);
+    if (first < end) std::fill(seen.begin() + first, seen.begin() + end, true);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/clamped_int.h"
+
 namespace gradmesh {
 namespace {
 
@@ -18,7 +20,7 @@ int steps_of(const PixelCurve& curve) {
   const glm::dvec2 b1 = curve.bezier1(), b2 = curve.bezier2();
   const glm::dvec2 first = curve.p0 - 2.0 * b1 + b2, second = b1 - 2.0 * b2 + curve.p1;
   const double bend = 6 * std::sqrt(std::max(glm::dot(first, first), glm::dot(second, second)));
-  return int(std::clamp(std::ceil(std::sqrt(bend / (8 * flatness))), 1.0, double(most_steps)));
+  return clamped_int(std::ceil(std::sqrt(bend / (8 * flatness))), 1, most_steps);
 }
 
 PixelCurve in_pixels(const Cubic<Value>& curve, const Affine& to_pixels) {

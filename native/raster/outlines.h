@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/clamped_int.h"
 #include "mesh/mesh.h"
 #include "raster/frame.h"
 
@@ -23,8 +24,9 @@ struct GridPoint {
 /// so that products of two differences fit into 64 bits.
 inline GridPoint snap(glm::dvec2 pixels) {
   const auto to_grid = [](double x) {
-    const double units = std::clamp(x, -1e6, 1e6) * (1 << subpixel_bits);
-    return std::int32_t(units < 0 ? units - 0.5 : units + 0.5);
+    constexpr int farthest = 1000000 << subpixel_bits;
+    const double units = x * (1 << subpixel_bits);
+    return clamped_int(units < 0 ? units - 0.5 : units + 0.5, -farthest, farthest);
   };
   return {to_grid(pixels.x), to_grid(pixels.y)};
 }

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/clamped_int.h"
+
 namespace gradmesh {
 namespace {
 
@@ -75,8 +77,8 @@ void set_refinement(const Points& powers, const Bends& bends, const Folds& folds
     for (int j = 0; j < Folds::cells; ++j) refinement.cells[i] |= (folds.sign[i][j] != 0) << j;
   }
   const glm::dvec2 corner = glm::floor(glm::clamp(powers[0][0], -1e6, 1e6));
-  refinement.x = int(corner.x);
-  refinement.y = int(corner.y);
+  refinement.x = clamped_pixel(corner.x);
+  refinement.y = clamped_pixel(corner.y);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       for (int k = 0; k < 2; ++k)
@@ -158,7 +160,7 @@ void set_lines(const std::array<bool, Folds::cells>& fine, double fine_steps, do
     for (end = begin + 1; end < Folds::cells && fine[end] == fine[begin];) ++end;
     const double first = double(begin) / Folds::cells, length = double(end - begin) / Folds::cells;
     const double wanted = std::ceil(length * (fine[begin] ? fine_steps : coarse_steps));
-    const int count = int(std::clamp(wanted, length < 1 ? 1. : 2., double(most_steps)));
+    const int count = clamped_int(wanted, length < 1 ? 1 : 2, most_steps);
     for (int i = 1; i <= count; ++i) lines.push_back(first + length * (double(i) / count));
   }
 }

@@ -30,7 +30,12 @@ class OutlinePoints {
   std::optional<OutlinePoint> closest(glm::dvec2 place) const;
 
  private:
+  struct Cell {
+    int column, row;
+  };
+
   void add(const Cubic<glm::dvec2>& outline);
+  Cell cell_of(glm::dvec2 place) const;
 
   int columns_, rows_;
   /// By the square cells of a grid over the frame.

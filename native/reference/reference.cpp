@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "base/clamped_int.h"
 #include "raster/hidden.h"
 
 namespace gradmesh {
@@ -81,7 +82,7 @@ const EdgeShift& Reference::edge_shift() const {
 
 std::optional<glm::dvec3> Reference::color_at(glm::dvec2 place) const {
   const double x = place.x - 0.5, y = place.y - 0.5;
-  const int x0 = int(std::floor(x)), y0 = int(std::floor(y));
+  const int x0 = clamped_pixel(std::floor(x)), y0 = clamped_pixel(std::floor(y));
   if (x0 < 0 || y0 < 0 || x0 + 1 >= frame_.width || y0 + 1 >= frame_.height) return {};
   const double fx = x - x0, fy = y - y0;
   const std::uint32_t* const rows[] = {texels_.at(x0, y0), texels_.at(x0, y0 + 1)};
@@ -102,8 +103,8 @@ std::optional<glm::dvec3> Reference::color_at(glm::dvec2 place) const {
 }
 
 bool Reference::is_hidden(glm::dvec2 place) const {
-  return frame_.hidden &&
-         frame_.hidden->contains(int(std::floor(place.x)), int(std::floor(place.y)));
+  return frame_.hidden && frame_.hidden->contains(clamped_pixel(std::floor(place.x)),
+                                                  clamped_pixel(std::floor(place.y)));
 }
 
 }  // namespace gradmesh

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ranges>
 
+#include "base/clamped_int.h"
 #include "draw/heat_scale.h"
 #include "files/base64.h"
 #include "files/image_file.h"
@@ -88,7 +89,7 @@ Json mesh_json(const PageMesh& shown, const Image& picture) {
   const Affine& to_pixels = shown.frame.to_pixels;
   // To a hundredth of a pixel, in mesh units.
   const int decimals =
-      std::max(0, int(std::ceil(2 + 0.5 * std::log10(std::abs(to_pixels.determinant())))));
+      clamped_int(std::ceil(2 + 0.5 * std::log10(std::abs(to_pixels.determinant()))), 0, 400);
   const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
   Json curves = Json::array(), matrices = Json::array();
   for (const Halfedge h : mesh.halfedges())

@@ -4,7 +4,18 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/clamped_int.h"
+
 namespace gradmesh {
+namespace {
+
+/// Returns the pixels that a box touches.
+Window pixels_between(glm::dvec2 low, glm::dvec2 high) {
+  return {clamped_pixel(std::floor(low.x)), clamped_pixel(std::floor(low.y)),
+          clamped_pixel(std::ceil(high.x)), clamped_pixel(std::ceil(high.y))};
+}
+
+}  // namespace
 
 void Canvas::lines(const std::vector<std::vector<glm::dvec2>>& lines, const Ink& ink) {
   for (const std::vector<glm::dvec2>& points : lines)
@@ -26,9 +37,7 @@ void Canvas::square(glm::dvec2 center, double half) {
   const glm::dvec2 low = center - half, high = center + half;
   const glm::dvec2 far(image_.width + 1, image_.height + 1);
   if (glm::any(glm::greaterThan(low, far)) || glm::any(glm::lessThan(high, glm::dvec2(-1)))) return;
-  const Window window = Window{int(std::floor(low.x)), int(std::floor(low.y)),
-                               int(std::ceil(high.x)), int(std::ceil(high.y))}
-                            .clipped(image_.window());
+  const Window window = pixels_between(low, high).clipped(image_.window());
   const auto share = [](int pixel, double from, double to) {
     return std::max(0.0, std::min(pixel + 1.0, to) - std::max(double(pixel), from));
   };
@@ -53,9 +62,7 @@ void Canvas::segment(glm::dvec2 a, glm::dvec2 b, double width) {
   const glm::dvec2 least(-1), most(image_.width + 1, image_.height + 1);
   if (glm::any(glm::greaterThan(low, most)) || glm::any(glm::lessThan(high, least))) return;
   const glm::dvec2 from = glm::max(low, least), to = glm::min(high, most);
-  const Window window = Window{int(std::floor(from.x)), int(std::floor(from.y)),
-                               int(std::ceil(to.x)), int(std::ceil(to.y))}
-                            .clipped(image_.window());
+  const Window window = pixels_between(from, to).clipped(image_.window());
   if (window.empty()) return;
   touched_ = touched_.united(window);
   const glm::dvec2 along = b - a;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/clamped_int.h"
 #include "draw/backdrop.h"
 #include "draw/heat_scale.h"
 #include "draw/part_tints.h"
@@ -72,7 +73,8 @@ void Overlay::draw_prices(const std::vector<CurvePrice>& prices) {
   std::vector<Halfedge> unmergeable;
   for (const CurvePrice& price : prices)
     if (std::isfinite(price.error))
-      by_step[int(std::lround(steps * scale.position(price.error)))].push_back(price.curve);
+      by_step[clamped_int(std::round(steps * scale.position(price.error)), 0, steps)].push_back(
+          price.curve);
     else
       unmergeable.push_back(price.curve);
   draw_curves(unmergeable, unmergeable_ink);

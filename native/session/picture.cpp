@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/clamped_int.h"
 #include "base/limits.h"
 #include "draw/heat_scale.h"
 #include "raster/hidden.h"
@@ -78,7 +79,7 @@ class PicturePainter {
         break;
     }
     Image image = painted(shown());
-    const int split = std::clamp(int(std::lround(view_.split * view_.width)), 0, view_.width);
+    const int split = clamped_int(std::round(view_.split * view_.width), 0, view_.width);
     Painting left(Window{0, 0, split, view_.height});
     paint_whole(*session_.problem().original(), frame_, left);
     copy(left.image, left.window(), image);
@@ -97,7 +98,7 @@ class PicturePainter {
     for (int y = 0; y < view_.height; ++y)
       for (int x = 0; x < view_.width; ++x) {
         const glm::dvec2 at = to_map.point({x + 0.5, y + 0.5});
-        const int i = int(std::floor(at.x)), j = int(std::floor(at.y));
+        const int i = clamped_pixel(std::floor(at.x)), j = clamped_pixel(std::floor(at.y));
         if (i < 0 || j < 0 || i >= map.width || j >= map.height) continue;
         const glm::dvec3 color = heat_color(*map.at(i, j) / most);
         for (int c = 0; c < 3; ++c) *image.at(x, y, c) = std::uint8_t(std::lround(255 * color[c]));

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/clamped_int.h"
 #include "geom/box.h"
 #include "geom/outline.h"
 #include "mesh/face_outline.h"
@@ -72,9 +73,11 @@ double share_inside(const Patch& patch, const Affine& to_pixels, const FilledOut
 
 /// Returns points of a line that are at most half a pixel apart.
 std::vector<glm::dvec2> pixels_along(const std::vector<glm::dvec2>& line) {
+  constexpr int most_pieces = 1 << 20;
   std::vector<glm::dvec2> points(line.begin(), line.begin() + !line.empty());
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const int pieces = std::max(1, int(std::ceil(2 * glm::distance(line[i - 1], line[i]))));
+    const int pieces =
+        clamped_int(std::ceil(2 * glm::distance(line[i - 1], line[i])), 1, most_pieces);
     for (int n = 1; n <= pieces; ++n)
       points.push_back(glm::mix(line[i - 1], line[i], double(n) / pieces));
   }
@@ -93,7 +96,7 @@ std::vector<glm::dvec2> points_along(const Cubic<Value>& curve, const Affine& to
   constexpr double straight = 0.2, longest_piece = 6;
   constexpr int most_pieces = 64;
   const int pieces =
-      bend < straight ? 1 : std::clamp(int(std::ceil(length / longest_piece)), 4, most_pieces);
+      bend < straight ? 1 : clamped_int(std::ceil(length / longest_piece), 4, most_pieces);
   std::vector<glm::dvec2> points;
   for (int i = 0; i <= pieces; ++i) points.push_back(c.at(double(i) / pieces));
   return points;

@@ -1,7 +1,9 @@
+#include <set>
 #include <string>
 
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/values/selector.h"
 #include "formats/svg/values/style.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/scanner.h"
@@ -25,6 +27,13 @@ void check_order(const Declarations& declarations) {
 
 }  // namespace
 
+/// By its key a selector is found for an element that it matches.
+void check_selectors(const std::string& text, const xmlNode* path) {
+  const std::set<std::string> keys{"*", "path", ".a", "#p"};
+  for (const Selector& selector : parse_selectors(text))
+    require(!selector.matches(path) || keys.contains(selector.key()), "the key is the element's");
+}
+
 /// The text as a style sheet, and as the style of one element.
 void check(std::string_view bytes) {
   const std::string text(bytes);
@@ -40,12 +49,14 @@ void check(std::string_view bytes) {
   check_order(parse_declarations(text));
   const StyleSheet styles(document.root());
   for (const auto& [property, value] : parse_declarations(text)) {
-    require(property == lower(trimmed(property)), "names are in small letters");
-    require(styles.declared(group, property) == value || text.find('\0') != text.npos,
+    require(property == trimmed(property), "names have no blanks");
+    require(styles.declared(group, property) == without_important(value) ||
+                styles.outranks_style(group, property) || text.find('\0') != text.npos,
             "an element's own style wins");
     referenced_id(value);
     fallback_color(value);
   }
+  check_selectors(text, path);
   require(styles.declared(path, "fill").has_value(), "an attribute counts");
   styles.inherited(path, "fill");
   styles.inherited(path, "stop-color");

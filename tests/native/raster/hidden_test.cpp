@@ -43,6 +43,25 @@ TEST(HiddenPixels, seen_is_what_some_outline_of_each_set_holds) {
   EXPECT_EQ(HiddenPixels({}, Frame{9, 1}).row(0), Runs{});
 }
 
+TEST(HiddenPixels, outlines_of_any_size_hide_as_those_near_the_frame_do) {
+  for (int power = -9; power <= 9; ++power) {
+    const double size = std::pow(10, power), far = std::max(size, 8.0);
+    // To the left of x = 3, above and below as far as it goes; its sides begin beyond the frame.
+    const Outline left{{{3, -far}, {3, far}, {-far, far}, {-far, -far}}};
+    EXPECT_EQ(HiddenPixels(inside(left), Frame{8, 2}).row(1), (Runs{{3, 8}})) << size;
+    const Outline beyond{{{2, 8 + size}, {5, 8 + size}, {5, 9 + 2 * size}, {2, 9 + 2 * size}}};
+    EXPECT_EQ(HiddenPixels(inside(beyond), Frame{8, 2}).row(1), (Runs{{0, 8}})) << size;
+    // A small mesh enlarges everything else.
+    Frame frame{8, 2};
+    frame.to_pixels = Affine::scaling(glm::dvec2(1 / size));
+    const Outline object{{{-1e9, -1e9}, {5 * size, -1e9}, {5 * size, 1e9}, {-1e9, 1e9}}};
+    EXPECT_EQ(HiddenPixels(inside(object), frame).row(0), (Runs{{5, 8}})) << size;
+  }
+  const double none = std::nan("");
+  const HiddenPixels hidden(inside({{{none, 0}, {5, none}, {5, 2}}}), Frame{8, 2});
+  EXPECT_TRUE(hidden.contains(7, 1));
+}
+
 /// Against each pixel's own distance to a circle.
 TEST(HiddenPixels, a_pixel_is_hidden_where_the_outline_stays_away) {
   std::vector<glm::dvec2> circle;

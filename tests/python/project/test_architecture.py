@@ -114,3 +114,46 @@ def test_targets_link_downwards():
         for linked in re.findall(r"gradmesh_(\w+)", text):
             if linked in RANK and linked != name:
                 assert RANK[linked] < rank, f"{name} links {linked}"
+
+
+#: Folders in which coordinates of a stranger's document become places in pictures.
+MEASURING = ("draw", "fit", "plain", "raster", "reference", "session", "trial")
+
+#: What is whole already, in these folders: counts, differences of iterators, constants, and these by their names.
+WHOLE = re.compile(
+    r"[\w.<>()\[\]-]*size\(\)( / 2)?|sizeof\(.+\)|hn::Lanes\(d\)|.+ - \w+\.begin\(\)|label\.anchor"
+    r"|[ikn]|above|along|across|channel|row_padding|(name|label)\.along|first / 2|i % used\.size\(\)"
+    r"|2 \* x\.whole|ends|width_|point [/%] width_|.+ >> [18]|quotient \+ \(over % under > 0\)"
+)
+CONVERSION = re.compile(
+    r"(?<![\w:<])int\(|static_cast<(?:int|long|std::(?:int|u?int|s?size|ptrdiff)\w*)>\(|\bstd::int32_t\("
+)
+
+
+def argument(text, start):
+    """What stands in the parentheses that open before `start`."""
+    depth, end = 1, start
+    while depth:
+        depth += {"(": 1, ")": -1}.get(text[end], 0)
+        end += 1
+    return " ".join(text[start : end - 1].split())
+
+
+def bare_conversions(path):
+    """Numbers that may be floating, made whole without bounds: beyond an int's range that is undefined."""
+    text = re.sub(r"//.*", "", path.read_text())
+    return [a for m in CONVERSION.finditer(text) if not WHOLE.fullmatch(a := argument(text, m.end()))]
+
+
+def test_coordinates_become_indices_within_bounds():
+    """By clamped_int() of base/clamped_int.h: a coordinate may be of any size, or no number at all."""
+    for folder in MEASURING:
+        for path in SOURCES:
+            if path.relative_to(NATIVE).parts[0] == folder:
+                assert bare_conversions(path) == [], f"{path}: clamped_int() is for numbers that are not whole"
+
+
+@pytest.mark.parametrize("bad", ["int(first)", "int(std::floor(place.x))", "static_cast<int>(x)", "int(a.y * 4)"])
+def test_bare_conversions_are_found(bad, tmp_path):
+    (tmp_path / "hidden.cpp").write_text(f"  for (int k = {bad}; k < end; ++k) mark(k);\n")
+    assert len(bare_conversions(tmp_path / "hidden.cpp")) == 1

@@ -193,13 +193,15 @@ MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Me
   write_rows(gradient, mesh, form.blocks.front(),
              {.precision = form.precision,
               .in_style = !tree.styles().is_empty(),
+              .is_important = tree.styles().has_important(),
               .rounding = rounding_within(bounding_box(mesh, form.precision.to_written)),
               .is_relative = form.precision.step > 0});
   forget_original(object);
   const char* property = paint_name(object.role);
   const std::string fallback =
       fallback_color(tree.styles().inherited(object.node, property).value_or(""));
-  set_style(object.node, property, paint_by(attribute(gradient, "id").value_or(""), fallback));
+  set_style(tree.styles(), object.node, property,
+            paint_by(attribute(gradient, "id").value_or(""), fallback));
   remove_if_unused(tree, attribute(object.gradient, "id").value_or(""));
   return {object.node, object.id, object.role, gradient, object.kept};
 }

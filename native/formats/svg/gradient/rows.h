@@ -35,6 +35,8 @@ struct GradientFormat {
   /// True if colours are in `style`, which rules of the document do not override. Attributes are
   /// shorter.
   bool in_style = false;
+  /// True if they are `!important` there, as some rule is.
+  bool is_important = false;
   Rounding rounding = {};
   /// True if coordinates are multiples of a step, and relative to where the side starts, as they
   /// need not equal those of another gradient.

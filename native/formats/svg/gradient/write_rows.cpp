@@ -80,7 +80,9 @@ class RowsWriter {
         format_.channel == MeshChannel::opacity ? mask_color(limited.a) : glm::dvec3(limited);
     const std::string opacity = opaque ? "1" : format_number(limited.a);
     if (format_.in_style) {
-      set_attribute(stop, "style", "stop-color:" + color_text(shown) + ";stop-opacity:" + opacity);
+      const std::string mark(format_.is_important ? important_mark : "");
+      set_attribute(stop, "style",
+                    "stop-color:" + color_text(shown) + mark + ";stop-opacity:" + opacity + mark);
     } else {
       set_attribute(stop, "stop-color", color_text(shown));
       if (opacity != "1") set_attribute(stop, "stop-opacity", opacity);

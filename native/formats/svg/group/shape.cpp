@@ -23,10 +23,14 @@ class ShapeReplacer {
     xmlNode* shape = object_.node;
     const std::string gradient = attribute(object_.gradient, "id").value_or("");
     const std::string fill_opacity = tree_.styles().inherited(shape, "fill-opacity").value_or("1");
+    Declarations said = said_by_rules(tree_.styles(), shape);
     // Not the shape's own namespace, which it may declare itself and take away with it.
     xmlNode* outer = add_child(parent_element(shape), "g");
     xmlAddPrevSibling(shape, outer);
+    keep_said(tree_.styles(), said, shape);
     move_group_attributes(tree_.styles(), shape, outer);
+    std::erase_if(said, [](const auto& one) { return is_effect(one.first); });
+    keep_said(tree_.styles(), said, shape);
 
     // One group, so that a double click is enough to get at the content, unless what else the
     // object paints, or an effect that comes before clipping, needs a group of its own. A group has
@@ -41,8 +45,11 @@ class ShapeReplacer {
     hold(holder, shape, box);
 
     xmlUnlinkNode(shape);
+    keep_said(tree_.styles(), said, shape);
     if (other_paint) {
       keep_other_paint(shape, outer, holder);
+      for (const char* paint : {"fill", "stroke"}) said.erase(paint);
+      keep_said(tree_.styles(), said, shape);
     } else {
       xmlFreeNode(shape);
     }
@@ -63,7 +70,8 @@ class ShapeReplacer {
     const auto factor = parse_opacity(by);
     if (!factor || *factor == 1) return;
     const std::string own = tree_.styles().declared(group, "opacity").value_or("1");
-    set_style(group, "opacity", format_number(parse_opacity(own).value_or(1) * *factor, 6));
+    set_style(tree_.styles(), group, "opacity",
+              format_number(parse_opacity(own).value_or(1) * *factor, 6));
   }
 
   bool is_stroke() const { return object_.role == PaintRole::stroke; }
@@ -135,7 +143,7 @@ class ShapeRestorer {
     xmlNode* gradient = add_child(tree_.defs(), mesh_gradient_name);
     set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
     const std::string name = tree_.give_id(gradient, id_ + "-mesh");
-    set_style(shape, paint_name(role_), paint_by(name, fallback));
+    set_style(tree_.styles(), shape, paint_name(role_), paint_by(name, fallback));
 
     remove_node(outermost_);
     for (const std::string& unused : unused_) remove_if_unused(tree_, unused);
@@ -176,7 +184,7 @@ class ShapeRestorer {
     if (!shape) {
       shape = child_elements(holding_).front();
       const std::string rule = take_style(shape, "clip-rule");
-      if (!rule.empty()) set_style(shape, "fill-rule", rule);
+      if (!rule.empty()) set_style(tree_.styles(), shape, "fill-rule", rule);
     }
     xmlUnlinkNode(shape);
     return shape;
@@ -186,14 +194,15 @@ class ShapeRestorer {
     // Inside another group its opacity is that of the paint alone.
     if (group_ != outermost_) {
       const std::string opacity = take_style(group_, "opacity");
-      if (!opacity.empty()) set_style(shape, paint_name(role_) + std::string("-opacity"), opacity);
+      if (!opacity.empty())
+        set_style(tree_.styles(), shape, paint_name(role_) + std::string("-opacity"), opacity);
     }
     if (holder_ == outermost_) remove_attribute(outermost_, holding_attribute());
     if (group_ == outermost_ && opacity_mask(tree_, group_)) remove_attribute(group_, "mask");
     // A label that the person has given stays.
     if (attribute(outermost_, "label", inkscape_namespace) == own_attribute(group_, "label"))
       remove_attribute(outermost_, "label", inkscape_namespace);
-    return_group_attributes(outermost_, shape);
+    return_group_attributes(tree_.styles(), outermost_, shape);
   }
 
   /// Adds the gradients of the blocks to `unused_`. Returns the colour for programs that know no

@@ -146,6 +146,7 @@ class GroupWriter {
     const GradientFormat format{.precision = written_.form.precision,
                                 .channel = channel,
                                 .in_style = !tree_.styles().is_empty(),
+                                .is_important = tree_.styles().has_important(),
                                 .rounding = rounding_within(mesh_box)};
     const double margin = seam_margin();
     // A tenth of what an outline is grown by, which need not be exact.
@@ -175,6 +176,7 @@ class GroupWriter {
       set_attribute(path, "style",
                     "fill:" + paint_by(gradient, color ? fallback_ : "") +
                         ";fill-rule:nonzero;fill-opacity:1;stroke:none");
+      turn_off_effects(tree_.styles(), path);
       set_own_attribute(path, "face", std::to_string(face));
       face += int(block.tops.size());
     }

@@ -70,10 +70,12 @@ std::string add_gradient(SvgTree& tree, const std::string& prefix, const LinearC
   set_attribute(gradient, "y1", format_number(colors.start.y, digits));
   set_attribute(gradient, "x2", format_number(colors.end.x, digits));
   set_attribute(gradient, "y2", format_number(colors.end.y, digits));
+  const std::string mark(tree.styles().has_important() ? important_mark : "");
   for (const auto& [place, color] : colors.stops) {
     xmlNode* stop = add_child(gradient, "stop");
     set_attribute(stop, "offset", format_number(place));
-    set_attribute(stop, "style", "stop-color:" + color_text(color) + ";stop-opacity:1");
+    set_attribute(stop, "style",
+                  "stop-color:" + color_text(color) + mark + ";stop-opacity:1" + mark);
   }
   return id;
 }
@@ -100,11 +102,11 @@ void write_linear(SvgTree& tree, const MeshObject& object, const LinearColors& c
   const std::string inherited =
       tree.styles().inherited(object.node, paint + "-opacity").value_or("1");
   const double opacity = colors.stops.front().color.a * parse_opacity(inherited).value_or(1);
-  set_style(object.node, paint,
+  set_style(tree.styles(), object.node, paint,
             colors.stops.size() == 1
                 ? color_text(colors.stops.front().color)
                 : paint_by(add_gradient(tree, object.id + "-gradient", colors)));
-  set_style(object.node, paint + "-opacity", format_number(opacity, 6));
+  set_style(tree.styles(), object.node, paint + "-opacity", format_number(opacity, 6));
   remove_if_unused(tree, attribute(object.gradient, "id").value_or(""));
 }
 

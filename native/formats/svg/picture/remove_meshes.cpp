@@ -23,7 +23,7 @@ void replace_paints(SvgTree& tree, const std::vector<const xmlNode*>& gradients)
       const xmlNode* gradient = referenced_mesh(tree, paint);
       if (!gradient || std::ranges::find(gradients, gradient) == gradients.end()) continue;
       const std::string fallback = fallback_color(*paint);
-      set_style(node, property, fallback.empty() ? "none" : fallback);
+      set_style(tree.styles(), node, property, fallback.empty() ? "none" : fallback);
     }
 }
 

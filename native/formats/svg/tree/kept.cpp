@@ -26,8 +26,8 @@ void keep_hidden_copy(SvgTree& tree, const MeshObject& object) {
   for (const char* paint : {"fill", "stroke"})
     if (const auto value = tree.styles().declared(node, paint);
         value && value != tree.styles().declared(copy, paint))
-      set_style(copy, paint, *value);
-  set_style(copy, "display", "none");
+      set_style(tree.styles(), copy, paint, *value);
+  set_style(tree.styles(), copy, "display", "none");
   set_own_attribute(copy, "kept-for", object.id);
 }
 

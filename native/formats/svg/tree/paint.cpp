@@ -85,6 +85,13 @@ bool names_id(std::string_view text, const std::string& id) {
   return false;
 }
 
+/// Returns true if a style sheet names the element with this id, and not just selects it.
+bool refers_to(const std::string& css, const std::string& id) {
+  for (std::size_t at = css.find("url("); at != css.npos; at = css.find("url(", at + 1))
+    if (names_id(css.substr(at, css.find(')', at) - at + 1), id)) return true;
+  return false;
+}
+
 /// Takes the paints of the parts of a text away, which are those of the text then.
 void remove_paints_below(xmlNode* text) {
   for (xmlNode* part : elements_from(text)) {
@@ -111,9 +118,11 @@ std::string paint_by(const std::string& id, const std::string& fallback) {
   return "url(#" + id + ")" + (fallback.empty() ? "" : " " + fallback);
 }
 
-void set_style(xmlNode* node, const std::string& property, const std::string& value) {
+void set_style(const StyleSheet& styles, xmlNode* node, const std::string& property,
+               const std::string& value) {
   Declarations style = style_of(node);
   style[property] = value;
+  if (styles.outranks_style(node, property)) style[property] += important_mark;
   write_style(node, style);
   remove_attribute(node, property.c_str());
 }
@@ -123,7 +132,7 @@ std::string take_style(xmlNode* node, const std::string& property) {
   const auto found = style.extract(property);
   if (!found) return "";
   write_style(node, style);
-  return found.mapped();
+  return without_important(found.mapped());
 }
 
 void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* group) {
@@ -153,12 +162,37 @@ void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* gr
   write_style(group, of_group);
   write_style(shape, of_shape);
   for (const auto& [name, off] : effects)
-    if (styles.declared(shape, name)) set_style(shape, name, off);
+    if (!of_group.contains(name) && styles.declared(group, name) && !attribute(group, name))
+      set_style(styles, group, name, off);
+  turn_off_effects(styles, shape);
   move_description(shape, group);
 }
 
-void return_group_attributes(xmlNode* group, xmlNode* shape) {
-  for (const auto& [name, value] : style_of(group)) set_style(shape, name, value);
+Declarations said_by_rules(const StyleSheet& styles, const xmlNode* node) {
+  Declarations said;
+  for (const std::string& property : styles.properties([](std::string_view) { return true; }))
+    if (const auto value = styles.declared(node, property);
+        value && styles.rules_say(node, property))
+      said[property] = *value;
+  return said;
+}
+
+void keep_said(const StyleSheet& styles, const Declarations& said, xmlNode* node) {
+  for (const auto& [property, value] : said)
+    if (styles.declared(node, property) != value) set_style(styles, node, property, value);
+}
+
+bool is_effect(std::string_view property) {
+  return std::ranges::any_of(effects, [&](const auto& effect) { return effect.first == property; });
+}
+
+void turn_off_effects(const StyleSheet& styles, xmlNode* node) {
+  for (const auto& [name, off] : effects)
+    if (styles.declared(node, name)) set_style(styles, node, name, off);
+}
+
+void return_group_attributes(const StyleSheet& styles, xmlNode* group, xmlNode* shape) {
+  for (const auto& [name, value] : style_of(group)) set_style(styles, shape, name, value);
   for (xmlAttr* a : attributes(group)) {
     const std::string_view name = view(a->name);
     if (!a->ns && among({"id", "style"}, name)) continue;
@@ -176,8 +210,8 @@ bool has_effects(const StyleSheet& styles, const xmlNode* group) {
 }
 
 void keep_only_paint(const StyleSheet& styles, xmlNode* shape, const std::string& paint) {
-  if (const auto value = styles.inherited(shape, paint)) set_style(shape, paint, *value);
-  set_style(shape, paint == "fill" ? "stroke" : "fill", "none");
+  if (const auto value = styles.inherited(shape, paint)) set_style(styles, shape, paint, *value);
+  set_style(styles, shape, paint == "fill" ? "stroke" : "fill", "none");
 }
 
 xmlNode* geometry_copy(const StyleSheet& styles, const xmlNode* shape, xmlNode* parent) {
@@ -206,20 +240,30 @@ void paint_stroke_white(const StyleSheet& styles, const xmlNode* shape, xmlNode*
   for (const char* name :
        {"stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
         "stroke-dasharray", "stroke-dashoffset", "stroke-opacity", "vector-effect"})
-    if (const auto value = styles.inherited(shape, name)) set_style(copy, name, *value);
-  set_style(copy, "fill", "none");
-  set_style(copy, "stroke", "#ffffff");
+    if (const auto value = styles.inherited(shape, name)) set_style(styles, copy, name, *value);
+  set_style(styles, copy, "fill", "none");
+  set_style(styles, copy, "stroke", "#ffffff");
 }
 
 void set_clip_rule(const StyleSheet& styles, const xmlNode* shape, xmlNode* copy) {
-  if (const auto rule = styles.inherited(shape, "fill-rule")) set_style(copy, "clip-rule", *rule);
+  if (const auto rule = styles.inherited(shape, "fill-rule"))
+    set_style(styles, copy, "clip-rule", *rule);
 }
 
 bool is_used(const SvgTree& tree, const std::string& id) {
+  const StyleSheet& styles = tree.styles();
+  const std::vector<std::string> properties =
+      styles.properties([&](std::string_view value) { return names_id(value, id); });
   return std::ranges::any_of(elements_from(tree.root()), [&](const xmlNode* node) {
     const auto names = [&](const xmlAttr* a) { return names_id(text_of(a->children, node), id); };
-    return std::ranges::any_of(attributes(node), names) ||
-           (svg_name(node) == "style" && names_id(text_of(node->children, node), id));
+    const auto follows = [&](const std::string& property) {
+      return names_id(styles.declared(node, property).value_or(""), id);
+    };
+    // What is not read here may be by another version of Inkscape.
+    const bool is_unread = properties.empty() && svg_name(node) == "style" &&
+                           refers_to(text_of(node->children, node), id);
+    return is_unread || std::ranges::any_of(attributes(node), names) ||
+           std::ranges::any_of(properties, follows);
   });
 }
 

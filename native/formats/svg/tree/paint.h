@@ -20,7 +20,17 @@ void move_group_attributes(const StyleSheet& styles, xmlNode* shape, xmlNode* gr
 
 /// Gives the shape all attributes of the group but its id and those of our own namespace, and the
 /// group's title and description: the reverse of move_group_attributes.
-void return_group_attributes(xmlNode* group, xmlNode* shape);
+void return_group_attributes(const StyleSheet& styles, xmlNode* group, xmlNode* shape);
+
+/// Returns what rules say of the element, with the values that count for it.
+Declarations said_by_rules(const StyleSheet& styles, const xmlNode* node);
+/// Writes into the style attribute what rules said of the element and, as it is now, say no more.
+void keep_said(const StyleSheet& styles, const Declarations& said, xmlNode* node);
+
+/// Returns true for a property that acts on an object as a whole and is not inherited.
+bool is_effect(std::string_view property);
+/// Turns off what rules would do to an object as a whole, such as its opacity.
+void turn_off_effects(const StyleSheet& styles, xmlNode* node);
 
 /// Returns true if the group clips, masks or filters what it holds.
 bool has_effects(const StyleSheet& styles, const xmlNode* group);
@@ -42,16 +52,18 @@ void set_clip_rule(const StyleSheet& styles, const xmlNode* shape, xmlNode* copy
 /// know the element's kind unless `fallback` is empty.
 std::string paint_by(const std::string& id, const std::string& fallback = "");
 
-/// Sets one property of the style attribute.
-void set_style(xmlNode* node, const std::string& property, const std::string& value);
+/// Sets one property of the style attribute, as `!important` where a rule is.
+void set_style(const StyleSheet& styles, xmlNode* node, const std::string& property,
+               const std::string& value);
 
-/// Returns true if an attribute or a rule of the document names this id.
+/// Returns true if an attribute of the document names this id, or a rule that some element follows.
 bool is_used(const SvgTree& tree, const std::string& id);
-/// Takes one property out of the style attribute. Returns its value, empty if there was none.
+/// Takes one property out of the style attribute. Returns its value without `!important`, empty if
+/// there was none.
 std::string take_style(xmlNode* node, const std::string& property);
 
-/// Removes the element with this id, and then the mesh gradient that it alone used by href, if no
-/// attribute and no rule of the document names it.
+/// Removes the element with this id, and then the mesh gradient that it alone used by href, if it
+/// is not used.
 void remove_if_unused(SvgTree& tree, const std::string& id);
 
 }  // namespace gradmesh

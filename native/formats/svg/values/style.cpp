@@ -1,6 +1,7 @@
 #include "formats/svg/values/style.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -82,31 +83,11 @@ std::string without_comments(std::string_view text) {
   return result;
 }
 
-std::string_view without_important(std::string_view value) {
-  const std::size_t mark = find_outside(value, "!", 0);
-  return trimmed(value.substr(0, mark));
-}
-
-/// Returns the position after the block that opens at `text[open]`.
-std::size_t block_end(std::string_view text, std::size_t open) {
-  int depth = 0;
-  for (std::size_t i = open; i < text.size(); i = find_outside(text, "{}", i + 1)) {
-    depth += text[i] == '{' ? 1 : -1;
-    if (depth == 0) return i + 1;
-  }
-  return text.size();
-}
-
 bool is_name(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || static_cast<unsigned char>(c) >= 0x80;
   });
-}
-
-bool is_simple_selector(std::string_view selector) {
-  const bool marked = selector.starts_with('.') || selector.starts_with('#');
-  return is_name(selector.substr(marked ? 1 : 0));
 }
 
 std::vector<std::string> split_words(std::string_view text) {
@@ -120,19 +101,23 @@ std::vector<std::string> split_words(std::string_view text) {
   return words;
 }
 
-/// Returns all declarations in their order, also of equal names.
-std::vector<std::pair<std::string, std::string>> declaration_list(std::string_view text) {
+/// Returns all declarations in their order, also of equal names. Names are as they are written:
+/// Inkscape takes no capital for a small letter there.
+std::vector<StyleDeclaration> declaration_list(std::string_view text) {
   const std::string clean = without_comments(text);
   const std::string_view view = clean;
-  std::vector<std::pair<std::string, std::string>> declarations;
+  std::vector<StyleDeclaration> declarations;
   for (std::size_t start = 0; start < view.size();) {
     const std::size_t end = find_outside(view, ";", start);
     const std::string_view declaration = view.substr(start, end - start);
     const std::size_t colon = declaration.find(':');
-    std::string name = lower(trimmed(declaration.substr(0, colon)));
-    if (colon != declaration.npos && is_name(name))
-      declarations.emplace_back(std::move(name),
-                                closed(without_important(declaration.substr(colon + 1))));
+    const std::string_view name = trimmed(declaration.substr(0, colon));
+    if (colon != declaration.npos && is_name(name)) {
+      std::string_view value = trimmed(declaration.substr(colon + 1));
+      const bool is_important = take_important(value);
+      value = trimmed(value.substr(0, find_outside(value, "!", 0)));
+      declarations.push_back({std::string(name), closed(value), is_important});
+    }
     start = end + 1;
   }
   return declarations;
@@ -142,8 +127,21 @@ std::vector<std::pair<std::string, std::string>> declaration_list(std::string_vi
 
 Declarations parse_declarations(std::string_view text) {
   Declarations declarations;
-  for (auto& [name, value] : declaration_list(text)) declarations[name] = std::move(value);
+  std::set<std::string> important;
+  for (auto& [name, value, is_important] : declaration_list(text)) {
+    if (is_important)
+      important.insert(name);
+    else if (important.contains(name))
+      continue;
+    declarations[name] = std::move(value);
+  }
+  for (const std::string& name : important) declarations[name] += important_mark;
   return declarations;
+}
+
+std::string without_important(std::string_view value) {
+  take_important(value);
+  return std::string(value);
 }
 
 StyleSheet::StyleSheet(const xmlNode* root) { read_below(root); }
@@ -151,79 +149,77 @@ StyleSheet::StyleSheet(const xmlNode* root) { read_below(root); }
 void StyleSheet::read_below(const xmlNode* node) {
   for (const xmlNode* child : child_elements(node)) {
     if (svg_name(child) == "style") {
-      const std::string type = lower(attribute(child, "type").value_or("text/css"));
-      if (trimmed(type) == "text/css") add_rules(without_comments(text_of(child->children, child)));
+      for (const StyleRule& rule : parse_style_rules(text_of(child->children, child))) add(rule);
     } else {
       read_below(child);
     }
   }
 }
 
-void StyleSheet::add_rules(std::string_view css) {
-  for (std::size_t start = 0; start < css.size();) {
-    const std::size_t open = find_outside(css, "{;", start);
-    const std::string_view prelude = trimmed(css.substr(start, open - start));
-    if (open == css.size() || css[open] == ';') {
-      start = open + 1;
-      continue;
+void StyleSheet::add(const StyleRule& rule) {
+  for (const Selector& selector : rule.selectors) {
+    selectors_.push_back(selector);
+    auto& properties = rules_[selector.key()];
+    for (const auto& [property, value, is_important] : rule.declarations) {
+      has_important_ = has_important_ || is_important;
+      properties[property].push_back(
+          {value, {is_important, selector.specificity(), ++count_}, selectors_.size() - 1});
     }
-    const std::size_t end = block_end(css, open);
-    std::string_view body = css.substr(open + 1, end - open - 1);
-    if (body.ends_with('}')) body.remove_suffix(1);
-    if (!prelude.starts_with('@')) add_rule(prelude, body);
-    start = end;
   }
 }
 
-void StyleSheet::add_rule(std::string_view selectors, std::string_view body) {
-  const Declarations declarations = parse_declarations(body);
-  ++count_;
-  for (std::size_t start = 0; start < selectors.size();) {
-    const std::size_t comma = std::min(selectors.find(',', start), selectors.size());
-    const std::string_view selector = trimmed(selectors.substr(start, comma - start));
-    if (is_simple_selector(selector))
-      for (const auto& [property, value] : declarations)
-        rules_[std::string(selector)][property] = {value, count_};
-    start = comma + 1;
-  }
-}
-
-const StyleSheet::Declaration* StyleSheet::find(const std::string& selector,
-                                                std::string_view property) const {
-  const auto rule = rules_.find(selector);
-  if (rule == rules_.end()) return nullptr;
-  const auto found = rule->second.find(property);
-  return found == rule->second.end() ? nullptr : &found->second;
-}
-
-std::optional<std::string> StyleSheet::from_rules(const xmlNode* node,
-                                                  std::string_view property) const {
-  if (rules_.empty()) return std::nullopt;
+/// Returns the declaration of a rule that counts; null if there is none.
+const StyleSheet::Declaration* StyleSheet::from_rules(const xmlNode* node,
+                                                      std::string_view property) const {
+  if (rules_.empty()) return nullptr;
+  std::vector<std::string> keys{"*", std::string(view(node->name))};
+  if (const auto id = attribute(node, "id")) keys.push_back("#" + *id);
+  for (const std::string& name : split_words(attribute(node, "class").value_or("")))
+    keys.push_back("." + name);
   const Declaration* best = nullptr;
-  if (const auto id = attribute(node, "id")) best = find("#" + *id, property);
-  if (!best)
-    for (const std::string& name : split_words(attribute(node, "class").value_or(""))) {
-      const Declaration* found = find("." + name, property);
-      if (found && (!best || found->order > best->order)) best = found;
-    }
-  if (!best) best = find(std::string(svg_name(node)), property);
-  return best ? std::optional(best->value) : std::nullopt;
+  for (const std::string& key : keys) {
+    const auto rules = rules_.find(key);
+    if (rules == rules_.end()) continue;
+    const auto found = rules->second.find(property);
+    if (found == rules->second.end()) continue;
+    for (const Declaration& declaration : found->second)
+      if ((!best || declaration.rank > best->rank) &&
+          selectors_[declaration.selector].matches(node))
+        best = &declaration;
+  }
+  return best;
 }
 
 std::optional<std::string> StyleSheet::declared(const xmlNode* node, std::string_view property,
                                                 Accepts accepts) const {
   const auto counts = [&](std::string_view value) { return !accepts || accepts(value); };
-  if (const auto style = attribute(node, "style")) {
-    const auto list = declaration_list(*style);
-    const auto last = std::find_if(list.rbegin(), list.rend(), [&](const auto& declaration) {
-      return declaration.first == property && counts(declaration.second);
+  const std::vector<StyleDeclaration> own = declaration_list(attribute(node, "style").value_or(""));
+  const Declaration* const rule = from_rules(node, property);
+  for (const bool is_important : {true, false}) {
+    const auto last = std::find_if(own.rbegin(), own.rend(), [&](const StyleDeclaration& d) {
+      return d.property == property && d.is_important == is_important && counts(d.value);
     });
-    if (last != list.rend()) return last->second;
+    if (last != own.rend()) return last->value;
+    if (rule && rule->rank.is_important == is_important && counts(rule->value)) return rule->value;
   }
-  if (auto value = from_rules(node, property); value && counts(*value)) return value;
   if (const auto value = attribute(node, std::string(property).c_str()))
     if (const std::string_view text = trimmed(*value); counts(text)) return std::string(text);
   return std::nullopt;
+}
+
+std::vector<std::string> StyleSheet::properties(
+    const std::function<bool(std::string_view)>& is_wanted) const {
+  std::set<std::string> found;
+  for (const auto& [key, rules] : rules_)
+    for (const auto& [property, declarations] : rules)
+      if (std::ranges::any_of(declarations, [&](const auto& d) { return is_wanted(d.value); }))
+        found.insert(property);
+  return {found.begin(), found.end()};
+}
+
+bool StyleSheet::outranks_style(const xmlNode* node, std::string_view property) const {
+  const Declaration* const rule = from_rules(node, property);
+  return rule && rule->rank.is_important;
 }
 
 std::optional<std::string> StyleSheet::inherited(const xmlNode* node,

@@ -1,0 +1,63 @@
+#include "formats/svg/values/css_text.h"
+
+namespace gradmesh {
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+/// Takes the escape of a character by its number; only of one that is a letter of a name anyway.
+bool take_escape(std::string_view& text, std::string& name) {
+  constexpr std::size_t most_digits = 6;
+  std::size_t i = 1;
+  int code = 0;
+  for (; i < text.size() && i <= most_digits && hex_digit(text[i]) >= 0; ++i)
+    code = code * 16 + hex_digit(text[i]);
+  if (i == 1 || code < '-' || code >= 0x80) return false;
+  if (i < text.size() && (text[i] == ' ' || text[i] == '\t' || text[i] == '\n')) ++i;
+  name += char(code);
+  text.remove_prefix(i);
+  return true;
+}
+
+}  // namespace
+
+std::string take_css_letters(std::string_view& text) {
+  std::string name;
+  while (!text.empty()) {
+    const char c = text.front();
+    if (is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_') {
+      name += c;
+      text.remove_prefix(1);
+    } else if (c != '\\' || !take_escape(text, name)) {
+      break;
+    }
+  }
+  return name;
+}
+
+std::string take_css_name(std::string_view& text) {
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  if (first >= text.size() || !(is_letter(text[first]) || text[first] == '\\')) return "";
+  return take_css_letters(text);
+}
+
+std::size_t css_string_size(std::string_view text) {
+  for (std::size_t i = 1; i < text.size() && text[i] != '\n'; ++i) {
+    if (text[i] == '\\')
+      ++i;
+    else if (text[i] == text.front())
+      return i + 1;
+  }
+  return 1;
+}
+
+}  // namespace gradmesh
