@@ -136,8 +136,9 @@ class Display:
         width, height = SCREEN
         self._memory = tempfile.TemporaryDirectory(prefix="display-")
         self._process = subprocess.Popen(
+            # Without a pointer: over a busy program it turns, and the display never stays the same.
             ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24"]
-            + ["-fbdir", self._memory.name, "-nolisten", "tcp"],
+            + ["-fbdir", self._memory.name, "-nocursor", "-nolisten", "tcp"],
             pass_fds=[write_end],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
