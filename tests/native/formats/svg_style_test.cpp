@@ -3,6 +3,7 @@
 
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/tree/unused.h"
 #include "formats/svg/values/rules.h"
 #include "formats/svg/values/selector.h"
 #include "formats/svg/xml/node.h"

@@ -11,6 +11,7 @@
 #include "formats/svg/gradient/written_gradient.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/tree/paint.h"
+#include "formats/svg/tree/unused.h"
 #include "formats/svg/values/length.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/values/shape.h"

@@ -12,6 +12,7 @@
 #include "formats/svg/group/shape.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/tree/paint.h"
+#include "formats/svg/tree/unused.h"
 #include "formats/svg/values/curves.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/xml/node.h"

@@ -7,6 +7,7 @@
 #include "formats/svg/group/write_group.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/tree/paint.h"
+#include "formats/svg/tree/unused.h"
 #include "formats/svg/values/color.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"

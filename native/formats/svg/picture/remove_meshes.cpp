@@ -9,6 +9,7 @@
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/tree/paint.h"
+#include "formats/svg/tree/unused.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/xml/node.h"
 
@@ -27,48 +28,15 @@ void replace_paints(SvgTree& tree, const std::vector<const xmlNode*>& gradients)
     }
 }
 
-/// Returns rules in which the paints that name this id are replaced by their colours.
-std::string without_paint(std::string css, const std::string& id) {
-  for (std::size_t at = 0; (at = css.find("url(", at)) != css.npos;) {
-    const std::size_t end = std::min(css.find_first_of(";}", at), css.size());
-    const std::string_view paint = std::string_view(css).substr(at, end - at);
-    if (referenced_id(paint) != id) {
-      ++at;
-      continue;
-    }
-    const std::string fallback = fallback_color(paint);
-    css.replace(at, end - at,
-                fallback.empty() || fallback.front() == '!' ? "none" + fallback : fallback);
-  }
-  return css;
-}
-
-void replace_paints_in_rules(SvgTree& tree, const std::vector<const xmlNode*>& gradients) {
-  for (const xmlNode* node : elements_from(tree.root())) {
-    if (svg_name(node) != "style") continue;
-    for (xmlNode* text = node->children; text; text = text->next) {
-      if (text->type != XML_TEXT_NODE && text->type != XML_CDATA_SECTION_NODE) continue;
-      const std::string css(view(text->content));
-      std::string changed = css;
-      for (const xmlNode* gradient : gradients)
-        changed = without_paint(changed, attribute(gradient, "id").value_or(""));
-      if (changed != css)
-        xmlNodeSetContent(text, reinterpret_cast<const xmlChar*>(changed.c_str()));
-    }
-  }
-}
-
 void remove_unused_gradients(SvgTree& tree) {
-  const auto unused = unused_mesh_gradients(tree, mesh_objects(tree));
-  replace_paints(tree, unused);
-  replace_paints_in_rules(tree, unused);
+  replace_paints(tree, unused_mesh_gradients(tree, mesh_objects(tree)));
   // Those that give others their rows become unused after these.
   const auto next_unused = [&]() -> xmlNode* {
     for (xmlNode* node : elements_from(tree.root()))
       if (is_mesh_gradient(node) && !is_used(tree, attribute(node, "id").value_or(""))) return node;
     return nullptr;
   };
-  while (xmlNode* gradient = next_unused()) remove_node(gradient);
+  while (xmlNode* gradient = next_unused()) remove_named(tree, gradient);
 }
 
 bool is_polyfill(const xmlNode* node) {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "formats/svg/tree/own.h"
-#include "formats/svg/values/mesh_names.h"
 #include "formats/svg/xml/node.h"
 
 namespace gradmesh {
@@ -71,25 +69,6 @@ void write_style(xmlNode* node, const Declarations& style) {
   } else {
     set_attribute(node, "style", text);
   }
-}
-
-/// Returns true if `text` names `#id`, and not just an id that begins with it.
-bool names_id(std::string_view text, const std::string& id) {
-  const std::string wanted = "#" + id;
-  for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + 1)) {
-    const std::size_t end = at + wanted.size();
-    const unsigned char c = end < text.size() ? static_cast<unsigned char>(text[end]) : ' ';
-    if (!(std::isalnum(c) || c == '-' || c == '_' || c == '.' || c == ':' || c >= 0x80))
-      return true;
-  }
-  return false;
-}
-
-/// Returns true if a style sheet names the element with this id, and not just selects it.
-bool refers_to(const std::string& css, const std::string& id) {
-  for (std::size_t at = css.find("url("); at != css.npos; at = css.find("url(", at + 1))
-    if (names_id(css.substr(at, css.find(')', at) - at + 1), id)) return true;
-  return false;
 }
 
 /// Takes the paints of the parts of a text away, which are those of the text then.
@@ -248,32 +227,6 @@ void paint_stroke_white(const StyleSheet& styles, const xmlNode* shape, xmlNode*
 void set_clip_rule(const StyleSheet& styles, const xmlNode* shape, xmlNode* copy) {
   if (const auto rule = styles.inherited(shape, "fill-rule"))
     set_style(styles, copy, "clip-rule", *rule);
-}
-
-bool is_used(const SvgTree& tree, const std::string& id) {
-  const StyleSheet& styles = tree.styles();
-  const std::vector<std::string> properties =
-      styles.properties([&](std::string_view value) { return names_id(value, id); });
-  return std::ranges::any_of(elements_from(tree.root()), [&](const xmlNode* node) {
-    const auto names = [&](const xmlAttr* a) { return names_id(text_of(a->children, node), id); };
-    const auto follows = [&](const std::string& property) {
-      return names_id(styles.declared(node, property).value_or(""), id);
-    };
-    // What is not read here may be by another version of Inkscape.
-    const bool is_unread = properties.empty() && svg_name(node) == "style" &&
-                           refers_to(text_of(node->children, node), id);
-    return is_unread || std::ranges::any_of(attributes(node), names) ||
-           std::ranges::any_of(properties, follows);
-  });
-}
-
-void remove_if_unused(SvgTree& tree, const std::string& id) {
-  xmlNode* node = id.empty() ? nullptr : tree.find(id);
-  if (!node || is_used(tree, id)) return;
-  const std::string target = href(node);
-  remove_node(node);
-  const xmlNode* next = target.starts_with('#') ? tree.find(target.substr(1)) : nullptr;
-  if (next && is_mesh_gradient(next)) remove_if_unused(tree, target.substr(1));
 }
 
 }  // namespace gradmesh

@@ -55,15 +55,8 @@ std::string paint_by(const std::string& id, const std::string& fallback = "");
 /// Sets one property of the style attribute, as `!important` where a rule is.
 void set_style(const StyleSheet& styles, xmlNode* node, const std::string& property,
                const std::string& value);
-
-/// Returns true if an attribute of the document names this id, or a rule that some element follows.
-bool is_used(const SvgTree& tree, const std::string& id);
 /// Takes one property out of the style attribute. Returns its value without `!important`, empty if
 /// there was none.
 std::string take_style(xmlNode* node, const std::string& property);
-
-/// Removes the element with this id, and then the mesh gradient that it alone used by href, if it
-/// is not used.
-void remove_if_unused(SvgTree& tree, const std::string& id);
 
 }  // namespace gradmesh

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/tree/paint.h"
+#include "formats/svg/tree/unused.h"
 #include "formats/svg/values/shape.h"
 #include "formats/svg/values/transform.h"
 #include "formats/svg/xml/node.h"

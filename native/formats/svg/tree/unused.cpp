@@ -1,0 +1,96 @@
+#include "formats/svg/tree/unused.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+#include "formats/svg/tree/objects.h"
+#include "formats/svg/values/mesh_names.h"
+#include "formats/svg/xml/node.h"
+
+namespace gradmesh {
+namespace {
+
+/// Returns true if `text` names `#id`, and not just an id that begins with it.
+bool names_id(std::string_view text, const std::string& id) {
+  const std::string wanted = "#" + id;
+  for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + 1)) {
+    const std::size_t end = at + wanted.size();
+    const unsigned char c = end < text.size() ? static_cast<unsigned char>(text[end]) : ' ';
+    if (!(std::isalnum(c) || c == '-' || c == '_' || c == '.' || c == ':' || c >= 0x80))
+      return true;
+  }
+  return false;
+}
+
+/// Returns true if a style sheet names the element with this id, and not just selects it.
+bool refers_to(const std::string& css, const std::string& id) {
+  for (std::size_t at = css.find("url("); at != css.npos; at = css.find("url(", at + 1))
+    if (names_id(css.substr(at, css.find(')', at) - at + 1), id)) return true;
+  return false;
+}
+
+/// Returns rules in which the paints that name this id are replaced by their colours.
+std::string without_paint(std::string css, const std::string& id) {
+  for (std::size_t at = 0; (at = css.find("url(", at)) != css.npos;) {
+    const std::size_t end = std::min(css.find_first_of(";}", at), css.size());
+    const std::string_view paint = std::string_view(css).substr(at, end - at);
+    if (referenced_id(paint) != id) {
+      ++at;
+      continue;
+    }
+    const std::string fallback = fallback_color(paint);
+    css.replace(at, end - at,
+                fallback.empty() || fallback.front() == '!' ? "none" + fallback : fallback);
+  }
+  return css;
+}
+
+void replace_paints_in_rules(SvgTree& tree, const std::string& id) {
+  for (const xmlNode* node : elements_from(tree.root())) {
+    if (svg_name(node) != "style") continue;
+    for (xmlNode* text = node->children; text; text = text->next) {
+      if (text->type != XML_TEXT_NODE && text->type != XML_CDATA_SECTION_NODE) continue;
+      const std::string css(view(text->content));
+      const std::string changed = without_paint(css, id);
+      if (changed != css)
+        xmlNodeSetContent(text, reinterpret_cast<const xmlChar*>(changed.c_str()));
+    }
+  }
+}
+
+}  // namespace
+
+bool is_used(const SvgTree& tree, const std::string& id) {
+  const StyleSheet& styles = tree.styles();
+  const std::vector<std::string> properties =
+      styles.properties([&](std::string_view value) { return names_id(value, id); });
+  return std::ranges::any_of(elements_from(tree.root()), [&](const xmlNode* node) {
+    const auto names = [&](const xmlAttr* a) { return names_id(text_of(a->children, node), id); };
+    const auto follows = [&](const std::string& property) {
+      return names_id(styles.declared(node, property).value_or(""), id);
+    };
+    // What is not read here may be by another version of Inkscape.
+    const bool is_unread = properties.empty() && svg_name(node) == "style" &&
+                           refers_to(text_of(node->children, node), id);
+    return is_unread || std::ranges::any_of(attributes(node), names) ||
+           std::ranges::any_of(properties, follows);
+  });
+}
+
+void remove_named(SvgTree& tree, xmlNode* node) {
+  replace_paints_in_rules(tree, attribute(node, "id").value_or(""));
+  remove_node(node);
+}
+
+void remove_if_unused(SvgTree& tree, const std::string& id) {
+  xmlNode* node = id.empty() ? nullptr : tree.find(id);
+  if (!node || is_used(tree, id)) return;
+  const std::string target = href(node);
+  remove_named(tree, node);
+  const xmlNode* next = target.starts_with('#') ? tree.find(target.substr(1)) : nullptr;
+  if (next && is_mesh_gradient(next)) remove_if_unused(tree, target.substr(1));
+}
+
+}  // namespace gradmesh

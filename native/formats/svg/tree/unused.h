@@ -1,0 +1,22 @@
+#pragma once
+
+#include <libxml/tree.h>
+
+#include <string>
+
+#include "formats/svg/tree/svg_tree.h"
+
+namespace gradmesh {
+
+/// Returns true if an attribute of the document names this id, or a rule that some element follows.
+bool is_used(const SvgTree& tree, const std::string& id);
+
+/// Removes an element that no element uses. Rules that name it, which none follows, get the colour
+/// that stands in for it: nothing names what is gone.
+void remove_named(SvgTree& tree, xmlNode* node);
+
+/// Removes the element with this id, and then the mesh gradient that it alone used by href, if it
+/// is not used.
+void remove_if_unused(SvgTree& tree, const std::string& id);
+
+}  // namespace gradmesh
