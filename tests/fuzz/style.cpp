@@ -1,8 +1,9 @@
 #include <set>
 #include <string>
 
-#include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/values/css_text.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/values/selector.h"
 #include "formats/svg/values/style.h"
 #include "formats/svg/xml/node.h"
@@ -51,9 +52,11 @@ void check(std::string_view bytes) {
   for (const auto& [property, value] : parse_declarations(text)) {
     require(property == trimmed(property), "names have no blanks");
     require(styles.declared(group, property) == without_important(value) ||
-                styles.outranks_style(group, property) || text.find('\0') != text.npos,
+                styles.outranks_style(group, property) || has_broken_url(value) ||
+                text.find('\0') != text.npos,
             "an element's own style wins");
-    referenced_id(value);
+    const auto id = referenced_id(value, input_name);
+    require(!id || value.find('#') != value.npos, "a reference has a #");
     fallback_color(value);
   }
   check_selectors(text, path);

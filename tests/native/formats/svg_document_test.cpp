@@ -58,8 +58,14 @@ TEST(SvgObjects, paint_comes_from_style_attribute_or_group) {
 
 TEST(SvgObjects, writings_of_the_paint) {
   for (const std::string paint :
-       {"url(#m)", "url( '#m' )", "url(#m) #abc", "url(#m) none", "URL(&quot;#m&quot;) red"})
+       {"url(#m)", "url( '#m' )", "url(#m) #abc", "url(#m) none", "url(&quot;#%6d&quot;) red"})
     EXPECT_EQ(listing("<rect id='a' fill=\"" + paint + "\"/>"), "a fill=m; ") << paint;
+  // What Inkscape cannot read is as if it were not there.
+  for (const std::string paint : {"URL(#n)", "foo", "None", "#ff000"})
+    EXPECT_EQ(listing("<g fill='url(#m)'><rect id='a' fill='" + paint + "'/></g>"), "a fill=m; ")
+        << paint;
+  for (const std::string paint : {"none", "RED", "currentColor", "url(#nowhere)"})
+    EXPECT_EQ(listing("<g fill='url(#m)'><rect id='a' fill='" + paint + "'/></g>"), "") << paint;
   EXPECT_EQ(listing("<rect id='a' style='; ;stroke:none;fill : url(&quot;#m&quot;) !important;'/>"),
             "a fill=m; ");
 }
@@ -96,6 +102,8 @@ TEST(SvgObjects, missing_ids_are_written) {
   EXPECT_EQ(objects[1].id, "rect3");
   EXPECT_NE(document.serialize().find("<rect fill=\"url(#m)\" id=\"rect2\"/>"), std::string::npos);
   EXPECT_EQ(mesh_objects(document).at(1).id, "rect3");
+  EXPECT_EQ(document.give_id(add_child(document.root(), "g"), "a\xc2\xa0(\xc3\xa4%"),
+            "a__\xc3\xa4_4");
 }
 
 TEST(SvgObjects, transform_to_document) {

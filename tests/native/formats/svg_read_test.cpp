@@ -253,7 +253,7 @@ TEST(SvgMesh, smooth_meshes_stay_in_the_coordinates_of_their_gradient) {
   // Not inherited by href either.
   EXPECT_FALSE(read_only_mesh(*std::make_unique<SvgTree>(parse_mesh(
                                   "<meshgradient id='base' type='bicubic'>" + row(square) +
-                                  "</meshgradient><meshgradient id='m1' href='#base'/>")))
+                                  "</meshgradient><meshgradient id='m1' xlink:href='#base'/>")))
                    .smooth);
 }
 
@@ -264,8 +264,9 @@ TEST(SvgMesh, href_gives_rows_and_units) {
       row(square + next_square) + "</meshgradient>";
   const auto expected = read_gradient(mesh(row(square + next_square))).patches;
   for (const std::string link :
-       {"href='#base'", "xlink:href='#base'", "href='#between' xlink:href='#m1'"})
-    EXPECT_EQ(read_gradient(base + "<meshgradient id='between' href='#base'/>" +
+       {"xlink:href='#base'", "href='#base' xlink:href='#base'", "xlink:href='#%62ase'",
+        "xlink:href='#between'", "xlink:href='./drawing.svg#base'"})
+    EXPECT_EQ(read_gradient(base + "<meshgradient id='between' xlink:href='#base'/>" +
                             "<meshgradient id='m1' x='10' y='20' " + link + "/>")
                   .patches,
               expected);
@@ -373,7 +374,7 @@ TEST(SvgMesh, bad_meshes_are_named) {
 
 TEST(SvgMesh, bad_links_are_named) {
   const auto link = [](const std::string& id, const std::string& target) {
-    return "<meshgradient id=\"" + id + "\" href=\"" + target + "\"/>";
+    return "<meshgradient id=\"" + id + "\" xlink:href=\"" + target + "\"/>";
   };
   EXPECT_EQ(
       complaint(link("m1", "#nowhere")),
@@ -385,6 +386,10 @@ TEST(SvgMesh, bad_links_are_named) {
             "drawing.svg: meshgradient \"m1\": its href \"#r\" does not lead to a gradient.");
   EXPECT_EQ(complaint(link("m1", "#m2") + link("m2", "#m3") + link("m3", "#m2")),
             "drawing.svg: meshgradient \"m1\": its href leads back to itself.");
+  // Inkscape 1.2 does not follow it, 1.4 does.
+  EXPECT_EQ(complaint("<meshgradient id='m1' href='#m2'/>" + link("m2", "#m1")),
+            "drawing.svg: meshgradient \"m1\": its href without xlink: is followed by some "
+            "versions of Inkscape and not by others.");
 }
 
 TEST(SvgMesh, bounding_box_must_be_known) {

@@ -8,6 +8,7 @@
 #include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/color.h"
 #include "formats/svg/values/path.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/values/shape.h"
 #include "formats/svg/values/style.h"
 #include "formats/svg/values/transform.h"
@@ -272,6 +273,45 @@ TEST(SvgShape, outlines) {
   EXPECT_NEAR(size("d"), 2, 1e-9);
   EXPECT_EQ(size("t"), -1);
   EXPECT_EQ(size("l"), -1);
+}
+
+using Id = std::optional<std::string>;
+
+TEST(SvgReference, leads_where_inkscape_follows_it) {
+  const auto id = [](std::string_view value) {
+    return referenced_id(value, "/home/a b/own 1.svg");
+  };
+  for (const char* const value :
+       {"url(#m)", "url( #m )", "url (#m)", "url('#m')", "url(\"#m\") red", "url(#%6d)",
+        "url(own 1.svg#m)", "url(own%201.svg#m)", "url(./own%201.svg#m)",
+        "url('/home/a b/own 1.svg#m')"})
+    EXPECT_EQ(id(value), Id("m")) << value;
+  EXPECT_EQ(id("url(#a%20b)"), Id("a b"));
+  EXPECT_EQ(id("url(#a b)"), Id("a b"));
+  EXPECT_EQ(id("url(' #m')"), std::nullopt);
+  for (const char* const value : {"URL(#m)", "url(#m", "url(m)", "url(#)", "url(other.svg#m)",
+                                  "url(#a%2)", "url(#a%zz)", "red", ""})
+    EXPECT_EQ(id(value), std::nullopt) << value;
+}
+
+TEST(SvgReference, a_style_holds_no_odd_letters_without_quotes) {
+  const auto fill = [](const std::string& style) {
+    const SvgTree tree = SvgTree::parse(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"><rect id=\"r\" "
+        "fill=\"red\" style=\"" +
+            style + "\"/></svg>",
+        "test");
+    return tree.styles().declared(tree.find("r"), "fill").value_or("");
+  };
+  const auto url = [](const std::string& letter) { return "url(#a" + letter + "b)"; };
+  for (const char* const letter : {"\xc2\x80", "\xc2\xa0", "\xc2\xb1", "(", "'"}) {
+    EXPECT_EQ(fill("fill:" + url(letter)), "red") << letter;
+    EXPECT_EQ(fill("fill:blue;fill:" + url(letter)), "blue") << letter;
+    EXPECT_TRUE(parse_style_rules(".a{fill:" + url(letter) + ";opacity:1}").empty()) << letter;
+  }
+  for (const char* const letter : {"\xc2\xb2", "\xc3\xa4", "\xe2\x82\xac", " ", ";", "."})
+    EXPECT_EQ(fill("fill:" + url(letter)), url(letter)) << letter;
+  EXPECT_EQ(fill("fill:url('#a\xc2\xa0')"), "url('#a\xc2\xa0')");
 }
 
 TEST(SvgStyle, what_is_left_open_does_not_swallow_what_is_written_behind_it) {

@@ -14,6 +14,7 @@
 #include "formats/svg/group/mesh_group.h"
 #include "formats/svg/group/write_group.h"
 #include "formats/svg/tree/own.h"
+#include "formats/svg/values/reference.h"
 #include "mesh/build.h"
 #include "mesh/validate.h"
 #include "random_meshes.h"

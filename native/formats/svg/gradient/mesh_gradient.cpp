@@ -14,6 +14,7 @@
 #include "formats/svg/tree/unused.h"
 #include "formats/svg/values/length.h"
 #include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/values/shape.h"
 #include "formats/svg/values/transform.h"
 #include "formats/svg/xml/node.h"
@@ -30,7 +31,17 @@ struct HrefChain {
   /// Why the last href leads to no gradient; nothing if there is no such href. Inkscape ignores the
   /// href.
   std::optional<Message> broken;
+  /// True if one of them has an href to a gradient that only some versions of Inkscape follow.
+  bool has_plain = false;
 };
+
+/// Returns true if the element leads to a gradient by an `href` that is no `xlink:href` as well:
+/// Inkscape 1.2 does not follow it, later versions do.
+bool leads_by_plain_href(const SvgTree& tree, const xmlNode* node) {
+  const std::string plain = attribute(node, "href").value_or("");
+  const xmlNode* const linked = tree.find(linked_id(plain, tree.name()).value_or(""));
+  return linked && is_gradient(linked) && plain != href(node);
+}
 
 HrefChain href_chain(const SvgTree& tree, const xmlNode* gradient) {
   HrefChain chain;
@@ -41,10 +52,10 @@ HrefChain href_chain(const SvgTree& tree, const xmlNode* gradient) {
       break;
     }
     chain.gradients.push_back(node);
-    const std::string link = href(node);
-    const std::string_view target = trimmed(link);
+    chain.has_plain = chain.has_plain || leads_by_plain_href(tree, node);
+    const std::string target = href(node);
     if (target.empty()) break;
-    node = target.starts_with('#') ? tree.find(target.substr(1)) : nullptr;
+    node = tree.find(linked_id(target, tree.name()).value_or(""));
     if (!node)
       chain.broken = Message("its href {0} leads nowhere in this document", excerpt(target));
     else if (!is_gradient(node))
@@ -112,6 +123,9 @@ PatchGrid gradient_patches(const SvgTree& tree, const xmlNode* gradient) {
   if (count > most)
     fail(gradient, Message("{0} gradients refer to one another, {1}", count,
                            beyond_limit("links", most, count)));
+  if (chain.has_plain)
+    fail(gradient, Message("its href without xlink: is followed by some versions of Inkscape and "
+                           "not by others"));
   const auto holder = std::ranges::find_if(chain.gradients, [](const xmlNode* node) {
     return is_mesh_gradient(node) && !mesh_rows(node).empty();
   });

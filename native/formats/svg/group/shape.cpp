@@ -8,6 +8,7 @@
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/tree/unused.h"
 #include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 #include "formats/text/scanner.h"
@@ -213,14 +214,14 @@ class ShapeRestorer {
     for (const xmlNode* path : child_elements(group_)) {
       if (!is_block(path)) continue;
       const auto fill = tree_.styles().declared(path, "fill");
-      const auto id = fill ? referenced_id(*fill) : std::nullopt;
+      const auto id = fill ? referenced_id(*fill, tree_.name()) : std::nullopt;
       if (id) unused_.push_back(*id);
       if (fill) fallback = fallback_color(*fill);
     }
     if (const xmlNode* mask = opacity_mask(tree_, group_))
       for (const xmlNode* path : child_elements(mask))
         if (const auto fill = tree_.styles().declared(path, "fill"))
-          if (const auto id = referenced_id(*fill)) unused_.push_back(*id);
+          if (const auto id = referenced_id(*fill, tree_.name())) unused_.push_back(*id);
     return fallback;
   }
 

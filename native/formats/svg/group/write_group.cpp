@@ -15,6 +15,7 @@
 #include "formats/svg/tree/unused.h"
 #include "formats/svg/values/curves.h"
 #include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 #include "mesh/boundary.h"
@@ -56,7 +57,7 @@ std::string remove_paths(SvgTree& tree, xmlNode* parent) {
   for (xmlNode* path : child_elements(parent)) {
     if (!is_block(path)) continue;
     if (const auto fill = tree.styles().declared(path, "fill")) {
-      if (const auto id = referenced_id(*fill)) gradients.push_back(*id);
+      if (const auto id = referenced_id(*fill, tree.name())) gradients.push_back(*id);
       fallback = fallback_color(*fill);
     }
     remove_node(path);
@@ -98,7 +99,7 @@ class GroupWriter {
       const auto fill = tree_.styles().declared(path, "fill");
       const int count = faces.rows * faces.columns;
       ids[{faces.first, count}] = {attribute(path, "id").value_or(""),
-                                   referenced_id(fill.value_or("")).value_or("")};
+                                   referenced_id(fill.value_or(""), tree_.name()).value_or("")};
       all += count;
     }
     return all == mesh_.face_count() ? ids : BlockIds();

@@ -11,6 +11,7 @@
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/tree/unused.h"
 #include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/xml/node.h"
 
 namespace gradmesh {

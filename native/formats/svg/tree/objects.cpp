@@ -8,8 +8,10 @@
 
 #include "base/error.h"
 #include "formats/svg/tree/own.h"
+#include "formats/svg/values/color.h"
 #include "formats/svg/values/length.h"
 #include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/values/transform.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
@@ -38,7 +40,9 @@ void find_named_in(const xmlNode* texts, std::set<std::string>& ids) {
     const std::string_view text = reinterpret_cast<const char*>(node->content);
     for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1)) {
       const std::string_view rest = text.substr(at + 1);
-      ids.emplace(rest.substr(0, rest.find_first_of(")'\"; \t\r\n")));
+      const std::string_view id = rest.substr(0, rest.find_first_of(")'\"; \t\r\n"));
+      ids.emplace(id);
+      ids.insert(percent_decoded(id));
     }
   }
 }
@@ -58,6 +62,13 @@ PaintRole group_role(const xmlNode* group) {
   if (own_attribute(group, "version") != "1")
     fail(group, Message("it was written by a newer gradmesh than this one"));
   return own_attribute(group, "role") == "stroke" ? PaintRole::stroke : PaintRole::fill;
+}
+
+/// Returns true for a paint that Inkscape can read; any other is as if it were not there.
+bool is_readable_paint(std::string_view value) {
+  constexpr std::array<std::string_view, 5> words{"none", "inherit", "currentColor", "context-fill",
+                                                  "context-stroke"};
+  return contains(words, value) || value.starts_with("url") || parse_color(value);
 }
 
 /// The properties in force at an element.
@@ -106,8 +117,8 @@ class Collector {
 
  private:
   void update(const xmlNode* node, std::string_view property, xmlNode*& gradient) const {
-    const auto paint = tree_.styles().declared(node, property);
-    if (paint && lower(*paint) != "inherit") gradient = referenced_mesh(tree_, paint);
+    const auto paint = tree_.styles().declared(node, property, is_readable_paint);
+    if (paint && *paint != "inherit") gradient = referenced_mesh(tree_, paint);
   }
 
   void add(xmlNode* node, PaintRole role, xmlNode* gradient, const xmlNode* kept) {
@@ -155,23 +166,6 @@ bool can_paint(const xmlNode* node, PaintRole role) {
   return contains(paintables, name) && (role == PaintRole::stroke || name != "line");
 }
 
-std::optional<std::string> referenced_id(std::string_view paint) {
-  if (!lower(paint.substr(0, 4)).starts_with("url(")) return std::nullopt;
-  const std::size_t close = paint.find(')');
-  if (close == paint.npos) return std::nullopt;
-  std::string_view target = trimmed(paint.substr(4, close - 4));
-  if (target.size() >= 2 && (target.front() == '"' || target.front() == '\'') &&
-      target.back() == target.front())
-    target = trimmed(target.substr(1, target.size() - 2));
-  if (!target.starts_with('#')) return std::nullopt;
-  return std::string(target.substr(1));
-}
-
-std::string fallback_color(std::string_view paint) {
-  const std::size_t close = paint.find(')');
-  return close == paint.npos ? "" : std::string(trimmed(paint.substr(close + 1)));
-}
-
 xmlNode* whole_object(xmlNode* node) {
   return is_mesh_group(node) ? with_outer(node).back() : node;
 }
@@ -179,7 +173,7 @@ xmlNode* whole_object(xmlNode* node) {
 std::string object_id(xmlNode* node) { return attribute(whole_object(node), "id").value_or(""); }
 
 xmlNode* referenced(const SvgTree& tree, const std::optional<std::string>& value) {
-  const auto id = value ? referenced_id(*value) : std::nullopt;
+  const auto id = value ? referenced_id(*value, tree.name()) : std::nullopt;
   return id ? tree.find(*id) : nullptr;
 }
 

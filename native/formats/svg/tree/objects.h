@@ -69,14 +69,6 @@ xmlNode* whole_object(xmlNode* node);
 /// none.
 std::string object_id(xmlNode* node);
 
-/// Returns the id in a paint `url(#id)`, with or without quotes. A fallback colour may follow in
-/// the paint.
-std::optional<std::string> referenced_id(std::string_view paint);
-
-/// Returns the colour that a paint `url(#id) colour` falls back to in programs without meshes;
-/// empty if there is none.
-std::string fallback_color(std::string_view paint);
-
 /// Returns the element that a value such as `url(#id)` names; null if it names none.
 xmlNode* referenced(const SvgTree& tree, const std::optional<std::string>& value);
 /// Returns the meshgradient that a paint names; null if it names none.

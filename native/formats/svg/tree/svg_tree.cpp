@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "formats/svg/values/css_text.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/scanner.h"
 
@@ -126,15 +127,20 @@ void register_ids(const xmlNode* root) {
     }
 }
 
-/// Returns the text with all characters replaced that would mean something else in `url(#id)`.
-std::string as_id(std::string text) {
-  for (char& c : text) {
+/// Returns the text with all characters replaced that would mean something else in `url(#id)`, or
+/// end Inkscape's reading of it in a style: some signs, and letters from U+0080 to U+00B1.
+std::string as_id(std::string_view text) {
+  std::string id;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                           (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == ':' ||
                           static_cast<unsigned char>(c) >= 0x80;
-    if (!is_plain) c = '_';
+    const bool is_odd = is_odd_letter(text.substr(i));
+    id += is_plain && !is_odd ? c : '_';
+    if (is_odd) ++i;
   }
-  return text;
+  return id;
 }
 
 std::string serialized(xmlDoc* document, const char* encoding) {

@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/svg/tree/objects.h"
 #include "formats/svg/values/mesh_names.h"
+#include "formats/svg/values/reference.h"
 #include "formats/svg/xml/node.h"
 
 namespace gradmesh {
 namespace {
 
-/// Returns true if `text` names `#id`, and not just an id that begins with it.
-bool names_id(std::string_view text, const std::string& id) {
+/// Returns true if `text` holds `#id`, and not just an id that begins with it.
+bool holds_id(std::string_view text, const std::string& id) {
   const std::string wanted = "#" + id;
   for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + 1)) {
     const std::size_t end = at + wanted.size();
@@ -24,6 +24,11 @@ bool names_id(std::string_view text, const std::string& id) {
   return false;
 }
 
+/// Returns true if `text` names `#id`, as it is or with escapes.
+bool names_id(std::string_view text, const std::string& id) {
+  return holds_id(text, id) || (text.find('%') != text.npos && holds_id(percent_decoded(text), id));
+}
+
 /// Returns true if a style sheet names the element with this id, and not just selects it.
 bool refers_to(const std::string& css, const std::string& id) {
   for (std::size_t at = css.find("url("); at != css.npos; at = css.find("url(", at + 1))
@@ -32,11 +37,11 @@ bool refers_to(const std::string& css, const std::string& id) {
 }
 
 /// Returns rules in which the paints that name this id are replaced by their colours.
-std::string without_paint(std::string css, const std::string& id) {
+std::string without_paint(std::string css, const std::string& id, const std::string& file) {
   for (std::size_t at = 0; (at = css.find("url(", at)) != css.npos;) {
     const std::size_t end = std::min(css.find_first_of(";}", at), css.size());
     const std::string_view paint = std::string_view(css).substr(at, end - at);
-    if (referenced_id(paint) != id) {
+    if (referenced_id(paint, file) != id) {
       ++at;
       continue;
     }
@@ -53,7 +58,7 @@ void replace_paints_in_rules(SvgTree& tree, const std::string& id) {
     for (xmlNode* text = node->children; text; text = text->next) {
       if (text->type != XML_TEXT_NODE && text->type != XML_CDATA_SECTION_NODE) continue;
       const std::string css(view(text->content));
-      const std::string changed = without_paint(css, id);
+      const std::string changed = without_paint(css, id, tree.name());
       if (changed != css)
         xmlNodeSetContent(text, reinterpret_cast<const xmlChar*>(changed.c_str()));
     }
@@ -89,8 +94,9 @@ void remove_if_unused(SvgTree& tree, const std::string& id) {
   if (!node || is_used(tree, id)) return;
   const std::string target = href(node);
   remove_named(tree, node);
-  const xmlNode* next = target.starts_with('#') ? tree.find(target.substr(1)) : nullptr;
-  if (next && is_mesh_gradient(next)) remove_if_unused(tree, target.substr(1));
+  const std::string next = linked_id(target, tree.name()).value_or("");
+  const xmlNode* const linked = tree.find(next);
+  if (linked && is_mesh_gradient(linked)) remove_if_unused(tree, next);
 }
 
 }  // namespace gradmesh

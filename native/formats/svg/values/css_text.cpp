@@ -1,17 +1,14 @@
 #include "formats/svg/values/css_text.h"
 
+#include <algorithm>
+
 namespace gradmesh {
 namespace {
 
+constexpr std::string_view url_start = "url(";
+
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-}
-
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
 }
 
 /// Takes the escape of a character by its number; only of one that is a letter of a name anyway.
@@ -29,6 +26,17 @@ bool take_escape(std::string_view& text, std::string& name) {
 }
 
 }  // namespace
+
+bool is_odd_letter(std::string_view text) {
+  return text.size() >= 2 && text[0] == '\xc2' && static_cast<unsigned char>(text[1]) <= 0xb1;
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
 
 std::string take_css_letters(std::string_view& text) {
   std::string name;
@@ -58,6 +66,28 @@ std::size_t css_string_size(std::string_view text) {
       return i + 1;
   }
   return 1;
+}
+
+std::size_t css_url_size(std::string_view text) {
+  const std::size_t first =
+      std::min(text.find_first_not_of(" \t\r\n", url_start.size()), text.size());
+  const char quote = first < text.size() ? text[first] : ' ';
+  std::size_t i = first;
+  if (quote == '"' || quote == '\'') {
+    i += css_string_size(text.substr(first));
+    return i == first + 1 ? 0 : std::min(text.find(')', i), text.size() - 1) + 1;
+  }
+  for (; i < text.size() && text[i] != ')'; ++i)
+    if (std::string_view("'\"(").find(text[i]) != std::string_view::npos ||
+        is_odd_letter(text.substr(i)))
+      return 0;
+  return std::min(i + 1, text.size());
+}
+
+bool has_broken_url(std::string_view value) {
+  for (std::size_t at = value.find(url_start); at != value.npos; at = value.find(url_start, at + 1))
+    if (css_url_size(value.substr(at)) == 0) return true;
+  return false;
 }
 
 }  // namespace gradmesh

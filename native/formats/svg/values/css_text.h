@@ -19,4 +19,18 @@ std::string take_css_name(std::string_view& text);
 /// closed in its line, and the quote is nothing but a letter.
 std::size_t css_string_size(std::string_view text);
 
+/// Returns the number of bytes of the `url(…)` in front; 0 where Inkscape cannot read it: without
+/// quotes it holds neither quotes nor brackets, nor letters from U+0080 to U+00B1.
+std::size_t css_url_size(std::string_view text);
+
+/// Returns true if a value holds a `url(…)` that cannot be read.
+bool has_broken_url(std::string_view value);
+
+/// Returns true if the text begins with a letter from U+0080 to U+00B1, in UTF-8, which ends the
+/// reading of an address without quotes.
+bool is_odd_letter(std::string_view text);
+
+/// Returns the value of a hexadecimal digit; -1 for any other letter.
+int hex_digit(char c);
+
 }  // namespace gradmesh

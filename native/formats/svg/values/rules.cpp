@@ -16,7 +16,9 @@ bool is_plain_value(std::string_view value) {
     const char c = value[i];
     const std::string_view rest = value.substr(i);
     if (rest.starts_with("url(")) {
-      i = std::min(value.find(')', i), value.size() - 1) + 1;
+      const std::size_t size = css_url_size(rest);
+      if (size == 0) return false;
+      i += size;
     } else if (c == '"' || c == '\'') {
       const std::size_t size = css_string_size(rest);
       if (size == 1) return false;

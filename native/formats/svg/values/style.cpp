@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "formats/svg/values/css_text.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/scanner.h"
 
@@ -197,7 +198,8 @@ std::optional<std::string> StyleSheet::declared(const xmlNode* node, std::string
   const Declaration* const rule = from_rules(node, property);
   for (const bool is_important : {true, false}) {
     const auto last = std::find_if(own.rbegin(), own.rend(), [&](const StyleDeclaration& d) {
-      return d.property == property && d.is_important == is_important && counts(d.value);
+      return d.property == property && d.is_important == is_important && counts(d.value) &&
+             !has_broken_url(d.value);
     });
     if (last != own.rend()) return last->value;
     if (rule && rule->rank.is_important == is_important && counts(rule->value)) return rule->value;

@@ -116,7 +116,6 @@ std::optional<std::string> attribute(const xmlNode* node, const char* name,
 }
 
 std::string href(const xmlNode* node) {
-  if (auto value = attribute(node, "href")) return *value;
   return attribute(node, "href", xlink_namespace).value_or("");
 }
 

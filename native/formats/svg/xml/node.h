@@ -48,7 +48,8 @@ std::string text_of(const xmlNode* children, const xmlNode* owner);
 std::optional<std::string> attribute(const xmlNode* node, const char* name,
                                      std::string_view space = {});
 
-/// Returns the value of `href`, or else of `xlink:href`; empty if there is neither.
+/// Returns the value of `xlink:href`, empty if there is none. A plain `href` is nothing to Inkscape
+/// 1.2.
 std::string href(const xmlNode* node);
 
 /// Returns how messages name an element: `path "p1"`, or `path in line 12` where it has no id.
