@@ -215,11 +215,12 @@ void SvgMeshes::replace(const std::vector<ChangedMesh>& meshes, MetricKind metri
                         const WriteOptions& writing) {
   if (writing.keep_original)
     for (const ChangedMesh& m : meshes) keep_hidden_copy(changing(), object(m.entry));
+  GradientsByOrigin by_origin;
   for (const ChangedMesh& m : meshes) {
     const auto& [entry, written, counts, frame, measured] = m;
     const std::string original = writing.remember_original ? new_memory(m) : "";
     if (!written.form.blocks) {
-      replace_gradient(m, original);
+      replace_gradient(m, original, by_origin);
       continue;
     }
     const MeshObject& o = object(entry);
@@ -246,7 +247,8 @@ std::string SvgMeshes::new_memory(const ChangedMesh& m) const {
   return remember(build_derived_mesh(parts), overlaps);
 }
 
-void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& original) {
+void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& original,
+                                 GradientsByOrigin& by_origin) {
   constexpr std::size_t names = 120;  // Of the attributes and their namespace, and a fingerprint.
   const bool has_remembered = remembered_original(m.entry) != nullptr;
   const bool must_fit = !original.empty() && !has_remembered;
@@ -254,7 +256,7 @@ void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& origin
   const std::size_t before = must_fit ? std::min(bytes().size(), text().size()) : 0;
   const double tolerance = coons_tolerance(m.frame);
   const MeshObject written =
-      write_mesh_gradient(changing(), object(m.entry), m.written.mesh, tolerance);
+      write_mesh_gradient(changing(), object(m.entry), m.written.mesh, tolerance, &by_origin);
   if (original.empty()) return;
   if (!must_fit || text().size() + original.size() + names <= before)
     remember_original(changing(), written, tolerance, original);

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "app/document.h"
+#include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/picture/picture.h"
 
 namespace gradmesh {
@@ -96,7 +97,8 @@ class SvgMeshes : public Document {
   std::string new_memory(const ChangedMesh& mesh) const;
   /// Writes a mesh as one mesh gradient. It remembers its original if it did so before, or if the
   /// document becomes no larger by that.
-  void replace_gradient(const ChangedMesh& mesh, const std::string& original);
+  void replace_gradient(const ChangedMesh& mesh, const std::string& original,
+                        GradientsByOrigin& by_origin);
   /// Returns the label of a group that was edited: how far the mesh, as it will be written, is from
   /// the one that the group remembers.
   Message updated_label(const MeshEntry& group, const WrittenForm& form) const;

@@ -70,6 +70,44 @@ TEST(SvgObjects, writings_of_the_paint) {
             "a fill=m; ");
 }
 
+TEST(SvgObjects, a_text_is_painted_by_a_mesh_where_all_its_parts_are) {
+  EXPECT_EQ(listing("<text id='a'><tspan fill='url(#m)'>x</tspan> <tspan style='fill:url(#m)'>y"
+                    "</tspan></text>"),
+            "a fill=m; ");
+  EXPECT_EQ(listing("<text id='a'><textPath fill='url(#m)'>x</textPath></text>"), "a fill=m; ");
+  EXPECT_EQ(listing("<text id='a' fill='url(#m)'>x<tspan>y</tspan></text>"), "a fill=m; ");
+  EXPECT_EQ(listing("<text id='a' fill='url(#m)'><tspan fill='red'>y</tspan></text>"), "");
+}
+
+TEST(SvgObjects, what_cannot_be_changed_alone_is_told) {
+  const auto reason = [](const std::string& body) {
+    SvgTree document = parse_body(body);
+    const auto objects = mesh_objects(document);
+    return complaint([&] { check_can_change(objects.at(0)); });
+  };
+  const std::string mixed =
+      "drawing.svg: text \"a\": parts of the text are painted in other ways; to change the mesh, "
+      "give all of it one paint.";
+  EXPECT_EQ(reason("<text id='a' fill='url(#m)'>x<tspan fill='red'>y</tspan></text>"), mixed);
+  EXPECT_EQ(reason("<text id='a' fill='url(#m)'>x<tspan fill='url(#n)'>y</tspan></text>"), mixed);
+  EXPECT_EQ(reason("<text id='a' fill='url(#m)'>x<tspan fill-opacity='0.5'>y</tspan></text>"),
+            mixed);
+  EXPECT_EQ(
+      reason("<flowRoot id='a' fill='url(#m)'/>"),
+      "drawing.svg: flowRoot \"a\": it is flowed text; to change its mesh, convert it to text.");
+  const std::string clone = "<use id='a' xlink:href='#q' fill='url(#m)'/>";
+  const auto defs = [&](const std::string& shown) {
+    return "<defs>" + shown + "</defs><g xmlns:xlink='http://www.w3.org/1999/xlink'>" + clone +
+           "</g>";
+  };
+  for (const std::string shown :
+       {"<rect id='q'/>", "<g id='q'><rect fill='red'/><text>x</text></g>",
+        "<symbol id='q'><use xlink:href='#q'/><path/></symbol>"})
+    EXPECT_TRUE(reason(defs(shown)).find("unlink the clone") != std::string::npos) << shown;
+  EXPECT_EQ(listing(defs("<rect id='q' fill='red'/>")), "");
+  EXPECT_EQ(listing(defs("<g id='q' fill='red'><rect/></g>")), "");
+}
+
 TEST(SvgObjects, simple_style_rules) {
   const auto with = [](const std::string& css) {
     return listing("<style>" + css + "</style><rect id='a' class='x y' fill='none'/>");
@@ -188,6 +226,18 @@ TEST(SvgTree, entities_are_taken_only_where_harmless) {
     return mesh_objects(document).size();
   };
   EXPECT_EQ(first_color("<!ENTITY st \"fill:url(#m)\">", "&st;"), 1u);
+  // As Illustrator declares namespaces.
+  const std::string spaces =
+      "<!DOCTYPE svg [<!ENTITY ns_svg \"http://www.w3.org/2000/svg\"><!ENTITY y \"urn:y\">]>\n"
+      "<svg xmlns=\"&ns_svg;\" xmlns:y=\"&y;z\">";
+  const SvgTree by_entity = parse(spaces + gradients + "<rect fill='url(#m)' y:a='1'/></svg>");
+  EXPECT_EQ(mesh_objects(const_cast<SvgTree&>(by_entity)).size(), 1u);
+  EXPECT_EQ(attribute(child_elements(by_entity.root(), "rect").at(0), "a", "urn:yz"), "1");
+  EXPECT_NE(by_entity.serialize().find("xmlns:y=\"urn:yz\""), std::string::npos);
+  EXPECT_EQ(complaint([&] {
+              parse("<!DOCTYPE svg [<!ENTITY b \"x\"><!ENTITY a \"&b;\">]><svg xmlns='&a;'/>");
+            }),
+            "drawing.svg: svg in line 1: the entity \"a\" is not a short plain text.");
   EXPECT_EQ(
       complaint([&] { first_color("<!ENTITY a \"fill\"><!ENTITY b \"&a;:url(#m)\">", "&b;"); }),
       "drawing.svg: rect \"a\": the entity \"b\" is not a short plain text.");

@@ -104,6 +104,33 @@ TEST(OneGradient, keeps_the_object_and_what_else_it_says) {
   EXPECT_EQ(parent_element(document.find("b-mesh1")), document.root()->children);
 }
 
+TEST(OneGradient, paints_the_parts_of_a_text_that_had_the_old_one) {
+  const SvgTree document =
+      reduced(gradient("m", user_space),
+              "<text id='b'><tspan id='c' fill='url(#m)'>x</tspan><tspan "
+              "id='d'><tspan id='e' style='fill:url(#m)'>y</tspan></tspan></text>");
+  for (const char* id : {"b", "c", "e"})
+    EXPECT_EQ(text(document.find(id), "style"), "fill:url(#b-mesh1)") << id;
+  EXPECT_FALSE(attribute(document.find("c"), "fill") || attribute(document.find("d"), "style"));
+  EXPECT_EQ(document.find("m"), nullptr);
+}
+
+TEST(OneGradient, is_shared_by_those_that_shared_the_old_one) {
+  const std::string painted = "<rect id='a' fill='url(#m)'/><rect id='b' fill='url(#m)'/>";
+  const std::string copy = "<rect id='c' fill='url(#n)'/>";
+  SvgTree document = parse(gradient("m", user_space) + gradient("n", user_space), painted + copy);
+  GradientsByOrigin by_origin;
+  for (const MeshObject& object : mesh_objects(document)) {
+    const Mesh mesh = one_patch(read(document, object));
+    write_mesh_gradient(document, object, mesh, tolerance, &by_origin);
+  }
+  EXPECT_EQ(text(document.find("a"), "style"), "fill:url(#a-mesh1)");
+  EXPECT_EQ(text(document.find("b"), "style"), "fill:url(#a-mesh1)");
+  // A copy was made to be changed by itself.
+  EXPECT_EQ(text(document.find("c"), "style"), "fill:url(#c-mesh3)");
+  EXPECT_EQ(elements_called(document.root(), "meshgradient").size(), 2u);
+}
+
 TEST(OneGradient, keeps_units_and_transform_and_short_numbers) {
   const SvgTree document = reduced(
       gradient("m",

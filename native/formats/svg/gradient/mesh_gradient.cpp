@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -113,6 +114,29 @@ xmlNode* add_gradient(SvgTree& tree, const MeshObject& object) {
   return gradient;
 }
 
+/// Returns true if two elements are the same but for ids.
+bool are_same(const xmlNode* a, const xmlNode* b) {
+  const auto said = [](const xmlNode* node) {
+    std::map<std::string_view, std::string> values;
+    for (const xmlAttr* at : attributes(node))
+      if (at->ns || view(at->name) != "id") values[view(at->name)] = text_of(at->children, node);
+    return values;
+  };
+  return view(a->name) == view(b->name) && said(a) == said(b) &&
+         std::ranges::equal(child_elements(a), child_elements(b), are_same);
+}
+
+/// Returns the gradient itself or, removing it, one among `others` that is the same.
+xmlNode* shared(xmlNode* gradient, std::vector<xmlNode*>& others) {
+  for (xmlNode* other : others)
+    if (are_same(other, gradient)) {
+      remove_node(gradient);
+      return other;
+    }
+  others.push_back(gradient);
+  return gradient;
+}
+
 }  // namespace
 
 bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
@@ -146,6 +170,7 @@ PatchGrid read_mesh_gradient(const SvgTree& tree, const xmlNode* gradient) {
 }
 
 PatchGrid read_mesh_patches(const SvgTree& tree, const MeshObject& object) {
+  check_can_change(object);
   PatchGrid grid = gradient_patches(tree, object.gradient), in_user = grid;
   const Affine to_user = gradient_to_user(tree, object);
   for (Patch& patch : in_user.patches) transform(patch, to_user);
@@ -202,7 +227,7 @@ std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
 }
 
 MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
-                               double coons_tolerance) {
+                               double coons_tolerance, GradientsByOrigin* by_origin) {
   xmlNode* gradient = add_gradient(tree, object);
   const BlockForm form = gradient_form(mesh, coons_tolerance, mesh_to_gradient(tree, object));
   write_rows(gradient, mesh, form.blocks.front(),
@@ -213,12 +238,14 @@ MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Me
               .is_relative = form.precision.step > 0});
   forget_original(object);
   const char* property = paint_name(object.role);
+  const std::string old = attribute(object.gradient, "id").value_or("");
+  if (by_origin) gradient = shared(gradient, (*by_origin)[old]);
   const std::string fallback =
       fallback_color(tree.styles().inherited(object.node, property).value_or(""));
-  set_style(tree.styles(), object.node, property,
+  set_paint(tree.styles(), object.node, property,
             paint_by(attribute(gradient, "id").value_or(""), fallback));
-  remove_if_unused(tree, attribute(object.gradient, "id").value_or(""));
-  return {object.node, object.id, object.role, gradient, object.kept};
+  remove_if_unused(tree, old);
+  return {object.node, object.id, object.role, gradient, object.kept, object.left_alone};
 }
 
 }  // namespace gradmesh

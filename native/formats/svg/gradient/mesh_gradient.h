@@ -2,6 +2,7 @@
 
 #include <libxml/tree.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -54,13 +55,17 @@ struct UnusedGradient {
 std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
                                              const std::vector<MeshObject>& objects);
 
+/// The gradients that were written, by the id of the one that each was made of.
+using GradientsByOrigin = std::map<std::string, std::vector<xmlNode*>>;
+
 /// Gives an object that a mesh gradient paints a new gradient, with fewer rows and columns: the
 /// object is otherwise unchanged, and the new gradient has the old one's units, transform and type.
 /// The old gradient is removed if nothing else uses it. The mesh is a grid (find_grid), bilinear,
 /// in the coordinates of read_mesh, with one colour at each point, and is written in its
 /// gradient_form(). The object's memory (formats/svg/gradient/written_gradient.h) is removed.
-/// Returns the object with its new gradient.
+/// Objects that shared the old gradient share the new one where it is the same, if `by_origin` has
+/// what was written before. Returns the object with its new gradient.
 MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
-                               double coons_tolerance);
+                               double coons_tolerance, GradientsByOrigin* by_origin = nullptr);
 
 }  // namespace gradmesh

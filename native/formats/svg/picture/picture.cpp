@@ -103,7 +103,7 @@ void write_linear(SvgTree& tree, const MeshObject& object, const LinearColors& c
   const std::string inherited =
       tree.styles().inherited(object.node, paint + "-opacity").value_or("1");
   const double opacity = colors.stops.front().color.a * parse_opacity(inherited).value_or(1);
-  set_style(tree.styles(), object.node, paint,
+  set_paint(tree.styles(), object.node, paint,
             colors.stops.size() == 1
                 ? color_text(colors.stops.front().color)
                 : paint_by(add_gradient(tree, object.id + "-gradient", colors)));

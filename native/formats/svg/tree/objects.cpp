@@ -28,6 +28,8 @@ constexpr std::array<std::string_view, 5> definitions{"defs", "symbol", "pattern
 constexpr std::array<std::string_view, 8> paintables{"path", "rect",     "circle",  "ellipse",
                                                      "line", "polyline", "polygon", "text"};
 
+constexpr std::array<std::string_view, 4> text_elements{"tspan", "textPath", "tref", "a"};
+
 bool contains(const auto& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -78,9 +80,29 @@ struct Context {
   xmlNode* stroke = nullptr;
   /// The hidden original around the element, as in MeshObject::kept.
   const xmlNode* kept = nullptr;
+  /// The opacities of both, as they are written.
+  std::string fill_opacity = "1", stroke_opacity = "1";
   /// True if the element is painted; false if it is inside a definition that nothing names.
   bool shown = true;
+
+  xmlNode*& gradient(PaintRole role) { return role == PaintRole::fill ? fill : stroke; }
+  std::string& opacity(PaintRole role) {
+    return role == PaintRole::fill ? fill_opacity : stroke_opacity;
+  }
 };
+
+const char* opacity_name(PaintRole role) {
+  return role == PaintRole::fill ? "fill-opacity" : "stroke-opacity";
+}
+
+/// Returns true if there are letters in the element itself.
+bool has_letters(const xmlNode* node) {
+  for (const xmlNode* child = node->children; child; child = child->next)
+    if (child->type != XML_ELEMENT_NODE && child->type != XML_COMMENT_NODE &&
+        child->type != XML_PI_NODE && !trimmed(view(child->content)).empty())
+      return true;
+  return false;
+}
 
 class Collector {
  public:
@@ -90,6 +112,7 @@ class Collector {
     const std::string_view name = svg_name(node);
     const bool is_definition = contains(definitions, name) && !is_opacity_mask(node);
     const bool is_container = is_definition || contains(containers, name);
+    if (name == "use" || name == "flowRoot") return add_left_alone(node, context);
     if (!is_container && !contains(paintables, name)) return;
     if (is_definition) {
       // What a <use> shows inherits from there.
@@ -102,29 +125,92 @@ class Collector {
       if (context.shown) add(node, group_role(node), nullptr, context.kept);
       return;
     }
-    update(node, "fill", context.fill);
-    update(node, "stroke", context.stroke);
+    update(node, context);
     if (is_container) {
       for (xmlNode* child : child_elements(node)) visit(child, context);
     } else if (context.shown) {
-      for (const auto& [role, gradient] :
-           {std::pair(PaintRole::fill, context.fill), std::pair(PaintRole::stroke, context.stroke)})
-        if (gradient && can_paint(node, role)) add(node, role, gradient, context.kept);
+      auto parts = name == "text" ? text_parts(node, context) : std::vector{context};
+      for (const PaintRole role : {PaintRole::fill, PaintRole::stroke})
+        if (can_paint(node, role)) add_painted(node, role, parts);
     }
   }
 
   std::vector<MeshObject> objects;
 
  private:
-  void update(const xmlNode* node, std::string_view property, xmlNode*& gradient) const {
-    const auto paint = tree_.styles().declared(node, property, is_readable_paint);
-    if (paint && *paint != "inherit") gradient = referenced_mesh(tree_, paint);
+  void update(const xmlNode* node, Context& context) const {
+    const auto declared = [&](const char* property, StyleSheet::Accepts accepts) {
+      auto value = tree_.styles().declared(node, property, accepts);
+      return value == "inherit" ? std::nullopt : value;
+    };
+    for (const PaintRole role : {PaintRole::fill, PaintRole::stroke})
+      if (const auto paint = declared(paint_name(role), is_readable_paint))
+        context.gradient(role) = referenced_mesh(tree_, paint);
+    for (const PaintRole role : {PaintRole::fill, PaintRole::stroke})
+      if (const auto value = declared(opacity_name(role), nullptr)) context.opacity(role) = *value;
   }
 
-  void add(xmlNode* node, PaintRole role, xmlNode* gradient, const xmlNode* kept) {
+  /// Returns what is in force at the parts of a text that have letters, at least one.
+  std::vector<Context> text_parts(const xmlNode* text, const Context& at_text) const {
+    std::vector<Context> parts;
+    const auto visit_part = [&](const auto& self, const xmlNode* part, Context context) -> void {
+      if (part != text) update(part, context);
+      if (has_letters(part)) parts.push_back(context);
+      for (const xmlNode* child : child_elements(part))
+        if (contains(text_elements, svg_name(child))) self(self, child, context);
+    };
+    visit_part(visit_part, text, at_text);
+    if (parts.empty()) parts.push_back(at_text);
+    return parts;
+  }
+
+  /// Adds an object if one of its parts, the whole of a shape, has a mesh.
+  void add_painted(xmlNode* node, PaintRole role, std::vector<Context>& parts) {
+    const auto with_mesh =
+        std::ranges::find_if(parts, [&](Context& part) { return part.gradient(role) != nullptr; });
+    if (with_mesh == parts.end()) return;
+    const bool is_mixed = std::ranges::any_of(parts, [&](Context& part) {
+      return part.gradient(role) != with_mesh->gradient(role) ||
+             part.opacity(role) != with_mesh->opacity(role);
+    });
+    add(node, role, with_mesh->gradient(role), with_mesh->kept,
+        is_mixed ? LeftAlone::mixed : LeftAlone::no);
+  }
+
+  void add_left_alone(xmlNode* node, Context context) {
+    update(node, context);
+    if (!context.shown) context.shown = named_.contains(attribute(node, "id").value_or(""));
+    if (!context.shown) return;
+    const bool is_clone = svg_name(node) == "use";
+    for (const PaintRole role : {PaintRole::fill, PaintRole::stroke})
+      if (xmlNode* gradient = context.gradient(role); gradient && (!is_clone || lends(node, role)))
+        add(node, role, gradient, context.kept, is_clone ? LeftAlone::clone : LeftAlone::flowed);
+  }
+
+  /// Returns true if a clone shows a shape or text that has no such paint of its own.
+  bool lends(const xmlNode* clone, PaintRole role) const {
+    std::set<const xmlNode*> seen;
+    const auto takes = [&](const auto& self, const xmlNode* node) -> bool {
+      const std::string_view name = svg_name(node);
+      const auto paint = tree_.styles().declared(node, paint_name(role), is_readable_paint);
+      if (node != clone && paint && *paint != "inherit") return false;
+      if (name == "use") {
+        const xmlNode* shown = tree_.find(linked_id(href(node), tree_.name()).value_or(""));
+        return shown && seen.insert(node).second && self(self, shown);
+      }
+      if (can_paint(node, role)) return true;
+      const auto children = child_elements(node);
+      return (contains(containers, name) || name == "symbol") &&
+             std::ranges::any_of(children, [&](xmlNode* child) { return self(self, child); });
+    };
+    return takes(takes, clone);
+  }
+
+  void add(xmlNode* node, PaintRole role, xmlNode* gradient, const xmlNode* kept,
+           LeftAlone left_alone = LeftAlone::no) {
     std::string id = object_id(node);
     if (id.empty()) id = tree_.give_id(whole_object(node), std::string(svg_name(node)));
-    objects.push_back({node, std::move(id), role, gradient, kept});
+    objects.push_back({node, std::move(id), role, gradient, kept, left_alone});
   }
 
   SvgTree& tree_;
@@ -141,7 +227,7 @@ std::vector<std::size_t> objects_in(const xmlNode* element,
                                     const std::vector<MeshObject>& objects) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const auto& [node, id, role, gradient, kept] = objects[i];
+    const auto& [node, id, role, gradient, kept, left_alone] = objects[i];
     if (is_inside(node, element) && (!kept || is_inside(element, kept))) places.push_back(i);
   }
   return places;
@@ -229,6 +315,22 @@ Affine to_document(const MeshObject& object) { return to_document(object.node); 
 
 Affine to_page(const SvgTree& tree, const MeshObject& object) {
   return to_pixels(tree.root()) * to_document(object);
+}
+
+void check_can_change(const MeshObject& object) {
+  switch (object.left_alone) {
+    case LeftAlone::no:
+      return;
+    case LeftAlone::clone:
+      fail(object,
+           Message("it is a clone that lends its mesh to what it shows; to change the mesh, "
+                   "unlink the clone"));
+    case LeftAlone::flowed:
+      fail(object, Message("it is flowed text; to change its mesh, convert it to text"));
+    case LeftAlone::mixed:
+      fail(object, Message("parts of the text are painted in other ways; to change the mesh, give "
+                           "all of it one paint"));
+  }
 }
 
 }  // namespace gradmesh

@@ -17,6 +17,17 @@ enum class PaintRole { fill, stroke };
 /// Returns the name of the property: "fill" or "stroke".
 const char* paint_name(PaintRole role);
 
+/// Why the mesh of an object can be told, but not changed.
+enum class LeftAlone {
+  no,
+  /// It is the paint of a <use>, for what the clone shows and what has no paint of its own.
+  clone,
+  /// A flowRoot, whose letters are where their region lets them.
+  flowed,
+  /// Parts of a text have another paint, or another opacity.
+  mixed,
+};
+
 /// A shape or text whose fill or stroke is a mesh gradient, or a group that holds a simplified
 /// mesh (formats/svg/group/mesh_group.h). The nodes belong to the document, and only
 /// formats/ looks at them.
@@ -30,13 +41,15 @@ struct MeshObject {
   /// The hidden original (formats/svg/tree/kept.h) that the object is, or is inside of; null for
   /// all others.
   const xmlNode* kept = nullptr;
+  LeftAlone left_alone = LeftAlone::no;
 
   bool is_group() const { return !gradient; }
   bool operator==(const MeshObject&) const = default;
 };
 
 /// Returns every object painted by a mesh gradient, in document order, fill before stroke. The
-/// paint may come from a style, a rule, an attribute or a group around the object. Objects in a
+/// paint may come from a style, a rule, an attribute or a group around the object, that of a text
+/// from all of its parts. Objects in a
 /// definition (<mask>, <pattern>, <symbol>, <marker>, <defs>) are among them if something names the
 /// definition. Objects in a <clipPath> are not, as nothing of them is painted, nor are the fills of
 /// lines (can_paint). An object without an id gets one.
@@ -54,6 +67,8 @@ std::vector<std::size_t> objects_shown(const SvgTree& tree, const std::vector<Me
 Message describe(const MeshObject& object);
 /// Throws InputError about the object's element.
 [[noreturn]] void fail(const MeshObject& object, const Message& reason);
+/// Throws InputError if the object is to be left alone.
+void check_can_change(const MeshObject& object);
 
 /// Returns true if the element is a shape or text that a gradient can fill or stroke.
 bool can_paint(const xmlNode* node, PaintRole role);

@@ -106,6 +106,14 @@ void set_style(const StyleSheet& styles, xmlNode* node, const std::string& prope
   remove_attribute(node, property.c_str());
 }
 
+void set_paint(const StyleSheet& styles, xmlNode* node, const std::string& property,
+               const std::string& value) {
+  set_style(styles, node, property, value);
+  if (svg_name(node) != "text") return;
+  for (xmlNode* part : elements_from(node))
+    if (part != node && styles.declared(part, property)) set_style(styles, part, property, value);
+}
+
 std::string take_style(xmlNode* node, const std::string& property) {
   Declarations style = style_of(node);
   const auto found = style.extract(property);
@@ -190,7 +198,7 @@ bool has_effects(const StyleSheet& styles, const xmlNode* group) {
 
 void keep_only_paint(const StyleSheet& styles, xmlNode* shape, const std::string& paint) {
   if (const auto value = styles.inherited(shape, paint)) set_style(styles, shape, paint, *value);
-  set_style(styles, shape, paint == "fill" ? "stroke" : "fill", "none");
+  set_paint(styles, shape, paint == "fill" ? "stroke" : "fill", "none");
 }
 
 xmlNode* geometry_copy(const StyleSheet& styles, const xmlNode* shape, xmlNode* parent) {

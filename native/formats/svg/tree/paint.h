@@ -55,6 +55,9 @@ std::string paint_by(const std::string& id, const std::string& fallback = "");
 /// Sets one property of the style attribute, as `!important` where a rule is.
 void set_style(const StyleSheet& styles, xmlNode* node, const std::string& property,
                const std::string& value);
+/// Sets a paint, also on the parts of a text that have one of their own.
+void set_paint(const StyleSheet& styles, xmlNode* node, const std::string& property,
+               const std::string& value);
 /// Takes one property out of the style attribute. Returns its value without `!important`, empty if
 /// there was none.
 std::string take_style(xmlNode* node, const std::string& property);

@@ -178,12 +178,12 @@ SvgTree SvgTree::parse(std::string_view bytes, const std::string& name) {
   if (nested > deepest)
     refuse(Message("{0} elements lie inside one another, {1}", nested,
                    beyond_limit("nesting", deepest, nested)));
-  if (svg_name(tree.root()) != "svg") refuse(Message("its outermost element is not <svg>"));
-
   // The URL of the document is where `fail` finds the file's name.
   xmlDoc* doc = tree.document_.get();
   if (doc->URL) xmlFree(const_cast<xmlChar*>(doc->URL));
   doc->URL = xmlStrdup(chars(name));
+  expand_namespaces(tree.root());
+  if (svg_name(tree.root()) != "svg") refuse(Message("its outermost element is not <svg>"));
   register_ids(tree.root());
   tree.styles_ = StyleSheet(tree.root());
   return tree;

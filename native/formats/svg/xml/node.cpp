@@ -15,8 +15,10 @@ constexpr std::size_t longest_entity = 10000;
 const xmlChar* chars(const char* text) { return reinterpret_cast<const xmlChar*>(text); }
 const xmlChar* chars(const std::string& text) { return chars(text.c_str()); }
 
-std::string_view entity_text(const xmlNode* reference, const xmlNode* owner) {
-  const xmlEntity* entity = xmlGetDocEntity(reference->doc, reference->name);
+/// Returns what the entity of this name stands for. Throws InputError about `owner` unless it is
+/// short and plain.
+std::string_view entity_text(const xmlChar* name, const xmlNode* owner) {
+  const xmlEntity* entity = xmlGetDocEntity(owner->doc, name);
   const bool internal = entity && (entity->etype == XML_INTERNAL_GENERAL_ENTITY ||
                                    entity->etype == XML_INTERNAL_PREDEFINED_ENTITY);
   const std::string_view content = internal ? view(entity->content) : std::string_view();
@@ -24,9 +26,24 @@ std::string_view entity_text(const xmlNode* reference, const xmlNode* owner) {
   const bool plain =
       content.size() <= longest_entity && content.find_first_of("&<") == content.npos;
   if (!internal || !(predefined || plain))
-    fail(owner,
-         Message("the entity {0} is not a short plain text", excerpt(view(reference->name))));
+    fail(owner, Message("the entity {0} is not a short plain text", excerpt(view(name))));
   return content;
+}
+
+/// Returns the text with its references to entities, such as `&svg;`, replaced by their texts.
+std::string expanded(std::string_view text, const xmlNode* owner) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = text.starts_with('&') ? text.find(';') : text.npos;
+    if (end == text.npos) {
+      result += text.front();
+      text.remove_prefix(1);
+    } else {
+      result += entity_text(chars(std::string(text.substr(1, end - 1))), owner);
+      text.remove_prefix(end + 1);
+    }
+  }
+  return result;
 }
 
 /// Returns true if an element or attribute has the prefix although no namespace was declared for
@@ -91,6 +108,16 @@ std::vector<xmlAttr*> attributes(const xmlNode* node) {
   return list;
 }
 
+void expand_namespaces(xmlNode* root) {
+  for (xmlNode* node : elements_from(root))
+    for (xmlNs* space = node->nsDef; space; space = space->next) {
+      if (view(space->href).find('&') == std::string_view::npos) continue;
+      const std::string uri = expanded(view(space->href), node);
+      xmlFree(const_cast<xmlChar*>(space->href));
+      space->href = xmlStrdup(chars(uri));
+    }
+}
+
 std::string_view view(const xmlChar* text) {
   return text ? std::string_view(reinterpret_cast<const char*>(text)) : std::string_view();
 }
@@ -101,7 +128,7 @@ std::string text_of(const xmlNode* children, const xmlNode* owner) {
     if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE)
       text += view(child->content);
     else if (child->type == XML_ENTITY_REF_NODE)
-      text += entity_text(child, owner);
+      text += entity_text(child->name, owner);
   }
   return text;
 }

@@ -35,6 +35,10 @@ std::vector<xmlNode*> elements_from(const xmlNode* node);
 /// Returns the attributes of an element, in all namespaces.
 std::vector<xmlAttr*> attributes(const xmlNode* node);
 
+/// Expands the entities in the names of namespaces, which libxml2 leaves as they are written:
+/// Illustrator declares all its namespaces so. Throws as text_of() does.
+void expand_namespaces(xmlNode* root);
+
 /// Returns the text that libxml2 holds; empty for null.
 std::string_view view(const xmlChar* text);
 
