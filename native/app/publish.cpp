@@ -18,6 +18,7 @@
 #include "files/image_file.h"
 #include "form/linear_colors.h"
 #include "formats/svg/values/mesh_outline.h"
+#include "formats/svg/values/path.h"
 #include "mesh/boundary.h"
 #include "raster/hidden.h"
 #include "raster/picture.h"
@@ -70,7 +71,11 @@ class MeshPublisher {
         return *std::move(colors);
       }
     }
-    FilePicture shown = file_picture(std::move(picture.samples), !is_translucent(mesh_));
+    // The outline would cut off what a folded mesh paints beyond it.
+    const bool is_folded = is_cut && paints_beyond_outline(picture);
+    if (is_folded) clear_uncovered(picture);
+    FilePicture shown =
+        file_picture(std::move(picture.samples), !is_translucent(mesh_) && !is_folded);
     if (saves) shown = smallest_picture(std::move(shown), seen_of(picture));
     PlacedPicture placed;
     placed.place = box_;
@@ -81,7 +86,7 @@ class MeshPublisher {
           placed.png = png_bytes(image);
         },
         shown);
-    if (is_cut) {
+    if (is_cut && !is_folded) {
       placed.outline = outline_path(mesh_);
       placed.outline_to_user = place_.to_user;
     }
@@ -97,6 +102,7 @@ class MeshPublisher {
     Box seen = bounding_box(mesh_, place_.to_user);
     if (place_.seen)
       for (const auto& set : place_.seen->sets) seen = common(seen, box_of(set, place_.to_user));
+    if (place_.reach) seen = common(seen, *place_.reach);
     shows_nothing_ = seen.empty();
     if (shows_nothing_) seen.add(place_.to_user.point(mesh_.position(*mesh_.points().begin())));
 
@@ -143,6 +149,30 @@ class MeshPublisher {
         if (!*picture.covered.at(x, y) && !hidden.contains(x, y) && !is_near_mesh(x, y))
           return false;
     return true;
+  }
+
+  /// Returns true if the mesh covers pixels that are more than a pixel beyond its outline.
+  bool paints_beyond_outline(const MeshPicture& picture) const {
+    const auto outline = path_outline(outline_path(mesh_));
+    if (!outline) return false;
+    const HiddenPixels beyond({{{{*outline}}}}, frame_);
+    const auto is_beyond = [&](int x, int y) {
+      for (int near_y = std::max(0, y - 1); near_y < std::min(frame_.height, y + 2); ++near_y)
+        for (int near_x = std::max(0, x - 1); near_x < std::min(frame_.width, x + 2); ++near_x)
+          if (!beyond.contains(near_x, near_y)) return false;
+      return true;
+    };
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        if (*picture.covered.at(x, y) && is_beyond(x, y)) return true;
+    return false;
+  }
+
+  /// Makes the picture end where the mesh does.
+  static void clear_uncovered(MeshPicture& picture) {
+    const std::size_t opacities = 3 * picture.samples.pixels();
+    for (std::size_t i = 0; i < picture.samples.pixels(); ++i)
+      if (!picture.covered.samples[i]) picture.samples.samples[opacities + i] = 0;
   }
 
   /// Returns 1 for the pixels in which the mesh is seen.

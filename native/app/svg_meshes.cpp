@@ -293,6 +293,7 @@ SvgMeshes::Place SvgMeshes::place(const MeshEntry& entry) const {
   place.to_user = mesh_to_user(svg_, o);
   place.to_page = to_page(svg_, o);
   place.seen = visible_area(entry);
+  place.reach = stroke_reach(svg_, o);
   place.fills_shape = gradmesh::fills_shape(o);
   return place;
 }

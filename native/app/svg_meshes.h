@@ -45,6 +45,8 @@ class SvgMeshes : public Document {
     Affine to_page;
     /// In the mesh's coordinates, as of visible_area().
     std::optional<VisibleArea> seen;
+    /// In the object's user space, as of stroke_reach().
+    std::optional<Box> reach;
     /// True if the object's own shape, painted by one mesh gradient, limits what is seen.
     bool fills_shape = false;
   };

@@ -2,8 +2,8 @@
 
 import pytest
 
-from lattices import BLUE, FILLED, GREEN, MANY, RED, SHAPE, document, gradient
-from published_copy import Copy
+from lattices import BLUE, FILLED, GREEN, MANY, RED, SHAPE, document, gradient, lattice
+from published_copy import Copy, pixels
 
 ONE_COLOUR, LINE, SECOND = [[RED] * 2] * 2, [[RED, BLUE]] * 2, [[BLUE, RED], [GREEN, RED]]
 
@@ -166,3 +166,27 @@ for name, first, corner in (("one", RED, RED), ("line", "#bb2015", "#bf2011"), (
 def test_what_else_paints_and_how(name):
     body, drawing = CASES[name]
     assert Copy(document(MANY, body, DEFS)).drawing == drawing
+
+
+def test_a_picture_of_a_stroke_is_no_larger_than_the_stroke():
+    mesh = lattice(MANY, box=(-500, -500, 2000, 2000))
+    stroke = SHAPE.format('style="fill:none;stroke:url(#m);stroke-width:3"')
+    # The shape of 36 x 16, and around it 6 for mitres and a margin of 1, in two pixels each.
+    assert [(told.width, told.height) for told in Copy(document(mesh, stroke)).told] == [(100, 60)]
+
+
+def test_a_folded_mesh_is_shown_whole():
+    """Its second patch lies over its first, beyond the mesh's outline and back."""
+    patches = (
+        '<meshpatch><stop path="l 60,0" stop-color="#f00"/><stop path="l 0,40" stop-color="#ff0"/>'
+        '<stop path="l -60,0" stop-color="#0a0"/><stop path="l 0,-40" stop-color="#00f"/></meshpatch>'
+        '<meshpatch><stop path="l -40,10"/><stop path="l 0,20" stop-color="#fff"/>'
+        '<stop path="l 40,10" stop-color="#808"/></meshpatch>'
+    )
+    folded = f"""<meshgradient id="folded" x="10" y="10" gradientUnits="userSpaceOnUse">
+    <meshrow>{patches}</meshrow></meshgradient>"""
+    copy = Copy(document(MANY, '<rect id="box" width="100" height="80" fill="url(#folded)"/>', folded))
+    assert copy.image.get("clip-path") is None
+    shown = pixels(copy.image)
+    # In the first patch, in the second where it goes back, and above and beside both.
+    assert [shown[y, x, 3] for x, y in ((20, 40), (100, 40), (20, 0), (122, 80))] == [255, 255, 0, 0]

@@ -1,5 +1,8 @@
 #include "formats/svg/tree/visible.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -141,6 +144,25 @@ std::vector<FilledOutline> covered_area(const SvgTree& tree, const std::string& 
     throw InputError("{0}: {1} is no shape, so it covers nothing that could be protected.",
                      tree.name(), excerpt(id));
   return shapes;
+}
+
+std::optional<Box> stroke_reach(const SvgTree& tree, const MeshObject& object) {
+  if (object.is_group() || object.role != PaintRole::stroke) return std::nullopt;
+  const auto box = shape_box(object.node);
+  const auto value = [&](const char* property, const char* otherwise) {
+    return tree.styles().inherited(object.node, property).value_or(otherwise);
+  };
+  const auto width = parse_length(value("stroke-width", "1"), std::nullopt);
+  const auto limit = parse_length(value("stroke-miterlimit", "4"), std::nullopt);
+  if (!box || box->empty() || !width || !limit || value("vector-effect", "none") != "none")
+    return std::nullopt;
+  // Corners of mitres and of square caps are farthest from the line.
+  const double farthest = std::max(std::numbers::sqrt2, *limit);
+  const glm::dvec2 reach(std::abs(*width) / 2 * farthest);
+  Box all;
+  all.add(box->low() - reach);
+  all.add(box->high() + reach);
+  return all;
 }
 
 bool fills_shape(const MeshObject& object) {

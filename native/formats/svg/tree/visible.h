@@ -6,6 +6,7 @@
 
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/svg_tree.h"
+#include "geom/box.h"
 #include "geom/outline.h"
 
 namespace gradmesh {
@@ -17,6 +18,10 @@ namespace gradmesh {
 /// used elsewhere too. Returns nothing if no limit of the area is known. Throws InputError at
 /// geometry that cannot be read.
 std::optional<VisibleArea> visible_area(const SvgTree& tree, const MeshObject& object);
+
+/// Returns a box in the user space of a shape that a mesh gradient strokes, beyond which the stroke
+/// does not reach; nothing for fills, texts, and strokes whose width is not known here.
+std::optional<Box> stroke_reach(const SvgTree& tree, const MeshObject& object);
 
 /// Returns what the shape with that id covers, or all shapes in the group with that id, in the user
 /// space of the outermost <svg>, whatever their fill. Throws InputError if there is no such
