@@ -119,7 +119,7 @@ def in_selector(id):
 
 
 def pixels(draft):
-    side = draft.pick({100: 4, 200: 2, 24: 1, 400: 1})
+    side = draft.pick({100: 4, 200: 2, 50: 1, 400: 1})
     return Page({"width": side, "height": side}, side / 100)
 
 
@@ -153,7 +153,7 @@ def millimetres_alone(draft):
 
 
 def pixels_of_view_box(draft):
-    side = draft.pick({100: 4, 64: 1, 300: 1, 12: 0.5})
+    side = draft.pick({100: 4, 64: 1, 300: 1, 40: 0.5})
     return view_box(draft, width=side, height=side)
 
 
@@ -262,7 +262,14 @@ def in_rule_of_gradient(draft, id):
     return in_style(draft, id)
 
 
-STOPS = {in_attributes: 3, in_style: 4, in_rules: 1, in_rule_of_gradient: 0.7}
+def of_current_colour(draft, id):
+    def paint(values):
+        return {**values, "color": values["stop-color"], "stop-color": "currentColor"}
+
+    return paint
+
+
+STOPS = {in_attributes: 3, in_style: 4, in_rules: 1, in_rule_of_gradient: 0.7, of_current_colour: 0.4}
 
 
 def moved(draft, x, y):
@@ -378,7 +385,8 @@ def curve(draft, box):
 def text(draft, box):
     size = draft.length(min(box.height, box.width / 1.5))
     values = {"x": draft.length(box.x), "y": draft.length(box.y + box.height), "font-size": size}
-    spans = draft.pick({"Abc": 3, "A<tspan>bc</tspan>": 2, '<tspan font-weight="bold">Ab</tspan>': 1})
+    own = f"<tspan {attributes(filled(draft, box))}>b</tspan>" if draft.maybe(0.3) else "b"
+    spans = draft.pick({f"A{own}c": 3, f"A<tspan>{own}c</tspan>": 2, f'<tspan font-weight="bold">A{own}</tspan>': 1})
     return "text", {**values, "font-family": "sans-serif"}, spans
 
 
@@ -493,6 +501,10 @@ def filled_and_stroked(draft, box):
     return {**stroked(draft, box), **filled(draft, box)}
 
 
+def dashed(draft, box):
+    return {**stroked(draft, box), "stroke-dasharray": f"{draft.length(12)} {draft.length(7)}"}
+
+
 def with_plain_stroke(draft, box):
     return {**filled(draft, box), "stroke": draft.colour(), "stroke-width": draft.length(4)}
 
@@ -502,7 +514,8 @@ def with_fallback(draft, box):
 
 
 PARTS = {
-    filled: 8, translucent: 1, stroked: 2, filled_and_stroked: 1, with_plain_stroke: 1, with_fallback: 0.5
+    filled: 8, translucent: 1, stroked: 2, filled_and_stroked: 1, dashed: 0.5, with_plain_stroke: 1,
+    with_fallback: 0.5,
 }  # fmt: skip
 
 # --- where an object lies: each gives what is drawn for an object with an id ---
@@ -547,24 +560,51 @@ def masked(draft, drawn, id):
     return element("g", {"mask": url(draft, mask)}, drawn)
 
 
-def reference(id):
-    return {"xlink:href": "#" + (quote(id) if " " in id or "(" in id else id)}
+def reference(draft, id):
+    name = draft.pick({"xlink:href": 8, "href": 1})
+    return {name: "#" + (quote(id) if " " in id or "(" in id else id)}
 
 
 def cloned(draft, drawn, id):
     place = {"transform": f"translate({draft.length(12)},{draft.length(9)}) scale(0.7)"}
-    return drawn + element("use", {**reference(id), **place})
+    return drawn + element("use", {**reference(draft, id), **place})
 
 
 def only_cloned(draft, drawn, id):
     draft.defs.append(drawn)
-    return element("use", {**reference(id), "x": draft.length(4)})
+    return element("use", {**reference(draft, id), "x": draft.length(4)})
 
 
 def in_symbol(draft, drawn, id):
     symbol = draft.name("s")
     draft.defs.append(element("symbol", {"id": symbol, "overflow": "visible"}, drawn))
-    return element("use", reference(symbol))
+    return element("use", reference(draft, symbol))
+
+
+def in_pattern(draft, drawn, id):
+    pattern = draft.name("p")
+    size = {"width": draft.length(100), "height": draft.length(100)}
+    draft.defs.append(element("pattern", {"id": pattern, "patternUnits": "userSpaceOnUse", **size}, drawn))
+    tag, values, _ = circle(draft, Box(2, 2, 96, 96))
+    return element(tag, {**values, "fill": url(draft, pattern)})
+
+
+def in_marker(draft, drawn, id):
+    marker = draft.name("marker")
+    size = {"markerUnits": "userSpaceOnUse", "markerWidth": draft.length(100), "markerHeight": draft.length(100)}
+    draft.defs.append(element("marker", {"id": marker, "overflow": "visible", **size}, drawn))
+    return element("path", {"d": f"M 0,0 L {draft.lengths((30, 0))}", "marker-start": url(draft, marker)})
+
+
+def filtered(draft, drawn, id):
+    name = draft.name("f")
+    blur = element("feGaussianBlur", {"stdDeviation": draft.length(2)})
+    draft.defs.append(element("filter", {"id": name}, blur))
+    return element("g", {"filter": url(draft, name)}, drawn)
+
+
+def in_switch(draft, drawn, id):
+    return element("switch", {}, drawn + element("rect", {}))
 
 
 def hidden(draft, drawn, id):
@@ -574,7 +614,8 @@ def hidden(draft, drawn, id):
 
 PLACES = {
     alone: 12, in_group: 4, in_groups: 2, in_translucent_group: 1, in_inner_svg: 1, in_link: 0.5, clipped: 1.5,
-    masked: 1, cloned: 1.5, only_cloned: 1, in_symbol: 1, hidden: 0.5,
+    masked: 1, cloned: 1.5, only_cloned: 1, in_symbol: 1, in_pattern: 0.4, in_marker: 0.4, filtered: 0.4,
+    in_switch: 0.4, hidden: 0.5,
 }  # fmt: skip
 
 
