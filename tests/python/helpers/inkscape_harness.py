@@ -331,12 +331,12 @@ class Inkscape:
         there is no picture, for each document that has none; `timeout` is in seconds, for all together.
 
         Where Inkscape crashes, that is told of the document after the last one that it has painted, and
-        another Inkscape goes on behind that one.
+        another Inkscape goes on behind that one. Paths have no semicolon, which separates commands.
         """
         end = time.monotonic() + (timeout or self.timeout)
         for png in documents.values():
             Path(png).unlink(missing_ok=True)
-        missing, left = {}, list(documents)
+        unpainted, left = {}, list(documents)
         while left:
             ended = self._paint_pages({svg: documents[svg] for svg in left}, dpi, end)
             painted = [i for i, svg in enumerate(left) if Path(documents[svg]).exists()]
@@ -344,12 +344,12 @@ class Inkscape:
             behind = reached + 1 if ended else len(left)
             for i, svg in enumerate(left[:behind]):
                 if i not in painted:
-                    missing[svg] = ended if i == reached and ended else "Inkscape wrote no picture"
+                    unpainted[svg] = ended if i == reached and ended else "Inkscape wrote no picture"
             left = left[behind:]
             if time.monotonic() >= end:
-                missing.update(dict.fromkeys(left, "there was no time left for it"))
+                unpainted.update(dict.fromkeys(left, "there was no time left for it"))
                 break
-        return missing
+        return unpainted
 
     def _paint_pages(self, documents: Mapping[Path, Path], dpi: Mapping[Path, float], end: float) -> str:
         """Has one Inkscape paint pages, until `end`; how it ended before it should, or nothing."""

@@ -35,14 +35,38 @@ LEVELS = 2
 #: Inkscape takes ten seconds and more to paint one page of these.
 EXPENSIVE = ("oxygen-juk", "oxygen-kdebugsettings")
 SHARED = ROOT.parent / "shared"
-SEEDS = range(
-    int(os.environ.get("GRADMESH_RANDOM_FIRST", 0)),
-    int(os.environ.get("GRADMESH_RANDOM_FIRST", 0)) + int(os.environ.get("GRADMESH_RANDOM_DOCUMENTS", 40)),
-)
+FIRST = int(os.environ.get("GRADMESH_RANDOM_FIRST", 0))
+SEEDS = range(FIRST, FIRST + int(os.environ.get("GRADMESH_RANDOM_DOCUMENTS", 40)))
+
+PAGE = """<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"
+  width="100" height="100" viewBox="0 0 100 100">
+<defs><meshgradient id="m" gradientUnits="userSpaceOnUse" x="0" y="0"><meshrow>
+<meshpatch><stop path="l 50,0" stop-color="#00f"/><stop path="l 0,100" stop-color="#800080"/>
+<stop path="l -50,0" stop-color="#80d500"/><stop path="l 0,-100" stop-color="#0a0"/></meshpatch>
+<meshpatch><stop path="l 50,0"/><stop path="l 0,100" stop-color="#f00"/>
+<stop path="l -50,0" stop-color="#ff0"/></meshpatch></meshrow></meshgradient></defs>
+{}
+</svg>
+"""
+SQUARE = '<rect id="r" x="20" y="20" width="40" height="40" {}/>'
+MESH = 'fill="url(#m)"'
+#: What random documents have found, by its least.
+FOUND = {
+    "filled": SQUARE.format(MESH),
+    "clone outside of the group": f'<g {MESH}>{SQUARE.format("")}</g><use xlink:href="#r" x="30" y="30"/>',
+    "percent in an inner svg": (
+        f'<svg x="10" y="10" width="80" height="80" viewBox="0 0 50 50"><rect x="30%" y="30%" width="60%"'
+        f' height="60%" {MESH}/></svg>'
+    ),
+    "rule for all": f"<style>* {{ opacity: 0.6 }}</style>{SQUARE.format(MESH)}",
+    "rule for second children": (
+        f"<style>rect:nth-child(2) {{ stroke: #000; stroke-width: 8 }}</style><g>{SQUARE.format(MESH)}</g>"
+    ),
+}
 #: What is seen of documents that are wrong today, by document and what was done.
 UNPAINTED = "Inkscape does not find the mesh and paints nothing; afterwards it paints the mesh"
 ESCAPED = "a mesh whose id has escapes where it is used, or U+00A0, is lost or painted where it was not"
-AROUND = "a rule for * makes a mesh refer to itself, so that Inkscape paints nothing; afterwards it paints the mesh"
+LOOP = "a rule for * makes a mesh refer to itself, so that Inkscape paints nothing; afterwards it paints the mesh"
 KNOWN = {
     "faults/id-with-nbsp-black-after-simplify simplified": "the object is black, as the new mesh is not found",
     "faults/plain-href-is-not-read-by-inkscape published": UNPAINTED,
@@ -53,12 +77,17 @@ KNOWN = {
     "faults/url-percent-escape-shows-what-was-not-painted published": UNPAINTED,
     "wild4/kotuku-rt-hrefOnlyMesh published": UNPAINTED,
     "wild4/wpt-meshgradient-complex-001 published": "the parts of the mesh that lie behind folds are white",
+    "found/clone outside of the group simplified": "the clone is painted by the mesh, not black",
+    "found/clone outside of the group published": "the clone is painted by the mesh, not black",
+    "found/percent in an inner svg published": "the shape that cuts the picture has shares of the outer svg",
+    "found/rule for all published": "the picture, and the group with it, are both translucent",
+    "found/rule for second children published": "the shape that cuts the picture is a second child, and has a stroke",
     "random/5 published": ESCAPED,
     "random/20 simplified": ESCAPED,
     "random/20 published": ESCAPED,
     "random/23 published": ESCAPED,
-    "random/31 simplified": AROUND,
-    "random/31 published": AROUND,
+    "random/31 simplified": LOOP,
+    "random/31 published": LOOP,
 }
 
 
@@ -73,7 +102,18 @@ def of_seeds():
     return [pytest.param(seed, id=f"random/{seed}") for seed in SEEDS]
 
 
-DOCUMENTS = [*of_others("faults"), *of_others("wild4"), *of_others("real"), *of_seeds()]
+def of_found():
+    return [pytest.param(PAGE.format(body).encode(), id=f"found/{name}") for name, body in FOUND.items()]
+
+
+DOCUMENTS = [*of_others("faults"), *of_others("wild4"), *of_others("real"), *of_found(), *of_seeds()]
+
+
+def bytes_of(document):
+    (of,) = document.values
+    if isinstance(of, Path):
+        return of.read_bytes()
+    return random_documents.document(of) if isinstance(of, int) else of
 
 
 def lines():
@@ -86,9 +126,8 @@ def lines():
 
 
 class Page(NamedTuple):
-    refused: str  #: the sentence, where nothing was written
-    before: Path = Path()  #: pictures
-    after: Path = Path()
+    before: Path  #: pictures
+    after: Path
 
 
 CHANGES = {SIMPLIFIED: gradmesh.simplify, PUBLISHED: gradmesh.publish}
@@ -109,7 +148,8 @@ def dots_per_inch(document):
 
 @pytest.fixture(scope="module")
 def pages(request, inkscape, tmp_path_factory):
-    """Of each document that a test asks for what became of it, painted by one Inkscape."""
+    """Of each document that a test asks for what became of it, painted by one Inkscape, or what was raised; and
+    why Inkscape wrote no picture, for each one that it did not write."""
     folder = tmp_path_factory.mktemp("pages")
     lines = [item.callspec.params for item in request.session.items if hasattr(item, "callspec")]
     asked = {line.get("name") for line in lines}
@@ -122,20 +162,18 @@ def pages(request, inkscape, tmp_path_factory):
         return pictures[path]
 
     for number, document in enumerate(DOCUMENTS):
-        (of,) = document.values
-        if document.id not in asked or of is None:
+        if document.id not in asked or document.values == (None,):
             continue
-        data = random_documents.document(of) if isinstance(of, int) else of.read_bytes()
-        before = None
+        data, before = bytes_of(document), None
         for kind, change in CHANGES.items():
             try:
                 read = gradmesh.loads(data, document.id)
                 change(read)
-            except gradmesh.InputError as error:
-                found[document.id, kind] = Page(str(error))
+            except Exception as error:  # of this document alone
+                found[document.id, kind] = error
                 continue
             before = before or painted(data, number, "before")
-            found[document.id, kind] = Page("", before, painted(read.to_bytes(), number, kind))
+            found[document.id, kind] = Page(before, painted(read.to_bytes(), number, kind))
     missing = inkscape.export_pages(pictures, dpi, timeout=300)
     return found, {pictures[path]: reason for path, reason in missing.items()}
 
@@ -155,9 +193,11 @@ def difference(before, after):
 def test_the_page_looks_the_same(pages, name, done):
     found, missing = pages
     page = found[name, done]
-    if page.refused:
-        assert page.refused.endswith(".") and "\n" not in page.refused
+    if isinstance(page, gradmesh.InputError):
+        assert str(page).endswith(".") and "\n" not in str(page)
         return
+    if isinstance(page, Exception):
+        raise page
     if page.before in missing:
         pytest.skip(f"{missing[page.before]} of the document as it was")
     assert page.after not in missing, missing[page.after]
