@@ -58,6 +58,10 @@ FOUND = {
         f'<svg x="10" y="10" width="80" height="80" viewBox="0 0 50 50"><rect x="30%" y="30%" width="60%"'
         f' height="60%" {MESH}/></svg>'
     ),
+    "marker without a stroke": (
+        '<marker id="k" overflow="visible" markerUnits="userSpaceOnUse"><rect width="30" height="30" fill="#840"/>'
+        f'</marker><path d="M 20,30 H 80 V 60 Z" marker-start="url(#k)" {MESH}/>'
+    ),
     "rule for all": f"<style>* {{ opacity: 0.6 }}</style>{SQUARE.format(MESH)}",
     "rule for second children": (
         f"<style>rect:nth-child(2) {{ stroke: #000; stroke-width: 8 }}</style><g>{SQUARE.format(MESH)}</g>"
@@ -80,6 +84,7 @@ KNOWN = {
     "found/clone outside of the group simplified": "the clone is painted by the mesh, not black",
     "found/clone outside of the group published": "the clone is painted by the mesh, not black",
     "found/percent in an inner svg published": "the shape that cuts the picture has shares of the outer svg",
+    "found/marker without a stroke published": "the marker is gone",
     "found/rule for all published": "the picture, and the group with it, are both translucent",
     "found/rule for second children published": "the shape that cuts the picture is a second child, and has a stroke",
     "random/5 published": ESCAPED,
