@@ -71,11 +71,12 @@ class MeshPublisher {
         return *std::move(colors);
       }
     }
-    // The outline would cut off what a folded mesh paints beyond it.
-    const bool is_folded = is_cut && paints_beyond_outline(picture);
-    if (is_folded) clear_uncovered(picture);
+    const std::string outline = is_cut ? outline_around(picture) : "";
+    // Where no path will do the picture ends by itself, in whole pixels.
+    const bool ends_itself = is_cut && outline.empty();
+    if (ends_itself) clear_uncovered(picture);
     FilePicture shown =
-        file_picture(std::move(picture.samples), !is_translucent(mesh_) && !is_folded);
+        file_picture(std::move(picture.samples), !is_translucent(mesh_) && !ends_itself);
     if (saves) shown = smallest_picture(std::move(shown), seen_of(picture));
     PlacedPicture placed;
     placed.place = box_;
@@ -86,8 +87,8 @@ class MeshPublisher {
           placed.png = png_bytes(image);
         },
         shown);
-    if (is_cut && !is_folded) {
-      placed.outline = outline_path(mesh_);
+    if (!outline.empty()) {
+      placed.outline = outline;
       placed.outline_to_user = place_.to_user;
     }
     report_.bytes = placed.png.size();
@@ -151,10 +152,19 @@ class MeshPublisher {
     return true;
   }
 
-  /// Returns true if the mesh covers pixels that are more than a pixel beyond its outline.
-  bool paints_beyond_outline(const MeshPicture& picture) const {
-    const auto outline = path_outline(outline_path(mesh_));
-    if (!outline) return false;
+  /// Returns a path around all that the mesh paints: its outline or, for a folded mesh, which
+  /// paints beyond that, those of all patches. Empty where even these do not hold it.
+  std::string outline_around(const MeshPicture& picture) const {
+    const std::string outline = outline_path(mesh_);
+    if (!paints_beyond(outline, picture)) return outline;
+    const std::string patches = patches_path(mesh_);
+    return paints_beyond(patches, picture) ? "" : patches;
+  }
+
+  /// Returns true if the mesh covers pixels that are more than a pixel beyond a path.
+  bool paints_beyond(const std::string& path, const MeshPicture& picture) const {
+    const auto outline = path_outline(path);
+    if (!outline) return true;
     const HiddenPixels beyond({{{{*outline}}}}, frame_);
     const auto is_beyond = [&](int x, int y) {
       for (int near_y = std::max(0, y - 1); near_y < std::min(frame_.height, y + 2); ++near_y)

@@ -324,6 +324,58 @@ class Inkscape:
             raise AssertionError(f"Inkscape wrote no picture of {svg}: {done.stderr}")
         return Path(png)
 
+    def export_pages(
+        self, documents: Mapping[Path, Path], dpi: Mapping[Path, float], timeout: Optional[float] = None
+    ) -> Mapping[Path, str]:
+        """Paints the page of each document to its picture, all by one Inkscape that reads commands. Returns why
+        there is no picture, for each document that has none; `timeout` is in seconds, for all together.
+
+        Where Inkscape crashes, that is told of the document after the last one that it has painted, and
+        another Inkscape goes on behind that one. Paths have no semicolon, which separates commands.
+        """
+        end = time.monotonic() + (timeout or self.timeout)
+        for png in documents.values():
+            Path(png).unlink(missing_ok=True)
+        unpainted, left = {}, list(documents)
+        while left:
+            ended = self._paint_pages({svg: documents[svg] for svg in left}, dpi, end)
+            painted = [i for i, svg in enumerate(left) if Path(documents[svg]).exists()]
+            reached = painted[-1] + 1 if painted else 0
+            behind = reached + 1 if ended else len(left)
+            for i, svg in enumerate(left[:behind]):
+                if i not in painted:
+                    unpainted[svg] = ended if i == reached and ended else "Inkscape wrote no picture"
+            left = left[behind:]
+            if time.monotonic() >= end:
+                unpainted.update(dict.fromkeys(left, "there was no time left for it"))
+                break
+        return unpainted
+
+    def _paint_pages(self, documents: Mapping[Path, Path], dpi: Mapping[Path, float], end: float) -> str:
+        """Has one Inkscape paint pages, until `end`; how it ended before it should, or nothing."""
+        lines = [
+            f"file-open:{svg}; export-filename:{png}; export-dpi:{dpi[svg]:g}; export-area-page; export-do; file-close"
+            for svg, png in documents.items()
+        ]
+        with tempfile.TemporaryFile() as commands:
+            commands.write("\n".join([*lines, "quit", ""]).encode())
+            commands.seek(0)
+            process = subprocess.Popen(
+                [INKSCAPE, "--shell"],
+                env=self.env,
+                stdin=commands,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                start_new_session=True,
+            )
+            try:
+                process.wait(max(0, end - time.monotonic()))
+            except subprocess.TimeoutExpired:
+                return "Inkscape did not end in time"
+            finally:
+                kill_group(process)
+        return f"Inkscape crashed ({process.returncode})" if process.returncode else ""
+
     def window(self, svg, timeout: Optional[float] = None) -> "InkscapeWindow":
         return InkscapeWindow(self, svg, timeout or self.timeout)
 

@@ -60,6 +60,24 @@ def test_what_an_extension_says_holds_nobody_up(tmp_path):
     assert out.exists()
 
 
+@needs()
+def test_pages_are_painted_in_spite_of_a_crash(tmp_path):
+    documents = [SAMPLES / "two.svg", tmp_path / "absent.svg", SAMPLES / "tensor.svg"]
+    pictures = {svg: tmp_path / f"{svg.stem}.png" for svg in documents}
+    with Inkscape() as inkscape:
+        missing = inkscape.export_pages(pictures, dict.fromkeys(documents, 20))
+    assert list(missing) == [documents[1]] and "crashed" in missing[documents[1]]
+    assert [png.exists() for png in pictures.values()] == [True, False, True]
+
+
+@needs()
+def test_pages_for_which_there_is_no_time_are_told(tmp_path):
+    pictures = {SAMPLES / f"{name}.svg": tmp_path / f"{name}.png" for name in ("two", "tensor")}
+    with Inkscape() as inkscape:
+        missing = inkscape.export_pages(pictures, dict.fromkeys(pictures, 20), timeout=0.001)
+    assert list(missing.values()) == ["Inkscape did not end in time", "there was no time left for it"]
+
+
 @needs("ps", *inkscape_harness.WINDOW_PROGRAMS)
 def test_a_hanging_run_is_ended_with_all_it_started(tmp_path):
     with Inkscape() as inkscape:

@@ -60,4 +60,15 @@ std::string outline_path(const Mesh& mesh) {
   return d;
 }
 
+std::string patches_path(const Mesh& mesh) {
+  std::string d;
+  for (const Face face : mesh.faces()) {
+    Loop loop;
+    for (const Halfedge side : mesh.sides(face)) loop.push_back(mesh.side_of(side));
+    if (!d.empty()) d += ' ';
+    d += path_data(doubled_area_of(loop) < 0 ? reversed(loop) : loop);
+  }
+  return d;
+}
+
 }  // namespace gradmesh

@@ -10,4 +10,8 @@ namespace gradmesh {
 /// lie over one another, and holes stay holes. Returns an empty string if the mesh has no boundary.
 std::string outline_path(const Mesh& mesh);
 
+/// Returns the outlines of all patches as SVG path data, for the fill rule nonzero: those of a
+/// folded mesh lie beyond its outline.
+std::string patches_path(const Mesh& mesh);
+
 }  // namespace gradmesh
