@@ -105,6 +105,14 @@ TEST(SvgObjects, what_cannot_be_changed_alone_is_told) {
         "<symbol id='q'><use xlink:href='#q'/><path/></symbol>"})
     EXPECT_TRUE(reason(defs(shown)).find("unlink the clone") != std::string::npos) << shown;
   EXPECT_EQ(listing(defs("<rect id='q' fill='red'/>")), "");
+  const auto lent = [&](const std::string& inside, const std::string& outside) {
+    return "<g id='g' fill='url(#m)'><g id='i'><rect id='q'/></g>" + inside + "</g>" +
+           "<g xmlns:xlink='http://www.w3.org/1999/xlink'>" + outside + "</g>";
+  };
+  for (const std::string id : {"q", "i"})
+    EXPECT_TRUE(reason(lent("", "<use xlink:href='#" + id + "'/>")).find("a clone outside") !=
+                std::string::npos);
+  EXPECT_EQ(listing(lent("", "<use xlink:href='#g'/>")), "q fill=m; ");
   EXPECT_EQ(listing(defs("<g id='q' fill='red'><rect/></g>")), "");
 }
 

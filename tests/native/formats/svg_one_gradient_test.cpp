@@ -115,6 +115,21 @@ TEST(OneGradient, paints_the_parts_of_a_text_that_had_the_old_one) {
   EXPECT_EQ(document.find("m"), nullptr);
 }
 
+TEST(OneGradient, takes_the_place_of_the_old_one_where_a_group_hands_it_on) {
+  SvgTree document =
+      reduced(gradient("m", user_space),
+              "<g id='g' fill='url(#m)'><g><rect id='b'/></g><rect fill='red'/></g>");
+  EXPECT_EQ(text(document.find("g"), "style"), "fill:url(#b-mesh1)");
+  EXPECT_FALSE(attribute(document.find("g"), "fill"));
+  EXPECT_EQ(document.find("m"), nullptr);
+  for (const std::string other : {"<rect id='c'/>", "<use/>"}) {
+    document = reduced(gradient("m", user_space),
+                       "<g id='g' fill='url(#m)'><g><rect id='b'/></g>" + other + "</g>");
+    EXPECT_EQ(text(document.find("g"), "fill"), "url(#m)") << other;
+    EXPECT_NE(document.find("m"), nullptr);
+  }
+}
+
 TEST(OneGradient, is_shared_by_those_that_shared_the_old_one) {
   const std::string painted = "<rect id='a' fill='url(#m)'/><rect id='b' fill='url(#m)'/>";
   const std::string copy = "<rect id='c' fill='url(#n)'/>";

@@ -71,12 +71,6 @@ FOUND = {
 LOOP = "a rule for * makes a mesh refer to itself, so that Inkscape paints nothing; afterwards it paints the mesh"
 KNOWN = {
     "faults/publish-cuts-folded-mesh published": "Inkscape paints meshes to whole pixels and one beyond: 0.027",
-    "found/clone outside of the group simplified": "the clone is painted by the mesh, not black",
-    "found/clone outside of the group published": "the clone is painted by the mesh, not black",
-    "found/percent in an inner svg published": "the shape that cuts the picture has shares of the outer svg",
-    "found/marker without a stroke published": "the marker is gone",
-    "found/rule for all published": "the picture, and the group with it, are both translucent",
-    "found/rule for second children published": "the shape that cuts the picture is a second child, and has a stroke",
     "random/31 simplified": LOOP,
     "random/31 published": LOOP,
 }

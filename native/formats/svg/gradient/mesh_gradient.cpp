@@ -242,8 +242,11 @@ MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Me
   if (by_origin) gradient = shared(gradient, (*by_origin)[old]);
   const std::string fallback =
       fallback_color(tree.styles().inherited(object.node, property).value_or(""));
-  set_paint(tree.styles(), object.node, property,
-            paint_by(attribute(gradient, "id").value_or(""), fallback));
+  const std::string paint = paint_by(attribute(gradient, "id").value_or(""), fallback);
+  const bool is_inherited =
+      tree.styles().declared(object.node, property).value_or("inherit") == "inherit";
+  set_paint(tree.styles(), object.node, property, paint);
+  if (is_inherited) hand_back_paint(tree.styles(), object.node, property, paint);
   remove_if_unused(tree, old);
   return {object.node, object.id, object.role, gradient, object.kept, object.left_alone};
 }

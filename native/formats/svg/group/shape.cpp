@@ -19,12 +19,17 @@ namespace {
 class ShapeReplacer {
  public:
   ShapeReplacer(SvgTree& tree, const MeshObject& object)
-      : tree_(tree), object_(object), defs_(tree.defs()), id_(object_id(object.node)) {}
+      : tree_(tree),
+        object_(object),
+        defs_(tree.defs_around(object.node)),
+        id_(object_id(object.node)) {}
 
   void run(bool may_be_masked, const AddContent& add_content) {
     xmlNode* shape = object_.node;
     const std::string gradient = attribute(object_.gradient, "id").value_or("");
     const std::string fill_opacity = tree_.styles().inherited(shape, "fill-opacity").value_or("1");
+    // As long as it is where it is, since rules may follow its place.
+    const bool other_paint = paints_otherwise();
     Declarations said = said_by_rules(tree_.styles(), shape);
     // Not the shape's own namespace, which it may declare itself and take away with it.
     xmlNode* outer = add_child(parent_element(shape), "g");
@@ -37,7 +42,6 @@ class ShapeReplacer {
     // One group, so that a double click is enough to get at the content, unless what else the
     // object paints, or an effect that comes before clipping, needs a group of its own. A group has
     // one mask: a stroke's goes around that of the opacities.
-    const bool other_paint = paints_otherwise();
     const bool two_masks = is_stroke() && may_be_masked;
     const bool nested = other_paint || has_effects(tree_.styles(), outer);
     xmlNode* holder = nested ? add_inner_group(outer) : outer;
@@ -61,9 +65,11 @@ class ShapeReplacer {
 
  private:
   /// Adds a group in `outer`, and marks `outer` as the whole object.
-  static xmlNode* add_inner_group(xmlNode* outer) {
+  xmlNode* add_inner_group(xmlNode* outer) const {
     set_own_attribute(outer, "outer", "1");
-    return add_child(outer, "g");
+    xmlNode* group = add_child(outer, "g");
+    turn_off_effects(tree_.styles(), group);
+    return group;
   }
 
   /// Multiplies the group's opacity by that of the fill, which must not act on each block by
@@ -81,7 +87,11 @@ class ShapeReplacer {
   bool paints_otherwise() const {
     const char* other = is_stroke() ? "fill" : "stroke";
     const std::string otherwise = is_stroke() ? "black" : "none";
-    return tree_.styles().inherited(object_.node, other).value_or(otherwise) != "none";
+    const auto shows = [&](const char* property, const std::string& otherwise) {
+      return tree_.styles().inherited(object_.node, property).value_or(otherwise) != "none";
+    };
+    return shows(other, otherwise) || shows("marker-start", "none") ||
+           shows("marker-mid", "none") || shows("marker-end", "none") || shows("marker", "none");
   }
 
   /// Keeps the shape without the paint that is now in blocks: a stroke above the blocks, a fill

@@ -41,6 +41,7 @@ xmlNode* add_image(SvgTree& tree, xmlNode* group, const std::string& id,
   tree.give_id(image, id + "-picture");
   set_box(image, picture.place, digits_within(picture.place));
   set_attribute(image, "preserveAspectRatio", "none");
+  turn_off_effects(tree.styles(), image);
   if (!picture.outline.empty())
     set_attribute(image, "clip-path", paint_by(add_outline(tree, id, picture)));
   // Not only SVG 2's href, which many programs do not know.

@@ -95,6 +95,11 @@ const char* opacity_name(PaintRole role) {
   return role == PaintRole::fill ? "fill-opacity" : "stroke-opacity";
 }
 
+bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
+  while (node && node != ancestor) node = parent_element(node);
+  return node != nullptr;
+}
+
 /// Returns true if there are letters in the element itself.
 bool has_letters(const xmlNode* node) {
   for (const xmlNode* child = node->children; child; child = child->next)
@@ -106,7 +111,12 @@ bool has_letters(const xmlNode* node) {
 
 class Collector {
  public:
-  explicit Collector(SvgTree& tree) : tree_(tree), named_(named_ids(tree)) {}
+  explicit Collector(SvgTree& tree) : tree_(tree), named_(named_ids(tree)) {
+    for (const xmlNode* node : elements_from(tree.root()))
+      if (svg_name(node) == "use")
+        if (const xmlNode* shown = tree.find(linked_id(href(node), tree.name()).value_or("")))
+          clones_.emplace_back(node, shown);
+  }
 
   void visit(xmlNode* node, Context context) {
     const std::string_view name = svg_name(node);
@@ -174,7 +184,25 @@ class Collector {
              part.opacity(role) != with_mesh->opacity(role);
     });
     add(node, role, with_mesh->gradient(role), with_mesh->kept,
-        is_mixed ? LeftAlone::mixed : LeftAlone::no);
+        is_mixed                        ? LeftAlone::mixed
+        : is_cloned_without(node, role) ? LeftAlone::cloned
+                                        : LeftAlone::no);
+  }
+
+  /// Returns true if the object has its paint from an element around it, and a clone outside of
+  /// that shows the object, which has another paint there.
+  bool is_cloned_without(const xmlNode* node, PaintRole role) const {
+    const auto declares = [&](const xmlNode* element) {
+      const auto paint = tree_.styles().declared(element, paint_name(role), is_readable_paint);
+      return paint.value_or("inherit") != "inherit";
+    };
+    const xmlNode* lender = node;
+    while (lender && !declares(lender)) lender = parent_element(lender);
+    return std::ranges::any_of(clones_, [&](const auto& clone) {
+      const auto& [use, shown] = clone;
+      return shown != lender && lender && is_inside(shown, lender) && is_inside(node, shown) &&
+             !is_inside(use, lender);
+    });
   }
 
   void add_left_alone(xmlNode* node, Context context) {
@@ -215,12 +243,9 @@ class Collector {
 
   SvgTree& tree_;
   const std::set<std::string> named_;
+  /// Every <use> and what it shows.
+  std::vector<std::pair<const xmlNode*, const xmlNode*>> clones_;
 };
-
-bool is_inside(const xmlNode* node, const xmlNode* ancestor) {
-  while (node && node != ancestor) node = parent_element(node);
-  return node != nullptr;
-}
 
 /// Returns the places of the objects that are, or are inside of, the element.
 std::vector<std::size_t> objects_in(const xmlNode* element,
@@ -325,6 +350,10 @@ void check_can_change(const MeshObject& object) {
       fail(object,
            Message("it is a clone that lends its mesh to what it shows; to change the mesh, "
                    "unlink the clone"));
+    case LeftAlone::cloned:
+      fail(object,
+           Message("its mesh is that of a group around it, and a clone outside of the group "
+                   "shows it without; to change the mesh, give it to the object itself"));
     case LeftAlone::flowed:
       fail(object, Message("it is flowed text; to change its mesh, convert it to text"));
     case LeftAlone::mixed:

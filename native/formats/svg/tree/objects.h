@@ -22,6 +22,8 @@ enum class LeftAlone {
   no,
   /// It is the paint of a <use>, for what the clone shows and what has no paint of its own.
   clone,
+  /// It has its mesh from a group around it, and a clone elsewhere shows it in another paint.
+  cloned,
   /// A flowRoot, whose letters are where their region lets them.
   flowed,
   /// Parts of a text have another paint, or another opacity.

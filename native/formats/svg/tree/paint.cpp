@@ -114,6 +114,26 @@ void set_paint(const StyleSheet& styles, xmlNode* node, const std::string& prope
     if (part != node && styles.declared(part, property)) set_style(styles, part, property, value);
 }
 
+void hand_back_paint(const StyleSheet& styles, const xmlNode* node, const std::string& property,
+                     const std::string& value) {
+  const auto declares = [&](const xmlNode* element) {
+    return styles.declared(element, property).value_or("inherit") != "inherit";
+  };
+  xmlNode* lender = parent_element(node);
+  while (lender && !declares(lender)) lender = parent_element(lender);
+  const auto takes = [&](const auto& self, const xmlNode* element) -> bool {
+    if (declares(element)) return false;
+    const auto children = child_elements(element);
+    const bool is_plain = among({"g", "a", "switch", "svg"}, svg_name(element));
+    if (!is_plain) return !among({"defs", "title", "desc", "metadata", "style"}, svg_name(element));
+    return std::ranges::any_of(children, [&](const xmlNode* child) { return self(self, child); });
+  };
+  if (!lender) return;
+  const auto children = child_elements(lender);
+  if (std::ranges::none_of(children, [&](const xmlNode* child) { return takes(takes, child); }))
+    set_style(styles, lender, property, value);
+}
+
 std::string take_style(xmlNode* node, const std::string& property) {
   Declarations style = style_of(node);
   const auto found = style.extract(property);
@@ -167,6 +187,13 @@ Declarations said_by_rules(const StyleSheet& styles, const xmlNode* node) {
 void keep_said(const StyleSheet& styles, const Declarations& said, xmlNode* node) {
   for (const auto& [property, value] : said)
     if (styles.declared(node, property) != value) set_style(styles, node, property, value);
+  const Declarations own = style_of(node);
+  for (const auto& [property, value] : said_by_rules(styles, node)) {
+    if (said.contains(property) || own.contains(property)) continue;
+    const auto effect = std::ranges::find(effects, property, [](const auto& e) { return e.first; });
+    const std::string otherwise = effect == effects.end() ? "inherit" : effect->second;
+    set_style(styles, node, property, attribute(node, property.c_str()).value_or(otherwise));
+  }
 }
 
 bool is_effect(std::string_view property) {
@@ -220,6 +247,7 @@ xmlNode* geometry_copy(const StyleSheet& styles, const xmlNode* shape, xmlNode* 
     write_style(copy, fonts);
     remove_paints_below(copy);
   }
+  turn_off_effects(styles, copy);
   return copy;
 }
 

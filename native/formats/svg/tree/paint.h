@@ -24,7 +24,8 @@ void return_group_attributes(const StyleSheet& styles, xmlNode* group, xmlNode* 
 
 /// Returns what rules say of the element, with the values that count for it.
 Declarations said_by_rules(const StyleSheet& styles, const xmlNode* node);
-/// Writes into the style attribute what rules said of the element and, as it is now, say no more.
+/// Writes into the style attribute what rules said of the element and, as it is now, say no more;
+/// what they say now and did not say is turned off.
 void keep_said(const StyleSheet& styles, const Declarations& said, xmlNode* node);
 
 /// Returns true for a property that acts on an object as a whole and is not inherited.
@@ -58,6 +59,10 @@ void set_style(const StyleSheet& styles, xmlNode* node, const std::string& prope
 /// Sets a paint, also on the parts of a text that have one of their own.
 void set_paint(const StyleSheet& styles, xmlNode* node, const std::string& property,
                const std::string& value);
+/// Sets a paint that the element has from another one around it there too, if nothing else is left
+/// that has it from there. To be called once the element has its own.
+void hand_back_paint(const StyleSheet& styles, const xmlNode* node, const std::string& property,
+                     const std::string& value);
 /// Takes one property out of the style attribute. Returns its value without `!important`, empty if
 /// there was none.
 std::string take_style(xmlNode* node, const std::string& property);

@@ -143,6 +143,16 @@ std::string as_id(std::string_view text) {
   return id;
 }
 
+/// Returns the <defs> of an <svg>, in which it is the first element if it was not there.
+xmlNode* defs_of(xmlNode* svg) {
+  const auto found = child_elements(svg, "defs");
+  if (!found.empty()) return found.front();
+  xmlNode* defs = add_child(svg, "defs");
+  xmlNode* first = svg->children;
+  if (first != defs) xmlAddPrevSibling(first, defs);
+  return defs;
+}
+
 std::string serialized(xmlDoc* document, const char* encoding) {
   const Reports reports;
   const std::unique_ptr<xmlBuffer, void (*)(xmlBuffer*)> buffer(xmlBufferCreate(), xmlBufferFree);
@@ -193,13 +203,12 @@ std::string SvgTree::name() const { return std::string(view(document_->URL)); }
 
 xmlNode* SvgTree::root() const { return xmlDocGetRootElement(document_.get()); }
 
-xmlNode* SvgTree::defs() {
-  const auto found = child_elements(root(), "defs");
-  if (!found.empty()) return found.front();
-  xmlNode* defs = add_child(root(), "defs");
-  xmlNode* first = root()->children;
-  if (first != defs) xmlAddPrevSibling(first, defs);
-  return defs;
+xmlNode* SvgTree::defs() { return defs_of(root()); }
+
+xmlNode* SvgTree::defs_around(const xmlNode* node) {
+  xmlNode* svg = parent_element(node);
+  while (svg && svg_name(svg) != "svg") svg = parent_element(svg);
+  return defs_of(svg ? svg : root());
 }
 
 xmlNode* SvgTree::find(std::string_view id) const {

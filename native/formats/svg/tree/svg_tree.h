@@ -26,6 +26,9 @@ class SvgTree {
 
   /// Returns the first <defs> of the outermost <svg>, which is added if there is none.
   xmlNode* defs();
+  /// Returns the <defs> of the <svg> around the element, to whose viewport shares such as `30%`
+  /// refer; adds one if there is none.
+  xmlNode* defs_around(const xmlNode* node);
 
   /// Returns the first element with this id; null if there is none.
   xmlNode* find(std::string_view id) const;
