@@ -42,7 +42,8 @@ std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::str
 }
 
 Frame Document::frame(const MeshEntry& entry, const Mesh& mesh, int resolution) const {
-  return naming(entry, [&] { return fit_frame(mesh, view(entry), resolution, padding()); });
+  const Affine seen = view(entry);  // Names the element itself.
+  return naming(entry, [&] { return fit_frame(mesh, seen, resolution, padding()); });
 }
 
 Layout Document::layout(const MeshEntry& entry, bool visible_only) const {

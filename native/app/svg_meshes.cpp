@@ -104,12 +104,21 @@ std::optional<Message> SvgMeshes::refusal(const MeshEntry& entry) const {
   }
 }
 
+Message SvgMeshes::all_refusals(const std::vector<std::size_t>& places) const {
+  constexpr std::size_t most = 5;
+  Message all = *entries_[places.front()].refused;
+  for (std::size_t i = 1; i < std::min(places.size(), most); ++i)
+    all = Message("{0} {1}", all, *entries_[places[i]].refused);
+  if (places.size() <= most) return all;
+  return Message("{0} {1} more meshes cannot be changed either.", all, places.size() - most);
+}
+
 std::vector<MeshEntry> SvgMeshes::named(const std::vector<std::string>& ids) const {
   std::vector<bool> found(entries_.size());
   const auto choose = [&](const std::vector<std::size_t>& places) {
     for (const std::size_t i : places) found[i] = true;
     if (std::ranges::all_of(places, [&](std::size_t i) { return entries_[i].refused.has_value(); }))
-      throw InputError(*entries_[places.front()].refused);
+      throw InputError(all_refusals(places));
   };
   for (const std::string& id : ids) choose(objects_named(svg_, objects_, id));
   if (ids.empty()) choose(objects_shown(svg_, objects_));

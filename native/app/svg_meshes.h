@@ -96,6 +96,8 @@ class SvgMeshes : public Document {
   /// if there is none.
   std::shared_ptr<const Mesh> recalled(const MeshEntry& entry) const;
   /// Returns what a simplified mesh remembers from now on, as the value of the attribute.
+  /// Returns why none of these entries can be changed: a sentence for each of the first.
+  Message all_refusals(const std::vector<std::size_t>& places) const;
   std::string new_memory(const ChangedMesh& mesh) const;
   /// Writes a mesh as one mesh gradient. It remembers its original if it did so before, or if the
   /// document becomes no larger by that.

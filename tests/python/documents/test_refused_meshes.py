@@ -62,6 +62,14 @@ def test_named_it_is_an_error(svg, tmp_path, ids):
     assert [path.name for path in tmp_path.iterdir()] == ["in.svg"]
 
 
+@pytest.mark.parametrize("count, more", [(2, ""), (5, ""), (8, " 3 more meshes cannot be changed either.")])
+def test_where_none_can_be_changed_each_is_told(tmp_path, count, more):
+    path, paths = tmp_path / "in.svg", "<path fill='url(#n)'/>" * count
+    path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg">{BAD}{paths}</svg>')
+    told = " ".join([f"{path}: {REASON}"] * min(count, 5))
+    assert sentence("simplify", path, "-o", tmp_path / "out.svg") == told + more
+
+
 def test_the_only_one_that_can_be_read_needs_no_name(svg, tmp_path):
     printed("render", svg, "-o", tmp_path / "out.png")
 
