@@ -98,6 +98,37 @@ TEST(SvgSelectors, match_as_inkscape_matches_them) {
   for (const auto& [selectors, ids] : cases) EXPECT_EQ(matched(selectors, tree), ids) << selectors;
 }
 
+TEST(SvgSelectors, escapes_are_those_that_inkscape_reads) {
+  const auto matches = [](const std::string& selector, const std::string& id) {
+    SvgTree tree = with_body("<rect/>");
+    xmlNode* const rect = child_elements(tree.root(), "rect").at(0);
+    set_attribute(rect, "id", id);
+    return matched(selector, tree) == id;
+  };
+  const std::pair<const char*, const char*> read[] = {{"#a\\ b", "a b"},
+                                                      {"#a\\20 b", "a b"},
+                                                      {"#a\\2e b", "a.b"},
+                                                      {"#\\31 a", "1a"},
+                                                      {"#a\\e9 b",
+                                                       "a\xc3\xa9"
+                                                       "b"},
+                                                      {"#a\\20ac b",
+                                                       "a\xe2\x82\xac"
+                                                       "b"},
+                                                      {"#a\\1f600 b",
+                                                       "a\xf0\x9f\x98\x80"
+                                                       "b"},
+                                                      {"#a\\\xc3\xa9z", "a\xc3\xa9z"},
+                                                      {"#a\xc2\xb2z", "a\xc2\xb2z"}};
+  for (const auto& [selector, id] : read) EXPECT_TRUE(matches(selector, id)) << selector;
+  const std::pair<const char*, const char*> unread[] = {{"#a\\.b", "a.b"},
+                                                        {"#a\\zb", "azb"},
+                                                        {"#a\\\xc3\x87z", "a\xc3\x87z"},
+                                                        {"#a\xc2\xb1z", "a\xc2\xb1z"},
+                                                        {"#a\\0 b", "ab"}};
+  for (const auto& [selector, id] : unread) EXPECT_FALSE(matches(selector, id)) << selector;
+}
+
 TEST(SvgSelectors, many_elements_around_take_no_time) {
   std::string body = "<rect id='r'/>", selector = "#r";
   for (int i = 0; i < 200; ++i) body = "<g>" + body + "</g>";

@@ -8,7 +8,8 @@ namespace gradmesh {
 /// Parts of the text of a style sheet, as Inkscape 1.2 takes them.
 
 /// Takes as many letters, digits, `-`, `_` and escapes as there are off the front, and returns
-/// them.
+/// them. Letters are those of ASCII and all from U+00B2 on; of escapes `\e9 ` is any character by
+/// its number, and a backslash before a blank or a character from U+00C8 on that one itself.
 std::string take_css_letters(std::string_view& text);
 
 /// Takes a name off the front and returns it: letters as above, of which the first, behind one `-`
