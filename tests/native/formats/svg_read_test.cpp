@@ -392,6 +392,17 @@ TEST(SvgMesh, bad_links_are_named) {
             "versions of Inkscape and not by others.");
 }
 
+TEST(SvgMesh, a_rule_for_all_elements_paints_the_mesh_itself) {
+  EXPECT_EQ(complaint([] {
+              SvgTree document =
+                  test::svg_tree("<style>*{fill:url(#m1)}</style><meshgradient id='m1'>" +
+                                 row(square) + "</meshgradient><rect/>");
+              read_only_mesh(document);
+            }),
+            "drawing.svg: meshgradient \"m1\": a rule, such as one for all elements, paints the "
+            "gradient itself.");
+}
+
 TEST(SvgMesh, bounding_box_must_be_known) {
   const auto with = [](const std::string& shape) {
     return complaint([&] {

@@ -157,6 +157,10 @@ TEST(SvgStyleSheets, what_counts_of_several_declarations) {
   EXPECT_EQ(fill_by("#x, .a{fill:red} rect.a{fill:blue}"), "blue");
   EXPECT_EQ(fill_by(".a{fill:red !important} #r{fill:blue}"), "red");
   EXPECT_EQ(fill_by(".a{fill:red!important;fill:blue}"), "red");
+  // A more specific rule before stays, an equal one does not.
+  EXPECT_EQ(fill_by("#r{fill:blue} .a{fill:red!important}"), "blue");
+  EXPECT_EQ(fill_by(".a{fill:blue} .a{fill:red!important} #r{fill:green}"), "red");
+  EXPECT_EQ(fill_by(".a{fill:red!important} #r{fill:green!important}"), "green");
   EXPECT_EQ(fill_by(".a{fill:red}", "style='fill:blue'"), "blue");
   EXPECT_EQ(fill_by(".a{fill:red ! important}", "style='fill:blue'"), "red");
   EXPECT_EQ(fill_by(".a{fill:red !important}", "style='fill:blue !important'"), "blue");

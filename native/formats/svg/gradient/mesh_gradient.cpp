@@ -137,6 +137,14 @@ xmlNode* shared(xmlNode* gradient, std::vector<xmlNode*>& others) {
   return gradient;
 }
 
+/// Refuses a gradient that rules, such as one for all elements, paint by a mesh: it may lead back
+/// to itself, of which Inkscape makes nothing, or does not end.
+void check_unpainted(const SvgTree& tree, const xmlNode* gradient) {
+  for (const char* property : {"fill", "stroke"})
+    if (referenced_mesh(tree, tree.styles().declared(gradient, property)))
+      fail(gradient, Message("a rule, such as one for all elements, paints the gradient itself"));
+}
+
 }  // namespace
 
 bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
@@ -171,6 +179,7 @@ PatchGrid read_mesh_gradient(const SvgTree& tree, const xmlNode* gradient) {
 
 PatchGrid read_mesh_patches(const SvgTree& tree, const MeshObject& object) {
   check_can_change(object);
+  check_unpainted(tree, object.gradient);
   PatchGrid grid = gradient_patches(tree, object.gradient), in_user = grid;
   const Affine to_user = gradient_to_user(tree, object);
   for (Patch& patch : in_user.patches) transform(patch, to_user);

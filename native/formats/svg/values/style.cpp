@@ -164,7 +164,7 @@ void StyleSheet::add(const StyleRule& rule) {
     for (const auto& [property, value, is_important] : rule.declarations) {
       has_important_ = has_important_ || is_important;
       properties[property].push_back(
-          {value, {is_important, selector.specificity(), ++count_}, selectors_.size() - 1});
+          {value, is_important, selector.specificity(), ++count_, selectors_.size() - 1});
     }
   }
 }
@@ -177,17 +177,21 @@ const StyleSheet::Declaration* StyleSheet::from_rules(const xmlNode* node,
   if (const auto id = attribute(node, "id")) keys.push_back("#" + *id);
   for (const std::string& name : split_words(attribute(node, "class").value_or("")))
     keys.push_back("." + name);
-  const Declaration* best = nullptr;
+  std::vector<const Declaration*> matching;
   for (const std::string& key : keys) {
     const auto rules = rules_.find(key);
     if (rules == rules_.end()) continue;
     const auto found = rules->second.find(property);
     if (found == rules->second.end()) continue;
     for (const Declaration& declaration : found->second)
-      if ((!best || declaration.rank > best->rank) &&
-          selectors_[declaration.selector].matches(node))
-        best = &declaration;
+      if (selectors_[declaration.selector].matches(node)) matching.push_back(&declaration);
   }
+  std::ranges::sort(matching, {}, &Declaration::order);
+  const Declaration* best = nullptr;
+  for (const Declaration* next : matching)
+    if (!best ||
+        (next->specificity >= best->specificity && (next->is_important || !best->is_important)))
+      best = next;
   return best;
 }
 
@@ -202,7 +206,7 @@ std::optional<std::string> StyleSheet::declared(const xmlNode* node, std::string
              !has_broken_url(d.value);
     });
     if (last != own.rend()) return last->value;
-    if (rule && rule->rank.is_important == is_important && counts(rule->value)) return rule->value;
+    if (rule && rule->is_important == is_important && counts(rule->value)) return rule->value;
   }
   if (const auto value = attribute(node, std::string(property).c_str()))
     if (const std::string_view text = trimmed(*value); counts(text)) return std::string(text);
@@ -221,7 +225,7 @@ std::vector<std::string> StyleSheet::properties(
 
 bool StyleSheet::outranks_style(const xmlNode* node, std::string_view property) const {
   const Declaration* const rule = from_rules(node, property);
-  return rule && rule->rank.is_important;
+  return rule && rule->is_important;
 }
 
 std::optional<std::string> StyleSheet::inherited(const xmlNode* node,

@@ -60,18 +60,13 @@ class StyleSheet {
   std::optional<std::string> inherited(const xmlNode* node, std::string_view property) const;
 
  private:
-  /// What decides between declarations, the most important first.
-  struct Rank {
-    bool is_important = false;
-    Selector::Specificity specificity{};
-    int order = 0;
-
-    auto operator<=>(const Rank&) const = default;
-  };
-
+  /// As Inkscape reads on, a declaration takes the place of the one before unless that is more
+  /// specific, or the only one of both that is important.
   struct Declaration {
     std::string value;
-    Rank rank;
+    bool is_important;
+    Selector::Specificity specificity;
+    int order;
     std::size_t selector;
   };
 
