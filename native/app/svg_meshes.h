@@ -95,9 +95,9 @@ class SvgMeshes : public Document {
   /// Returns recalled_mesh() of the entry's object, in the document of which the mesh is read; null
   /// if there is none.
   std::shared_ptr<const Mesh> recalled(const MeshEntry& entry) const;
-  /// Returns what a simplified mesh remembers from now on, as the value of the attribute.
   /// Returns why none of these entries can be changed: a sentence for each of the first.
   Message all_refusals(const std::vector<std::size_t>& places) const;
+  /// Returns what a simplified mesh remembers from now on, as the value of the attribute.
   std::string new_memory(const ChangedMesh& mesh) const;
   /// Writes a mesh as one mesh gradient. It remembers its original if it did so before, or if the
   /// document becomes no larger by that.
