@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "files/atomic_file.h"
@@ -114,6 +115,24 @@ TEST(SvgObjects, what_cannot_be_changed_alone_is_told) {
                 std::string::npos);
   EXPECT_EQ(listing(lent("", "<use xlink:href='#g'/>")), "q fill=m; ");
   EXPECT_EQ(listing(defs("<g id='q' fill='red'><rect/></g>")), "");
+}
+
+TEST(SvgObjects, clones_of_clones_take_neither_stack_nor_time) {
+  std::string uses, shapes, clones;
+  for (int i = 0; i < 30'000; ++i) {
+    const std::string id = std::to_string(i), next = std::to_string(i + 1);
+    uses += "<use id='u" + id + "' xlink:href='#u" + next + "'/>";
+    shapes += "<rect id='r" + id + "'/>";
+    clones += "<use xlink:href='#r" + id + "'/>";
+  }
+  const std::string lender = "<g fill='url(#m)' xmlns:xlink='http://www.w3.org/1999/xlink'>";
+  SvgTree chained = parse_body(lender + "<use xlink:href='#u0'/><defs>" + uses + "</defs></g>");
+  // Too far from the end.
+  EXPECT_EQ(mesh_objects(chained).at(0).left_alone, LeftAlone::clone);
+  SvgTree cloned = parse_body(
+      lender + shapes + "</g><g xmlns:xlink='http://www.w3.org/1999/xlink'>" + clones + "</g>");
+  const auto objects = mesh_objects(cloned);
+  EXPECT_EQ(std::ranges::count(objects, LeftAlone::cloned, &MeshObject::left_alone), 30'000);
 }
 
 TEST(SvgObjects, simple_style_rules) {

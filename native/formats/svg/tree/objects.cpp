@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -113,9 +114,7 @@ class Collector {
  public:
   explicit Collector(SvgTree& tree) : tree_(tree), named_(named_ids(tree)) {
     for (const xmlNode* node : elements_from(tree.root()))
-      if (svg_name(node) == "use")
-        if (const xmlNode* shown = tree.find(linked_id(href(node), tree.name()).value_or("")))
-          clones_.emplace_back(node, shown);
+      if (svg_name(node) == "use") clones_.emplace(shown_by(node), node);
   }
 
   void visit(xmlNode* node, Context context) {
@@ -192,17 +191,24 @@ class Collector {
   /// Returns true if the object has its paint from an element around it, and a clone outside of
   /// that shows the object, which has another paint there.
   bool is_cloned_without(const xmlNode* node, PaintRole role) const {
-    const auto declares = [&](const xmlNode* element) {
-      const auto paint = tree_.styles().declared(element, paint_name(role), is_readable_paint);
-      return paint.value_or("inherit") != "inherit";
-    };
     const xmlNode* lender = node;
-    while (lender && !declares(lender)) lender = parent_element(lender);
-    return std::ranges::any_of(clones_, [&](const auto& clone) {
-      const auto& [use, shown] = clone;
-      return shown != lender && lender && is_inside(shown, lender) && is_inside(node, shown) &&
-             !is_inside(use, lender);
-    });
+    while (lender && !declares(lender, role)) lender = parent_element(lender);
+    for (const xmlNode* shown = node; shown && shown != lender; shown = parent_element(shown)) {
+      const auto [first, last] = clones_.equal_range(shown);
+      if (std::any_of(first, last, [&](const auto& c) { return !is_inside(c.second, lender); }))
+        return true;
+    }
+    return false;
+  }
+
+  bool declares(const xmlNode* node, PaintRole role) const {
+    const auto paint = tree_.styles().declared(node, paint_name(role), is_readable_paint);
+    return paint.value_or("inherit") != "inherit";
+  }
+
+  /// Returns what a <use> shows; null if it leads nowhere.
+  const xmlNode* shown_by(const xmlNode* use) const {
+    return tree_.find(linked_id(href(use), tree_.name()).value_or(""));
   }
 
   void add_left_alone(xmlNode* node, Context context) {
@@ -215,23 +221,23 @@ class Collector {
         add(node, role, gradient, context.kept, is_clone ? LeftAlone::clone : LeftAlone::flowed);
   }
 
-  /// Returns true if a clone shows a shape or text that has no such paint of its own.
+  /// Returns true if a clone shows a shape or text that has no such paint of its own, or more
+  /// elements than are looked at: clones of clones may show any number.
   bool lends(const xmlNode* clone, PaintRole role) const {
+    constexpr std::size_t most = 1000;
     std::set<const xmlNode*> seen;
-    const auto takes = [&](const auto& self, const xmlNode* node) -> bool {
+    std::vector<const xmlNode*> open{shown_by(clone)};
+    while (!open.empty()) {
+      const xmlNode* const node = open.back();
+      open.pop_back();
+      if (!node || !seen.insert(node).second || declares(node, role)) continue;
+      if (can_paint(node, role) || seen.size() > most) return true;
       const std::string_view name = svg_name(node);
-      const auto paint = tree_.styles().declared(node, paint_name(role), is_readable_paint);
-      if (node != clone && paint && *paint != "inherit") return false;
-      if (name == "use") {
-        const xmlNode* shown = tree_.find(linked_id(href(node), tree_.name()).value_or(""));
-        return shown && seen.insert(node).second && self(self, shown);
-      }
-      if (can_paint(node, role)) return true;
-      const auto children = child_elements(node);
-      return (contains(containers, name) || name == "symbol") &&
-             std::ranges::any_of(children, [&](xmlNode* child) { return self(self, child); });
-    };
-    return takes(takes, clone);
+      if (name == "use") open.push_back(shown_by(node));
+      if (contains(containers, name) || name == "symbol")
+        for (const xmlNode* child : child_elements(node)) open.push_back(child);
+    }
+    return false;
   }
 
   void add(xmlNode* node, PaintRole role, xmlNode* gradient, const xmlNode* kept,
@@ -243,8 +249,8 @@ class Collector {
 
   SvgTree& tree_;
   const std::set<std::string> named_;
-  /// Every <use> and what it shows.
-  std::vector<std::pair<const xmlNode*, const xmlNode*>> clones_;
+  /// Every <use>, by what it shows.
+  std::multimap<const xmlNode*, const xmlNode*> clones_;
 };
 
 /// Returns the places of the objects that are, or are inside of, the element.
