@@ -54,6 +54,7 @@ Json write_session(const Call& call);
 // Pictures.
 Json render_mesh(const Call& call);
 Json compare_pictures(const Call& call);
+Json differences_of_pictures(const Call& call);
 Json draw_mesh(const Call& call);
 Json write_report(const Call& call);
 

@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "app/draw_document.h"
 #include "app/page_on_mesh.h"
@@ -25,6 +29,14 @@ Image picture(const Call& call, const std::string& name, int width, int height) 
   return image;
 }
 
+/// Returns the error of each pixel of the picture `test` against `reference`.
+Plane error_map(const Call& call) {
+  const int width = call.get<int>("width"), height = call.get<int>("height");
+  const Image reference = picture(call, "reference", width, height);
+  const Image test = picture(call, "test", width, height);
+  return make_metric(measure_options(call).metric, reference)->map(test);
+}
+
 }  // namespace
 
 Json render_mesh(const Call& call) {
@@ -41,11 +53,17 @@ Json render_mesh(const Call& call) {
           {"bytes", Json::binary(interleaved(image))}};
 }
 
-Json compare_pictures(const Call& call) {
-  const int width = call.get<int>("width"), height = call.get<int>("height");
-  const Image reference = picture(call, "reference", width, height);
-  const Image test = picture(call, "test", width, height);
-  return mean(make_metric(measure_options(call).metric, reference)->map(test));
+Json compare_pictures(const Call& call) { return mean(error_map(call)); }
+
+Json differences_of_pictures(const Call& call) {
+  const Plane map = error_map(call);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(map.samples.size() * sizeof(float));
+  for (const float error : map.samples) {
+    const auto bits = std::bit_cast<std::uint32_t>(error);
+    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(std::uint8_t(bits >> shift));
+  }
+  return Json::binary(std::move(bytes));
 }
 
 Json draw_mesh(const Call& call) {

@@ -57,6 +57,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"write_session", write_session},
       {"render", render_mesh},
       {"compare", compare_pictures},
+      {"differences", differences_of_pictures},
       {"draw", draw_mesh},
       {"report", write_report},
   };

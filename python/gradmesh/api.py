@@ -350,6 +350,25 @@ def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: Optional[
     metric: "flip", the default, or "ssim", which is 1 - SSIM. Raises TypeError where an array is not of bytes and
     ValueError where its shape is not (height, width, 3).
     """
+    return core().call("compare", metric=metric, **_pair(reference, test))
+
+
+def differences(
+    reference: "numpy.ndarray", test: "numpy.ndarray", metric: Optional[str] = None
+) -> "numpy.ndarray":
+    """Where two pictures differ: the error of each pixel, of which compare() returns the mean, as a
+    float32 array of shape (height, width).
+
+    metric and errors: as of compare().
+    """
+    import numpy
+
+    pair = _pair(reference, test)
+    errors = core().call("differences", metric=metric, **pair)
+    return numpy.frombuffer(errors, "<f4").reshape(pair["height"], pair["width"]).copy()
+
+
+def _pair(reference: "numpy.ndarray", test: "numpy.ndarray") -> dict[str, Any]:
     pictures = [memoryview(picture) for picture in (reference, test)]
     if any(picture.format != "B" for picture in pictures):
         raise TypeError("a picture is an array of height x width x 3 bytes.")
@@ -358,10 +377,12 @@ def compare(reference: "numpy.ndarray", test: "numpy.ndarray", metric: Optional[
     if pictures[0].shape != pictures[1].shape:
         raise ValueError("the pictures are not of one size.")
     height, width, _channels = pictures[0].shape
-    reference, test = (picture.tobytes() for picture in pictures)
-    return core().call(
-        "compare", width=width, height=height, reference=reference, test=test, metric=metric
-    )
+    return {
+        "width": width,
+        "height": height,
+        "reference": pictures[0].tobytes(),
+        "test": pictures[1].tobytes(),
+    }
 
 
 def draw(

@@ -255,6 +255,20 @@ def test_compare():
         gradmesh.compare(picture, picture, "psnr")
 
 
+def test_differences_have_the_error_as_their_mean():
+    numpy = pytest.importorskip("numpy")
+    picture = gradmesh.render(gradmesh.load(SAMPLES / "fruit.svg"), resolution=64)
+    spot = picture.copy()
+    spot[40:44, 30:34] = 0
+    for metric in (None, "flip", "ssim"):
+        map = gradmesh.differences(picture, spot, metric)
+        assert map.shape == picture.shape[:2] and map.dtype == numpy.float32
+        assert map.mean() == pytest.approx(gradmesh.compare(picture, spot, metric), rel=1e-5)
+        assert map[38:46, 28:36].max() == map.max() > 0 and not map[0].any()
+    with pytest.raises(ValueError, match="one size"):
+        gradmesh.differences(picture, spot[1:])
+
+
 def test_render_needs_to_know_which_mesh_and_how_large(fruit):
     two = gradmesh.load(SAMPLES / "two.svg")
     for id in (None, "svg1"):
