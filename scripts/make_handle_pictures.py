@@ -212,13 +212,13 @@ def edited(folder):
 
 def amounts(folder):
     columns = []
-    for caption, epsilon in (("the sample", 0), ("Balanced", 0.01), ("Strong", 0.02)):
+    for caption, amount in (("the sample", None), ("Balanced", "balanced"), ("Strong", "strong")):
         column = []
         for sample, area in AMOUNTS:
             svg = SAMPLES / f"{sample}.svg"
-            if epsilon:
+            if amount:
                 before, svg = svg, folder / f"{sample}.svg"
-                simplified(before, svg, epsilon=epsilon, max_local_error=0.1)
+                simplified(before, svg, amount=amount)
             with Inkscape() as inkscape:
                 png = inkscape.export_png(svg, folder / "picture.png", dpi=192)
             with Image.open(png) as picture:

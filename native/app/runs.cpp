@@ -156,7 +156,7 @@ std::vector<MeshReport> preview(const Document& document, const std::vector<std:
   if (method_named(options.method).merges_named_edges) {
     options.epsilon = 1;
     options.max_local_error.reset();
-    options.max_edge_shift.reset();
+    options.max_detail_error.reset();
   }
   return simplified(document, ids, options, analyses).reports;
 }

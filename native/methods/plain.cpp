@@ -12,6 +12,7 @@
 #include "mesh/build.h"
 #include "methods/lines.h"
 #include "methods/portions.h"
+#include "metric/detail_errors.h"
 #include "plain/border.h"
 #include "plain/corners.h"
 #include "plain/grid_fit.h"
@@ -84,8 +85,8 @@ class Selection {
     double price, rise = 0;
     int priced_at = -1;
     std::optional<Outcome> outcome = std::nullopt;
-    /// Of several sides those beside which an edge of the picture moved too far.
-    std::vector<Side> moved = {};
+    /// Of several sides those that harm details.
+    std::vector<Side> harmful = {};
     /// True if the step was found to be too much in this pass.
     bool is_too_much = false;
   };
@@ -120,18 +121,18 @@ class Selection {
   const Reference& picture() const { return *problem_.reference(); }
   double epsilon() const { return problem_.bounds.epsilon; }
 
-  /// Returns the largest error of a small part, or the largest shift of an edge, as a share of its
-  /// bound, whichever is larger; 0 if there is none.
+  /// Returns the largest error of a small part or of a detail as a share of its bound, whichever is
+  /// larger; 0 if there is none.
   double local_share(const Outcome& outcome) const {
     const auto share = [](double found, std::optional<double> bound) {
       return bound.value_or(0) > 0 ? found / *bound : 0;
     };
     return std::max(share(outcome.written.local_error, problem_.bounds.local),
-                    share(outcome.written.edge_shift, problem_.bounds.edge_shift));
+                    share(outcome.written.detail_error, problem_.bounds.detail));
   }
 
-  bool moves_edges_too_far(const Outcome& outcome) const {
-    return problem_.bounds.edge_shift && outcome.written.edge_shift > *problem_.bounds.edge_shift;
+  bool harms_details(const Outcome& outcome) const {
+    return outcome.written.detail_error > problem_.bounds.detail.value_or(1);
   }
 
   void pass() {
@@ -214,8 +215,15 @@ class Selection {
     Outcome first = measured(grid, hopeless_error());
     if (first.written.keeps || first.written.error > epsilon() || local_share(first) > may_fall)
       return first;
-    // A fit hardly brings an edge back that a curve held in its place.
-    if (!step.takes_line() && moves_edges_too_far(first)) return first;
+    if (!step.takes_line() && harms_details(first)) {
+      // A fit hardly brings an edge back that a curve held in its place. For the sake of the mean
+      // it may harm a detail elsewhere that was at its bound before.
+      if (!harmful_sides(step, first).empty()) return first;
+      PlainGrid unfitted = now_.grid;
+      make(step, unfitted);
+      Outcome bare = measured(std::move(unfitted), epsilon());
+      return bare.written.keeps ? bare : first;
+    }
     fit_grid_and_colors(grid, picture(), fit_steps, points);
     Outcome second = measured(std::move(grid), epsilon());
     return second.written.keeps ? second : first;
@@ -237,35 +245,36 @@ class Selection {
       c.price = (c.rise + local_weight * usual_epsilon(problem_.bounds) * local_rise) /
                 (grid().handles() - c.outcome->grid.handles());
       c.priced_at = made_;
-      if (c.step.sides.size() > 1) c.moved = moved_too_far(c);
+      if (c.step.sides.size() > 1) c.harmful = harmful_sides(c.step, *c.outcome);
     });
     keep_one_picture();
   }
 
-  /// Returns the sides of a proposal that was priced beside which an edge of the picture has moved
-  /// farther than it may, and of all the closest to where one has moved farthest; none if none has.
-  std::vector<Side> moved_too_far(const Proposal& proposal) const {
-    const Candidate& written = proposal.outcome->written;
-    const std::optional<double> bound = problem_.bounds.edge_shift;
-    if (!bound || written.edge_shift <= *bound) return {};
-    const Plane& shifts = written.measured->shifts();
-    const auto largest = std::ranges::max_element(shifts.samples) - shifts.samples.begin();
-    const glm::dvec2 worst(double(largest % shifts.width), double(largest / shifts.width));
-    std::vector<Side> moved;
+  /// Returns the sides of a step along which details have a larger error than
+  /// they may, and of all the closest to where it is largest; none if no detail near them has.
+  std::vector<Side> harmful_sides(const Step& step, const Outcome& outcome) const {
+    if (!harms_details(outcome)) return {};
+    const Plane& errors = outcome.written.measured->details();
+    const auto largest = std::ranges::max_element(errors.samples) - errors.samples.begin();
+    const glm::dvec2 worst(double(largest % errors.width), double(largest / errors.width));
+    std::vector<Side> harmful;
     std::pair<double, Side> closest{std::numeric_limits<double>::infinity(), {}};
-    for (const Side& side : proposal.step.sides) {
-      double shift = 0, distance = closest.first;
-      for (const glm::dvec2 place : places_along(proposal.outcome->grid, side)) {
+    for (const Side& side : step.sides) {
+      double error = 0, distance = closest.first;
+      for (const glm::dvec2 place : places_along(outcome.grid, side)) {
         distance = std::min(distance, glm::length(place - worst));
         const int x = clamped_pixel(std::floor(place.x)), y = clamped_pixel(std::floor(place.y));
-        if (x >= 0 && y >= 0 && x < shifts.width && y < shifts.height)
-          shift = std::max(shift, double(*shifts.at(x, y)));
+        if (x >= 0 && y >= 0 && x < errors.width && y < errors.height)
+          error = std::max(error, double(*errors.at(x, y)));
       }
-      if (shift > *bound) moved.push_back(side);
+      if (error > *problem_.bounds.detail) harmful.push_back(side);
       if (distance < closest.first) closest = {distance, side};
     }
-    if (std::ranges::find(moved, closest.second) == moved.end()) moved.push_back(closest.second);
-    return moved;
+    // About as far as the patches beside a side reach.
+    constexpr double near = 32;
+    if (closest.first < near && std::ranges::find(harmful, closest.second) == harmful.end())
+      harmful.push_back(closest.second);
+    return harmful;
   }
 
   /// Returns places along a side, in pixels.
@@ -358,8 +367,8 @@ class Selection {
     first.outcome.reset();
     if (first.step.takes_line()) return;
     sides_proposed_at_ = -1;
-    if (!first.moved.empty()) {
-      for (const Side& side : first.moved) too_much_.push_back({side, made_});
+    if (!first.harmful.empty()) {
+      for (const Side& side : first.harmful) too_much_.push_back({side, made_});
     } else if (first.step.sides.size() > 1) {
       most_sides_ = smaller_portion(first.step.sides.size());
     } else {
@@ -418,9 +427,10 @@ class Selection {
 /// Returns the mesh without the lines that cost next to nothing, such as those that a program put
 /// in exactly: they need no fit to go.
 Candidate without_free_lines(const Problem& problem, int handles, StopWatch& watch) {
-  constexpr double share = 0.1;
+  constexpr double share = 0.1, share_of_detail = 0.5;
   Problem free = problem;
   free.bounds.epsilon = share * usual_epsilon(problem.bounds);
+  if (free.bounds.detail) *free.bounds.detail *= share_of_detail;
   // A person is told of handles throughout.
   StopWatch quick(0, [&](const Progress& of_lines) {
     return !watch.should_stop({0, std::size_t(handles), of_lines.patches, of_lines.error, handles});

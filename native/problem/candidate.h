@@ -20,9 +20,9 @@ struct Candidate {
   double error = 0;
   /// The largest mean of the metric's map in any window of 32 x 32 pixels (metric/local_mean.h).
   double local_error = 0;
-  /// The largest shift of an edge of the picture, in pixels (metric/edge_shift.h); 0 where there is
-  /// no bound of it.
-  double edge_shift = 0;
+  /// The largest mean of the map in any window of 4 x 4 pixels away from the outline
+  /// (metric/detail_errors.h); 0 where there is no bound of it.
+  double detail_error = 0;
   /// True if the errors keep to the bounds.
   bool keeps = true;
   /// True if the mesh was made simpler; otherwise it is as it was, and is not written.

@@ -129,9 +129,8 @@ const LocalBound* Problem::local_bound() const {
 void Problem::take(const FrameError& error, Candidate& found) const {
   found.error = error.mean;
   found.local_error = error.local;
-  found.edge_shift = error.shift;
-  found.keeps =
-      error.keeps_to(bounds.epsilon) && (!bounds.edge_shift || error.shift <= *bounds.edge_shift);
+  found.detail_error = error.detail;
+  found.keeps = error.keeps_to(bounds.epsilon) && error.detail <= bounds.detail.value_or(1);
 }
 
 Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const {
@@ -144,7 +143,7 @@ Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const
         std::make_shared<MeasuredSurface>(*near->measured, *reference(), surface, bound, limit);
   else
     found.measured = std::make_shared<MeasuredSurface>(
-        *reference(), surface, found.form.masks_opacity(), bound, bounds.edge_shift.has_value());
+        *reference(), surface, found.form.masks_opacity(), bound, bounds.detail.has_value());
   take(found.measured->error(), found);
   return found;
 }

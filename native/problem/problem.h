@@ -39,8 +39,9 @@ struct Bounds {
   double epsilon = 0.01;
   /// The largest error in any window of 32 x 32 pixels, 0..1, beside epsilon (LocalBound).
   std::optional<double> local = std::nullopt;
-  /// The largest shift of an edge of the picture, in pixels of the frame (metric/edge_shift.h).
-  std::optional<double> edge_shift = std::nullopt;
+  /// The largest error in any window of 4 x 4 pixels away from the outline, 0..1, beside these
+  /// (metric/detail_errors.h).
+  std::optional<double> detail = std::nullopt;
   /// At most how many handles or patches may be left, for methods that know that as they go
   /// (Method::meets_targets).
   std::optional<Target> target = std::nullopt;

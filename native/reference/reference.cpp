@@ -41,9 +41,7 @@ glm::dvec3 color_of(std::uint32_t texel) {
   return {share[texel >> 16 & 255], share[texel >> 8 & 255], share[texel & 255]};
 }
 
-/// Returns 1 for the pixels that are away from the outline: how far that moves is bounded where it
-/// is known as a curve.
-Raster<std::uint8_t, 1> inside(const Raster<std::uint32_t, 1>& top) {
+Raster<std::uint8_t, 1> away_from_outline_of(const Raster<std::uint32_t, 1>& top) {
   constexpr int width = 3;
   Raster<std::uint8_t, 1> result(top.window(), 1);
   for (int y = 0; y < top.height; ++y)
@@ -65,19 +63,13 @@ Reference::Reference(const Mesh& original, const Frame& frame, MetricKind metric
     : frame_(frame),
       painting_(paint_whole(original, frame)),
       texels_(texels_of(painting_)),
+      away_from_outline_(away_from_outline_of(painting_.top)),
       metric_kind_(metric),
       outlines_(original, frame) {}
 
 const Metric& Reference::metric() const {
   std::call_once(metric_is_made_, [&] { metric_ = make_metric(metric_kind_, painting_.image); });
   return *metric_;
-}
-
-const EdgeShift& Reference::edge_shift() const {
-  std::call_once(edge_shift_is_made_, [&] {
-    edge_shift_ = std::make_unique<EdgeShift>(painting_.image, inside(painting_.top));
-  });
-  return *edge_shift_;
 }
 
 std::optional<glm::dvec3> Reference::color_at(glm::dvec2 place) const {

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "mesh/mesh.h"
-#include "metric/edge_shift.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
 #include "raster/painting.h"
@@ -29,8 +28,9 @@ class Reference {
   MetricKind metric_kind() const { return metric_kind_; }
   /// Returns the metric that measures against the picture, which is made at the first call.
   const Metric& metric() const;
-  /// Returns what measures how far edges of the picture move, which is made at the first call.
-  const EdgeShift& edge_shift() const;
+  /// Returns 1 for the pixels that are away from the outline, where anti-aliasing flickers, and
+  /// which is bounded where it is known as a curve.
+  const Raster<std::uint8_t, 1>& away_from_outline() const { return away_from_outline_; }
 
   /// Returns the picture's colour, 0..1, interpolated between the centres of pixels; nothing where
   /// the original does not cover the nearest of them.
@@ -48,11 +48,11 @@ class Reference {
   /// Of each pixel the levels and whether the original covers it, in one number, since samples are
   /// many and four planes lie far apart in memory.
   const Raster<std::uint32_t, 1> texels_;
+  const Raster<std::uint8_t, 1> away_from_outline_;
   const MetricKind metric_kind_;
   const OutlinePoints outlines_;
-  mutable std::once_flag metric_is_made_, edge_shift_is_made_;
+  mutable std::once_flag metric_is_made_;
   mutable std::unique_ptr<Metric> metric_;
-  mutable std::unique_ptr<EdgeShift> edge_shift_;
 };
 
 }  // namespace gradmesh

@@ -75,7 +75,7 @@ void add_plain(const Problem& problem, StopWatch& watch, Growing& curve) {
   const Bounds strongest = rungs.back().bounds;
   for (const double times : {2, 4})
     rungs.push_back(
-        {{times * strongest.epsilon, times * *strongest.local, times * *strongest.edge_shift}});
+        {{times * strongest.epsilon, times * *strongest.local, times * *strongest.detail}});
   std::vector<Bounds> bounds;
   for (const Rung& rung : rungs) bounds.push_back(rung.bounds);
   pass_plain(
@@ -92,7 +92,7 @@ void add_blocks(const Problem& problem, StopWatch& watch, Growing& curve) {
     for (const double epsilon : {(last + bounds.epsilon) / 2, bounds.epsilon}) {
       if (watch.is_over()) return;
       const Candidate written =
-          best.run(problem.within({epsilon, bounds.local, bounds.edge_shift}), watch);
+          best.run(problem.within({epsilon, bounds.local, bounds.detail}), watch);
       if (written.changed && !watch.is_over()) curve.add(written);
     }
     curve.mark(amount);

@@ -52,7 +52,7 @@ void set_amount(Options& options, const std::string& wanted) {
   const Bounds bounds = bounds_of(*found, options.metric);
   options.epsilon = bounds.epsilon;
   options.max_local_error = bounds.local;
-  options.max_edge_shift = bounds.edge_shift;
+  options.max_detail_error = bounds.detail;
 }
 
 template <class T>
@@ -104,12 +104,11 @@ const std::vector<OptionEntry>& all_options() {
        "Largest error allowed in any window of 32 x 32 pixels, so that small details stay",
        &Options::max_local_error,
        {{0, 1, "the largest local error"}}},
-      {"max_edge_shift",
-       "Largest shift allowed of a contrasty edge, in pixels at the resolution, so that edges "
-       "neither "
-       "move nor get corners",
-       &Options::max_edge_shift,
-       {{0, infinity, "the largest shift of edges", " pixels"}}},
+      {"max_detail_error",
+       "Largest error allowed in any window of 4 x 4 pixels away from the outline, so that edges "
+       "stay where they are and curves get no corners",
+       &Options::max_detail_error,
+       {{0, 1, "the largest error of details"}}},
       {"handles", "Instead of --epsilon: at most so many handles, with the least error",
        &Options::handles},
       {"patches", "Instead of --epsilon: at most so many patches, with the least error",
@@ -148,14 +147,14 @@ const OptionEntry& option_named(const std::string& name) {
 
 const std::vector<Amount>& all_amounts() {
   static const std::vector<Amount> amounts = {
-      {"gentle", 0.005, 0.05, 0.5}, {"balanced", 0.01, 0.1, 1}, {"strong", 0.02, 0.1, 2}};
+      {"gentle", 0.005, 0.05, 0.06}, {"balanced", 0.01, 0.1, 0.11}, {"strong", 0.02, 0.1, 0.3}};
   return amounts;
 }
 
 Bounds bounds_of(const Amount& amount, MetricKind metric) {
   // Half of what FLIP allows is as visible in SSIM (paper, section 5).
   const double share = metric == MetricKind::ssim ? 0.5 : 1;
-  return {share * amount.epsilon, share * amount.max_local_error, amount.max_edge_shift};
+  return {share * amount.epsilon, share * amount.max_local_error, share * amount.max_detail_error};
 }
 
 void check(const SimplifyOptions& options) {

@@ -51,7 +51,7 @@ const char* name(Stopped stopped) {
 Problem problem_of(std::shared_ptr<const Mesh> mesh, const RunOptions& options) {
   check(options);
   Problem problem(std::move(mesh), options.original, options, options.resolution, options.metric);
-  problem.bounds = {options.epsilon, options.max_local_error, options.max_edge_shift,
+  problem.bounds = {options.epsilon, options.max_local_error, options.max_detail_error,
                     target_of(options, problem.mesh())};
   problem.count = what_is_counted(options);
   problem.options = options;

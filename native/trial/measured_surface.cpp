@@ -4,6 +4,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "metric/detail_errors.h"
 #include "metric/local_mean.h"
 #include "raster/painting.h"
 
@@ -33,17 +34,17 @@ Frame masked(Frame frame, bool masks_opacity) {
 }  // namespace
 
 MeasuredSurface::MeasuredSurface(const Reference& reference, const Mesh& surface,
-                                 bool masks_opacity, const LocalBound* bound, bool measures_shift)
+                                 bool masks_opacity, const LocalBound* bound, bool measures_details)
     : masks_opacity_(masks_opacity),
       patches_(patches_alone(surface)),
       image_(paint_whole(surface, masked(reference.frame(), masks_opacity)).image),
       map_(reference.metric().map(image_)),
       sum_(sum(map_, map_.window())) {
   find_errors(bound);
-  if (!measures_shift || !reference.edge_shift().has_edges()) return;
-  shifts_ = Plane(map_.window());
-  reference.edge_shift().update(image_, map_.window(), shifts_);
-  find_shift();
+  if (!measures_details) return;
+  details_ = Plane(map_.window());
+  update_detail_errors(map_, reference.away_from_outline(), map_.window(), details_);
+  find_detail();
 }
 
 MeasuredSurface::MeasuredSurface(const MeasuredSurface& near, const Reference& reference,
@@ -59,20 +60,21 @@ MeasuredSurface::MeasuredSurface(const MeasuredSurface& near, const Reference& r
   const auto pixels = double(map_.pixels());
   sum_ = near.sum_ + reference.metric().update_map(near.image_, image_, changed, map_,
                                                    limit * pixels - near.sum_);
-  shifts_ = near.shifts_;
+  details_ = near.details_;
   if (sum_ / pixels > limit) {
     error_ = {.mean = sum_ / pixels, .keeps_local_bound = !bound};
     return;
   }
   find_errors(bound);
-  if (shifts_.samples.empty()) return;
-  reference.edge_shift().update(image_, changed, shifts_);
-  find_shift();
+  if (details_.samples.empty()) return;
+  update_detail_errors(map_, reference.away_from_outline(),
+                       changed.grown(reference.metric().reach()), details_);
+  find_detail();
 }
 
-void MeasuredSurface::find_shift() {
-  const auto largest = std::ranges::max_element(shifts_.samples);
-  if (largest != shifts_.samples.end()) error_.shift = *largest;
+void MeasuredSurface::find_detail() {
+  const auto largest = std::ranges::max_element(details_.samples);
+  if (largest != details_.samples.end()) error_.detail = *largest;
 }
 
 void MeasuredSurface::find_errors(const LocalBound* bound) {

@@ -101,7 +101,7 @@ const OPTION_NAMES = {
   metric: "Metric",
   epsilon: "Largest error (epsilon)",
   max_local_error: "Largest error in 32 \u00d7 32 px",
-  max_edge_shift: "Largest shift of edges, px",
+  max_detail_error: "Largest error in 4 \u00d7 4 px",
   resolution: "Resolution",
   seed: "Seed",
   omega: "Weight of size (omega)",
@@ -113,6 +113,7 @@ const OPTION_NAMES = {
   objects: "Objects after",
   error: "Error",
   local_error: "Error in 32 \u00d7 32 px, up to",
+  detail_error: "Error in 4 \u00d7 4 px, up to",
   evaluations: "Merges measured",
   stopped: "Stopped",
 };

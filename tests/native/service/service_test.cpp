@@ -184,17 +184,17 @@ const std::vector<Options> option_cases = {
     {{{"epsilon", 0.03}}, [](Direct& d) { d.run.epsilon = 0.03; }},
     {{{"amount", "strong"}},
      [](Direct& d) {
-       d.run.epsilon = 0.02, d.run.max_local_error = 0.1, d.run.max_edge_shift = 2.0;
+       d.run.epsilon = 0.02, d.run.max_local_error = 0.1, d.run.max_detail_error = 0.3;
      }},
     {{{"metric", "ssim"}}, [](Direct& d) { d.run.metric = MetricKind::ssim; }},
     {{{"metric", "ssim"}, {"amount", "gentle"}},
      [](Direct& d) {
        d.run.metric = MetricKind::ssim, d.run.epsilon = 0.0025, d.run.max_local_error = 0.025;
-       d.run.max_edge_shift = 0.5;
+       d.run.max_detail_error = 0.03;
      }},
     {{{"resolution", 64}}, [](Direct& d) { d.run.resolution = 64; }},
     {{{"max_local_error", 0.008}}, [](Direct& d) { d.run.max_local_error = 0.008; }},
-    {{{"max_edge_shift", 0.02}}, [](Direct& d) { d.run.max_edge_shift = 0.02; }},
+    {{{"max_detail_error", 0.02}}, [](Direct& d) { d.run.max_detail_error = 0.02; }},
     // This method has found what is asked for at once.
     {{{"method", "lines"}, {"handles", 100}},
      [](Direct& d) { d.run.method = "lines", d.run.handles = 100; }},

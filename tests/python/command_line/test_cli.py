@@ -108,16 +108,16 @@ def test_simplify_and_its_report(fruit):
     before = fruit.read_bytes()
     (mesh,) = simplified(fruit, out, *OPTIONS.split())  # a pipe gets no progress bar
     assert list(mesh) == (
-        "id method color_model metric epsilon max_local_error max_edge_shift original resolution seed omega "
+        "id method color_model metric epsilon max_local_error max_detail_error original resolution seed omega "
         "kappa handles_before handles_after patches_before patches_after objects protected_patches error local_error "
-        "edge_shift evaluations renderer seconds stopped".split()
+        "detail_error evaluations renderer seconds stopped".split()
     )
     assert (mesh["id"], mesh["method"], mesh["metric"]) == ("pear", "grid", "ssim")
     assert (mesh["epsilon"], mesh["resolution"], mesh["seed"]) == (0.02, 300, 7)
     assert mesh["patches_after"] < mesh["patches_before"] == 132
     assert 0 < mesh["error"] <= 0.02 and mesh["evaluations"] > 0
     assert mesh["max_local_error"] is None and mesh["local_error"] > mesh["error"]
-    assert mesh["max_edge_shift"] is None and mesh["protected_patches"] == 0
+    assert mesh["max_detail_error"] is None and mesh["protected_patches"] == 0
     assert mesh["seconds"]["total"] > 0 and mesh["stopped"] == "done"
     (after,) = meshes(out)
     assert after["patches"] == mesh["patches_after"] and after["simplified"]

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/image.h"
+
+namespace gradmesh {
+
+/// Side, in pixels, of the windows in which details are looked at. Where the picture is shown at
+/// twice the resolution at which errors are measured, these are windows of 8 x 8 pixels: of the
+/// sizes that were looked at, the one whose largest mean best tells what people see from what they
+/// do not.
+inline constexpr int detail_side = 4;
+
+/// Brings a map of the means of `errors` in the windows around each pixel up to date, where
+/// `errors` has changed at most inside `changed`. The window of a pixel begins two pixels above and
+/// to the left of it. Pixels beyond the frame, and those for which `counts` is 0, have no error.
+/// All three maps are of the size of the frame.
+void update_detail_errors(const Plane& errors, const Raster<std::uint8_t, 1>& counts,
+                          Window changed, Plane& means);
+
+}  // namespace gradmesh
