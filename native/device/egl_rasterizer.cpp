@@ -29,7 +29,7 @@ class EglRasterizer final : public Rasterizer {
     for (int y = 0; y < frame.height; y += rows)
       paint_band(mesh, frame, {0, y, frame.width, std::min(y + rows, frame.height)},
                  painting.image);
-    if (frame.hidden) frame.hidden->hide(frame.window(), painting);
+    if (frame.hidden) frame.hidden->hide(frame.window(), frame.ground, painting);
     return std::move(painting.image);
   }
 

@@ -73,7 +73,7 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<D>> to_level(D d, V channel) {
   return hn::ConvertTo(hn::RebindToSigned<D>(), hn::Add(inside, hn::Set(d, 0.5F)));
 }
 
-/// 8-bit colours over white, one channel after another.
+/// 8-bit colours over the ground, one channel after another.
 template <bool bilinear, bool opaque, class D>
 class Levels {
  public:
@@ -96,7 +96,7 @@ class Levels {
       const V white = hn::Set(d, 255.0F);
       channel = color_.masked_opacity ? hn::ConvertTo(d, to_level(d, channel))
                                       : hn::Min(hn::Max(channel, hn::Zero(d)), white);
-      const V through = hn::Mul(hn::Sub(hn::Set(d, 1.0F), alpha_), white);
+      const V through = hn::Mul(hn::Sub(hn::Set(d, 1.0F), alpha_), hn::Set(d, color_.ground));
       channel = hn::Add(hn::Mul(alpha_, channel), through);
     }
     return to_level(d, channel);

@@ -19,7 +19,9 @@ struct Frame {
   /// True if opacities are painted as the writer holds them, in a mask of 8 bits a pixel. The
   /// original is painted without a mask.
   bool masked_opacity = false;
-  /// Pixels that stay white whatever covers them (hidden.h); null: none.
+  /// The grey on which the mesh lies, 0..255: what shows through where it is translucent.
+  std::uint8_t ground = 255;
+  /// Pixels that stay of the ground whatever covers them (hidden.h); null: none.
   std::shared_ptr<const HiddenPixels> hidden = nullptr;
 
   Window window() const { return {0, 0, width, height}; }

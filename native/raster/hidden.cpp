@@ -93,12 +93,12 @@ bool HiddenPixels::contains(int x, int y) const {
   return std::ranges::any_of(row(y), [x](Run run) { return run.begin <= x && x < run.end; });
 }
 
-void HiddenPixels::hide(Window window, Painting& painting) const {
+void HiddenPixels::hide(Window window, std::uint8_t ground, Painting& painting) const {
   window = window.clipped(painting.window());
   for (int y = window.y0; y < window.y1; ++y)
     for (const Run& run : row(y)) {
       const Window hidden = Window{run.begin, y, run.end, y + 1}.clipped(window);
-      if (!hidden.empty()) painting.clear(hidden);
+      if (!hidden.empty()) painting.clear(hidden, ground);
     }
 }
 

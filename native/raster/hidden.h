@@ -27,8 +27,8 @@ class HiddenPixels {
   /// Returns true if the pixel is hidden. Pixels beyond the frame are not.
   bool contains(int x, int y) const;
   const std::vector<Run>& row(int y) const { return rows_[std::size_t(y)]; }
-  /// Makes the hidden pixels of the window white again.
-  void hide(Window window, Painting& painting) const;
+  /// Makes the hidden pixels of the window as grey as the ground again.
+  void hide(Window window, std::uint8_t ground, Painting& painting) const;
 
  private:
   std::vector<std::vector<Run>> rows_;

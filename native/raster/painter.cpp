@@ -17,7 +17,7 @@ constexpr int band_height = 64;
 constexpr std::size_t share_of_faces = 32;
 
 void hide(const Frame& frame, Window window, Painting& painting) {
-  if (frame.hidden) frame.hidden->hide(window, painting);
+  if (frame.hidden) frame.hidden->hide(window, frame.ground, painting);
 }
 
 /// A face that is ready to be filled, band by band.
@@ -44,7 +44,7 @@ Patch painted_patch(const Mesh& mesh, const Frame& frame, Face face) {
 
 void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
   if (mesh.is_smooth()) return paint(painted_mesh(mesh), frame, painting);
-  painting.clear(painting.window());
+  painting.clear(painting.window(), frame.ground);
   tessellator_.start(mesh, frame);
   for (const Face f : mesh.faces()) paint_face(mesh, frame, f, painting.window(), painting);
   hide(frame, painting.window(), painting);
@@ -52,7 +52,7 @@ void Painter::paint(const Mesh& mesh, const Frame& frame, Painting& painting) {
 
 void Painter::paint_alone(const Mesh& mesh, const Frame& frame, Face face, Window within,
                           Painting& painting) {
-  painting.clear(within);
+  painting.clear(within, frame.ground);
   tessellator_.start(mesh, frame);
   paint_face(mesh, frame, face, within, painting);
   hide(frame, within, painting);
@@ -65,7 +65,7 @@ void Painter::repaint(const Mesh& mesh, const Frame& frame, const std::vector<Fa
   within = within.clipped(painting.window());
   if (within.empty() || touched.empty()) return;
   tessellator_.start(mesh, frame);
-  const Window uncovered = clear(touched, within, painting);
+  const Window uncovered = clear(touched, within, frame.ground, painting);
   for (const Face f : touched)
     if (std::size_t(f.value) < mesh.face_slots() && mesh[f].alive)
       paint_face(mesh, frame, f, within, painting);
@@ -75,14 +75,15 @@ void Painter::repaint(const Mesh& mesh, const Frame& frame, const std::vector<Fa
   hide(frame, within, painting);
 }
 
-Window Painter::clear(const std::vector<Face>& touched, Window within, Painting& painting) {
+Window Painter::clear(const std::vector<Face>& touched, Window within, std::uint8_t ground,
+                      Painting& painting) {
   is_touched_.assign(std::size_t(touched.back().value) + 1, false);
   for (const Face f : touched) is_touched_[f.value] = true;
   Window uncovered;
   for_each_run(painting.top, within, [&](Window run, TopFace top) {
     if (!is_touched(top.face())) return;
     if (top.covers_others()) uncovered = uncovered.united(run);
-    painting.clear(run);
+    painting.clear(run, ground);
   });
   return uncovered;
 }
@@ -92,7 +93,7 @@ void Painter::paint_face(const Mesh& mesh, const Frame& frame, Face face, Window
   const Patch patch = painted_patch(mesh, frame, face);
   tessellator_.tessellate(face, patch, window, shape_);
   if (shape_.bounds.clipped(window).empty()) return;
-  const PatchColor color(patch, mesh.color_model(), frame.masked_opacity);
+  const PatchColor color(patch, mesh.color_model(), frame.masked_opacity, frame.ground);
   fill_face(shape_, face, color, window, parameters_, painting);
 }
 
@@ -106,7 +107,7 @@ void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
   if (mesh.is_smooth()) return paint_whole(painted_mesh(mesh), frame, painting);
   if (thread_count() == 1) return Painter().paint(mesh, frame, painting);
   const Window window = painting.window();
-  painting.clear(window);
+  painting.clear(window, frame.ground);
   std::vector<ReadyFace> faces;
   for (const Face f : mesh.faces()) faces.push_back({f, {}, {}});
   const std::size_t shares = (faces.size() + share_of_faces - 1) / share_of_faces;
@@ -116,7 +117,7 @@ void paint_whole(const Mesh& mesh, const Frame& frame, Painting& painting) {
     const std::size_t end = std::min(faces.size(), (share + 1) * share_of_faces);
     for (std::size_t i = share * share_of_faces; i < end; ++i) {
       const Patch patch = painted_patch(mesh, frame, faces[i].face);
-      faces[i].color.emplace(patch, mesh.color_model(), frame.masked_opacity);
+      faces[i].color.emplace(patch, mesh.color_model(), frame.masked_opacity, frame.ground);
       tessellator.tessellate(faces[i].face, patch, window, faces[i].shape);
     }
   });

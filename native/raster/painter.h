@@ -34,7 +34,8 @@ class Painter {
                   Painting& painting);
   /// Takes the pixels of the touched faces away. Returns a window that holds those of the pixels
   /// where other faces may lie below.
-  Window clear(const std::vector<Face>& touched, Window within, Painting& painting);
+  Window clear(const std::vector<Face>& touched, Window within, std::uint8_t ground,
+               Painting& painting);
   bool is_touched(Face face) const {
     return std::size_t(face.value) < is_touched_.size() && is_touched_[face.value];
   }

@@ -46,9 +46,10 @@ struct Painting {
   explicit Painting(Window window) : image(window), top(window) {}
 
   Window window() const { return image.window(); }
-  /// Takes away what is painted in `to_clear`, which lies inside the painting's window.
-  void clear(Window to_clear) {
-    fill(image, to_clear, std::uint8_t(255));
+  /// Takes away what is painted in `to_clear`, which lies inside the painting's window, down to a
+  /// ground of that grey.
+  void clear(Window to_clear, std::uint8_t ground) {
+    fill(image, to_clear, ground);
     fill(top, to_clear, TopFace().sample());
   }
 };

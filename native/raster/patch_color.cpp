@@ -2,8 +2,9 @@
 
 namespace gradmesh {
 
-PatchColor::PatchColor(const Patch& patch, ColorModel model, bool masked)
-    : bilinear(model == ColorModel::bilinear), masked_opacity(masked) {
+PatchColor::PatchColor(const Patch& patch, ColorModel model, bool masked,
+                       std::uint8_t shows_through)
+    : bilinear(model == ColorModel::bilinear), masked_opacity(masked), ground(shows_through) {
   Bicubic<glm::dvec4> color;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) color[i][j] = patch.c[i][j].color;

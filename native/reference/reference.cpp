@@ -59,9 +59,15 @@ Raster<std::uint8_t, 1> away_from_outline_of(const Raster<std::uint32_t, 1>& top
 
 }  // namespace
 
+Frame on_black(Frame frame) {
+  frame.ground = 0;
+  return frame;
+}
+
 Reference::Reference(const Mesh& original, const Frame& frame, MetricKind metric)
     : frame_(frame),
       painting_(paint_whole(original, frame)),
+      on_black_(is_translucent(original) ? paint_whole(original, on_black(frame)).image : Image()),
       texels_(texels_of(painting_)),
       away_from_outline_(away_from_outline_of(painting_.top)),
       metric_kind_(metric),
@@ -70,6 +76,13 @@ Reference::Reference(const Mesh& original, const Frame& frame, MetricKind metric
 const Metric& Reference::metric() const {
   std::call_once(metric_is_made_, [&] { metric_ = make_metric(metric_kind_, painting_.image); });
   return *metric_;
+}
+
+const Metric* Reference::metric_on_black() const {
+  if (on_black_.samples.empty()) return nullptr;
+  std::call_once(metric_on_black_is_made_,
+                 [&] { metric_on_black_ = make_metric(metric_kind_, on_black_); });
+  return metric_on_black_.get();
 }
 
 std::optional<glm::dvec3> Reference::color_at(glm::dvec2 place) const {

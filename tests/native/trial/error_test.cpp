@@ -58,7 +58,7 @@ TEST(MeasuredSurface, near_another_has_the_error_of_the_whole) {
       const Frame frame = fit_frame(mesh, {}, 180);
       const auto reference = test::reference(mesh, frame, metric);
       const LocalBound bound(0.05, Plane(frame.width, frame.height));
-      const MeasuredSurface start(*reference, mesh, false, &bound);
+      const MeasuredSurface start(*reference, mesh, false, &bound, true);
       EXPECT_EQ(start.error().mean, 0);
       if (seed % 2 == 0) {
         // The corner of the grid, which is of this patch alone.
@@ -68,17 +68,47 @@ TEST(MeasuredSurface, near_another_has_the_error_of_the_whole) {
         parts.curves = grid_curves(options.rows - 1, options.columns);
       }
       const Mesh other = build_mesh(parts);
-      const FrameError whole = MeasuredSurface(*reference, other, false, &bound).error();
+      const FrameError whole = MeasuredSurface(*reference, other, false, &bound, true).error();
       const FrameError near = MeasuredSurface(start, *reference, other, &bound).error();
       ASSERT_GT(whole.mean, 0);
       EXPECT_NEAR(near.mean, whole.mean, 1e-12);
       EXPECT_EQ(near.local, whole.local);
+      EXPECT_EQ(near.detail, whole.detail);
       EXPECT_EQ(near.keeps_local_bound, whole.keeps_local_bound);
       const double limit = whole.mean / 2;
       const FrameError cut = MeasuredSurface(start, *reference, other, &bound, limit).error();
       EXPECT_GT(cut.mean, limit);
       EXPECT_FALSE(cut.keeps_local_bound);
     }
+}
+
+/// White that is more or less translucent looks alike on white.
+TEST(MeasuredSurface, small_parts_are_measured_on_black_too) {
+  MeshParts parts = test::grid_parts({.rows = 4, .columns = 4});
+  const auto whiten = [&](double opacity) {
+    for (Patch& patch : parts.patches) {
+      for (auto& row : patch.c)
+        for (Value& value : row) value.color = glm::dvec4(0);
+      for (const int i : {0, 3})
+        for (const int j : {0, 3}) patch.c[i][j].color = glm::dvec4(1, 1, 1, opacity);
+    }
+    return build_mesh(parts);
+  };
+  const Mesh mesh = whiten(0.5);
+  const auto reference = test::reference(mesh, fit_frame(mesh, {}, 100), MetricKind::flip);
+  const LocalBound bound(0.05, Plane(reference->frame().width, reference->frame().height));
+  const MeasuredSurface start(*reference, mesh, false, &bound, true);
+  EXPECT_EQ(start.error().local, 0);
+  const Mesh clearer = whiten(0.3);
+  const MeasuredSurface whole(*reference, clearer, false, &bound, true),
+      near(start, *reference, clearer, &bound);
+  for (const FrameError& error : {whole.error(), near.error()}) {
+    EXPECT_EQ(error.mean, 0);
+    EXPECT_GT(error.local, 0.1);
+    EXPECT_GT(error.detail, 0.1);
+    EXPECT_FALSE(error.keeps_local_bound);
+  }
+  EXPECT_EQ(*std::ranges::max_element(whole.details().samples), float(whole.error().detail));
 }
 
 }  // namespace
