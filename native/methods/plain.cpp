@@ -14,7 +14,6 @@
 #include "methods/portions.h"
 #include "metric/detail_errors.h"
 #include "plain/border.h"
-#include "plain/cells.h"
 #include "plain/corners.h"
 #include "plain/grid_fit.h"
 #include "plain/side_rises.h"
@@ -61,7 +60,7 @@ class Selection {
 
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
   /// to epsilon now that the points have been fitted anew. A target that cannot be reached without
-  /// what is seen (is_seen) is reached with it.
+  /// corners and gaps that are seen is reached with these.
   void run() {
     for (const bool may_be_seen : {false, true}) {
       may_be_seen_ = may_be_seen;
@@ -196,16 +195,10 @@ class Selection {
   /// Measures a grid; an error above `limit` may be any that is.
   Outcome measured(PlainGrid grid, double limit) const {
     Outcome outcome(std::move(grid), problem_, &now_, limit);
-    if (!may_be_seen_ && outcome.written.keeps && is_seen(outcome.grid))
+    if (!may_be_seen_ && (largest_corner(outcome.grid) > most_corner_ ||
+                          border_gap(outcome.grid, picture()) > most_gap_))
       outcome.written.keeps = false;
     return outcome;
-  }
-
-  /// Returns true if the grid has corners or gaps that are seen, or more patches that are crushed
-  /// than at first, of which an error over all of the picture does not tell.
-  bool is_seen(const PlainGrid& grid) const {
-    return largest_corner(grid) > most_corner_ || border_gap(grid, picture()) > most_gap_ ||
-           !crushed_patches(grid).are_no_more_than(most_crushed_);
   }
 
   /// Returns what a step leads to, with the points near it fitted anew. Where a line is gone the
@@ -413,7 +406,6 @@ class Selection {
   bool may_be_seen_ = false;
   Problem problem_;
   const double most_gap_ = std::max(seen_gap, border_gap(grid(), picture()));
-  const CrushedPatches most_crushed_ = crushed_patches(grid());
   StopWatch& watch_;
   const MeshPassed& passed_;
   const int first_handles_;

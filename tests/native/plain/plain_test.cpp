@@ -7,7 +7,6 @@
 #include "mesh/rectangle.h"
 #include "meshes.h"
 #include "plain/border.h"
-#include "plain/cells.h"
 #include "plain/grid_fit.h"
 #include "problems.h"
 #include "raster/folds.h"
@@ -174,34 +173,6 @@ TEST(BorderGap, is_how_far_the_border_is_from_where_it_was) {
   EXPECT_NEAR(border_gap(grid, picture), 4, 1);
   grid.knot(0, 2).position += 0.8 * in;
   EXPECT_GT(border_gap(grid, picture), 8);
-}
-
-TEST(CrushedPatches, are_those_whose_lines_nearly_touch_or_cross) {
-  const Mesh mesh = grid_mesh({.rows = 3, .columns = 3});
-  for (const auto& [y, pinched, folded] :
-       {std::array{100.0, 0.0, 0.0}, {180, 0, 0}, {199.5, 2, 0}, {215, 2, 2}}) {
-    PlainGrid grid(mesh);
-    grid.knot(1, 1).position.y = y;
-    for (const bool is_mirrored : {false, true}) {
-      if (is_mirrored)
-        for (int i = 0; i <= 3; ++i)
-          for (int j = 0; j <= 3; ++j) grid.knot(i, j).position.x *= -1;
-      const CrushedPatches crushed = crushed_patches(grid);
-      EXPECT_EQ(crushed.pinched, pinched) << y;
-      EXPECT_EQ(crushed.folded, folded) << y;
-    }
-  }
-}
-
-TEST(CrushedPatches, become_no_more_by_simplifying) {
-  const RunOptions options = plain_options(0.1);
-  for (unsigned seed = 1; seed <= 12; ++seed) {
-    Mesh mesh =
-        grid_mesh({.rows = 7, .columns = 6, .position_noise = 0.25, .color_noise = 0.1}, seed);
-    const CrushedPatches before = crushed_patches(PlainGrid(mesh));
-    ASSERT_TRUE(simplify(mesh, options).changed);
-    EXPECT_TRUE(crushed_patches(PlainGrid(mesh)).are_no_more_than(before)) << seed;
-  }
 }
 
 /// A grid of 4 x 4 patches whose middle row of points lies on a smooth wave.
