@@ -50,6 +50,8 @@ class Page:
             svg,
             [*actions, "export-area-page", f"export-dpi:{self.dpi}", f"export-filename:{png}", "export-do"],
         )
+        if actions and not png.exists():  # of what shows nothing Inkscape writes nothing
+            return np.zeros((*self.before.shape[:2], 4), np.uint8)
         with Image.open(png) as picture:
             picture = picture.convert("RGBA")
         if actions:

@@ -6,6 +6,7 @@
 mesh-tool-ID.png    what the tool shows of samples, before and after
 edited.png          a point of the pear dragged: of the sample, by default, and of blocks
 amounts.png         what the amounts leave of two samples where that is seen, twice as large
+details.png         what the bound on details is for: the worst places of three samples without it
 
 Each picture is taken when every knot that gradmesh counts is drawn; a knot that is drawn where none
 is counted, or a count that is not the number of their places, ends the script.
@@ -17,6 +18,7 @@ import time
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
+from look_at_amounts import Page, worst_window
 from make_readme_pictures import (
     MESH_TOOL,
     ROOT,
@@ -40,6 +42,8 @@ COLORS = 256
 # The sample's own page, and what is dragged there.
 PEAR_PAGE, DRAGGED, DRAG = (0, 0, 480, 600), 170 + 360j, 22 - 16j
 # Where in the samples, painted at 200 %, the amounts are seen.
+DETAILS = ["photo", "two", "face"]
+DETAIL_SIDE, ENLARGED = 80, 3
 AMOUNTS = [("photo", (420, 370, 780, 670)), ("smooth", (280, 290, 640, 530))]
 
 
@@ -149,7 +153,7 @@ def shown(svg, mesh_id, count, frame, folder):
 
 def mesh_tool(sample, mesh_id, folder):
     before, after = SAMPLES / f"{sample}.svg", folder / "after.svg"
-    (result,) = simplified(before, after, mesh_id, max_local_error=0.1)
+    (result,) = simplified(before, after, mesh_id, amount="balanced")
     frame = frame_of(net_of(Document(before), mesh_id))
     return side_by_side(
         [
@@ -227,13 +231,33 @@ def amounts(folder):
     return side_by_side(columns)
 
 
+def details(folder):
+    columns = {"the sample": [], "0.01 in the mean": [], "Balanced": []}
+    bounds = [{"epsilon": 0.01, "max_local_error": 0.1}, {"amount": "balanced"}]
+    for sample in DETAILS:
+        svg, out = SAMPLES / f"{sample}.svg", folder / "after.svg"
+        with Inkscape() as inkscape:
+            page = Page(inkscape, svg, folder, 1400)
+            pictures = [page.before]
+            for options in bounds:
+                simplified(svg, out, **options)
+                pictures.append(page.paint(out))
+        _, middle = worst_window(page.errors(pictures[1]), 8)
+        x, y = (max(0, v - DETAIL_SIDE // 2) for v in middle)
+        for column, picture in zip(columns.values(), pictures):
+            part = Image.fromarray(picture).crop((x, y, x + DETAIL_SIDE, y + DETAIL_SIDE))
+            size = (DETAIL_SIDE * ENLARGED,) * 2
+            column.append(part.resize(size, Image.Resampling.NEAREST))
+    return side_by_side([(name, below_each_other(column, gap=6)) for name, column in columns.items()])
+
+
 def save(sheet, file):
     sheet.quantize(COLORS, kmeans=2, dither=Image.Dither.NONE).save(file, optimize=True)
 
 
 def main(images, names):
     pictures = {f"mesh-tool-{shown[1]}": (mesh_tool, shown) for shown in SHOWN}
-    pictures.update(edited=(edited, ()), amounts=(amounts, ()))
+    pictures.update(edited=(edited, ()), amounts=(amounts, ()), details=(details, ()))
     for name in names or pictures:
         make, of = pictures[name]
         with tempfile.TemporaryDirectory() as folder:

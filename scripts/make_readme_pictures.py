@@ -59,7 +59,7 @@ def simplified(svg, out, ids=(), **options):
 def panels(folder):
     """(caption, SVG file) from left to right."""
     before, after = SAMPLES / f"{SAMPLE}.svg", folder / "after.svg"
-    (result,) = simplified(before, after, MESH_ID, max_local_error=0.1)
+    (result,) = simplified(before, after, MESH_ID, amount="balanced")
     return [
         ("before", before),
         (f"{result.handles_before} handles", with_patches(before, folder / "before-patches.svg")),
@@ -154,7 +154,7 @@ def by_eye(folder, out):
 def nodes(folder, out):
     """The handles of the mesh, before and after."""
     before, after = SAMPLES / f"{SAMPLE}.svg", folder / "after.svg"
-    (result,) = simplified(before, after, MESH_ID, max_local_error=0.1)
+    (result,) = simplified(before, after, MESH_ID, amount="balanced")
     pictures = []
     for handles, svg in ((result.handles_before, before), (result.handles_after, after)):
         with Inkscape() as inkscape, inkscape.window(svg) as window:

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <span>
 #include <utility>
 
-#include "base/clamped_int.h"
 #include "base/parallel.h"
 #include "mesh/build.h"
 #include "methods/lines.h"
 #include "methods/portions.h"
-#include "metric/detail_errors.h"
-#include "plain/border.h"
 #include "plain/corners.h"
+#include "plain/flaws.h"
 #include "plain/grid_fit.h"
+#include "plain/harmful_sides.h"
 #include "plain/side_rises.h"
 #include "plain/steps.h"
 
@@ -32,6 +30,8 @@ double usual_epsilon(const Bounds& bounds) { return bounds.target ? 0.01 : bound
 struct Outcome {
   PlainGrid grid;
   Candidate written;
+  /// Of the sides that became straight those that harm details (plain/harmful_sides.h).
+  std::vector<Side> harmful = {};
 
   /// `near` and `limit` as of Problem::measure.
   Outcome(PlainGrid made, const Problem& problem, const Outcome* near = nullptr,
@@ -60,7 +60,7 @@ class Selection {
 
   /// Passes go on as long as steps are made after others were found to be too much, which may keep
   /// to epsilon now that the points have been fitted anew. A target that cannot be reached without
-  /// corners and gaps that are seen is reached with these.
+  /// flaws that are seen is reached with them.
   void run() {
     for (const bool may_be_seen : {false, true}) {
       may_be_seen_ = may_be_seen;
@@ -85,8 +85,6 @@ class Selection {
     double price, rise = 0;
     int priced_at = -1;
     std::optional<Outcome> outcome = std::nullopt;
-    /// Of several sides those that harm details.
-    std::vector<Side> harmful = {};
     /// True if the step was found to be too much in this pass.
     bool is_too_much = false;
   };
@@ -195,8 +193,7 @@ class Selection {
   /// Measures a grid; an error above `limit` may be any that is.
   Outcome measured(PlainGrid grid, double limit) const {
     Outcome outcome(std::move(grid), problem_, &now_, limit);
-    if (!may_be_seen_ && (largest_corner(outcome.grid) > most_corner_ ||
-                          border_gap(outcome.grid, picture()) > most_gap_))
+    if (!may_be_seen_ && outcome.written.keeps && flaws_.are_worse(outcome.grid))
       outcome.written.keeps = false;
     return outcome;
   }
@@ -213,12 +210,15 @@ class Selection {
     else
       fit_grid(grid, picture(), fit_steps, points);
     Outcome first = measured(grid, hopeless_error());
+    if (harms_details(first))
+      first.harmful = harmful_sides(step.sides, first.grid, first.written.measured->details(),
+                                    *problem_.bounds.detail, picture().frame());
     if (first.written.keeps || first.written.error > epsilon() || local_share(first) > may_fall)
       return first;
     if (!step.takes_line() && harms_details(first)) {
       // A fit hardly brings an edge back that a curve held in its place. For the sake of the mean
       // it may harm a detail elsewhere that was at its bound before.
-      if (!harmful_sides(step, first).empty()) return first;
+      if (!first.harmful.empty()) return first;
       PlainGrid unfitted = now_.grid;
       make(step, unfitted);
       Outcome bare = measured(std::move(unfitted), epsilon());
@@ -245,46 +245,8 @@ class Selection {
       c.price = (c.rise + local_weight * usual_epsilon(problem_.bounds) * local_rise) /
                 (grid().handles() - c.outcome->grid.handles());
       c.priced_at = made_;
-      if (c.step.sides.size() > 1) c.harmful = harmful_sides(c.step, *c.outcome);
     });
     keep_one_picture();
-  }
-
-  /// Returns the sides of a step along which details have a larger error than
-  /// they may, and of all the closest to where it is largest; none if no detail near them has.
-  std::vector<Side> harmful_sides(const Step& step, const Outcome& outcome) const {
-    if (!harms_details(outcome)) return {};
-    const Plane& errors = outcome.written.measured->details();
-    const auto largest = std::ranges::max_element(errors.samples) - errors.samples.begin();
-    const glm::dvec2 worst(double(largest % errors.width), double(largest / errors.width));
-    std::vector<Side> harmful;
-    std::pair<double, Side> closest{std::numeric_limits<double>::infinity(), {}};
-    for (const Side& side : step.sides) {
-      double error = 0, distance = closest.first;
-      for (const glm::dvec2 place : places_along(outcome.grid, side)) {
-        distance = std::min(distance, glm::length(place - worst));
-        const int x = clamped_pixel(std::floor(place.x)), y = clamped_pixel(std::floor(place.y));
-        if (x >= 0 && y >= 0 && x < errors.width && y < errors.height)
-          error = std::max(error, double(*errors.at(x, y)));
-      }
-      if (error > *problem_.bounds.detail) harmful.push_back(side);
-      if (distance < closest.first) closest = {distance, side};
-    }
-    // About as far as the patches beside a side reach.
-    constexpr double near = 32;
-    if (closest.first < near && std::ranges::find(harmful, closest.second) == harmful.end())
-      harmful.push_back(closest.second);
-    return harmful;
-  }
-
-  /// Returns places along a side, in pixels.
-  std::vector<glm::dvec2> places_along(const PlainGrid& grid, const Side& side) const {
-    constexpr int pieces = 24;
-    const Cubic<glm::dvec2> curve = grid.side(side.along, side.row, side.column);
-    std::vector<glm::dvec2> places;
-    for (int i = 0; i <= pieces; ++i)
-      places.push_back(picture().frame().to_pixels.point(curve.at(double(i) / pieces)));
-    return places;
   }
 
   /// Keeps the picture of the cheapest priced proposal, which is likely to be the next: pictures
@@ -364,11 +326,11 @@ class Selection {
     made_when_too_much_ = std::min(made_when_too_much_, made_);
     Proposal& first = proposals_.front();
     first.is_too_much = true;
-    first.outcome.reset();
+    const std::optional<Outcome> outcome = std::exchange(first.outcome, std::nullopt);
     if (first.step.takes_line()) return;
     sides_proposed_at_ = -1;
-    if (!first.harmful.empty()) {
-      for (const Side& side : first.harmful) too_much_.push_back({side, made_});
+    if (first.step.sides.size() > 1 && outcome && !outcome->harmful.empty()) {
+      for (const Side& side : outcome->harmful) too_much_.push_back({side, made_});
     } else if (first.step.sides.size() > 1) {
       most_sides_ = smaller_portion(first.step.sides.size());
     } else {
@@ -401,11 +363,9 @@ class Selection {
   Outcome now_;
   /// As of local_share().
   double local_ = 0;
-  /// Fits after a step may turn corners a little further.
-  const double most_corner_ = std::max(1.5 * seen_corner, largest_corner(grid()));
   bool may_be_seen_ = false;
   Problem problem_;
-  const double most_gap_ = std::max(seen_gap, border_gap(grid(), picture()));
+  const Flaws flaws_{grid(), picture()};
   StopWatch& watch_;
   const MeshPassed& passed_;
   const int first_handles_;

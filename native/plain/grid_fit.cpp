@@ -11,6 +11,7 @@
 #include "fit/damping.h"
 #include "fit/equations.h"
 #include "fit/refit.h"
+#include "plain/crush.h"
 #include "raster/folds.h"
 
 namespace gradmesh {
@@ -30,7 +31,8 @@ double squares_of(const Patch& patch, const std::array<bool, 4>& are_outlines,
 }
 
 /// The patches of a grid as a surface of refit(): a step is accepted if it lowers the sum of the
-/// squares. What did harm are the unknowns of patches that begin to fold.
+/// squares. What did harm are the unknowns of patches that begin to fold, or lines of which come to
+/// touch.
 class GridFit {
  public:
   GridFit(PlainGrid& grid, const Reference& target, const GridPoints& points, bool with_colors)
@@ -68,14 +70,14 @@ class GridFit {
 
   Verdict judge(int /*attempt*/) {
     if (!is_finite_) return {};
-    std::vector<bool> folds(unknown_count(), false);
+    std::vector<bool> crush(unknown_count(), false);
     bool any = false;
     for (const InfluencedPatch& p : patches_)
-      if (may_fold(moved_->patch(p.row, p.column)) && !may_fold(grid_.patch(p.row, p.column))) {
+      if (begins_to_be_crushed(p.row, p.column)) {
         any = true;
-        for (const Influence& by : p.by) folds[std::size_t(by.unknown)] = true;
+        for (const Influence& by : p.by) crush[std::size_t(by.unknown)] = true;
       }
-    if (any) return {false, true, std::move(folds)};
+    if (any) return {false, true, std::move(crush)};
     Equations then = steps_left_ > 0 ? equations(*moved_) : squares(*moved_);
     if (!(then.squares < now_.squares)) return {};
     grid_ = *std::move(moved_);
@@ -96,6 +98,11 @@ class GridFit {
     int row, column;
     std::vector<Influence> by;
   };
+
+  bool begins_to_be_crushed(int row, int column) const {
+    const Patch before = grid_.patch(row, column), after = moved_->patch(row, column);
+    return (may_fold(after) && !may_fold(before)) || is_pinched(after, before);
+  }
 
   /// A patch has the points at its corners, and by the tangents that follow chords those beside
   /// them.

@@ -12,7 +12,8 @@
 #include "formats/json/elements.h"
 #include "methods/method.h"
 #include "metric/local_mean.h"
-#include "raster/rasterizer.h"
+#include "metric/worst_places.h"
+#include "reference/reference.h"
 
 namespace gradmesh {
 namespace {
@@ -126,14 +127,23 @@ Json errors_json(const Plane& map) {
   return {{"picture", address(picture)}, {"largest", largest}, {"scale", scale}};
 }
 
+Json worst_json(const std::vector<WorstPlace>& places) {
+  Json list = Json::array();
+  for (const WorstPlace& worst : places)
+    list.push_back({{"x", worst.place.x}, {"y", worst.place.y}, {"error", worst.error}});
+  return list;
+}
+
 }  // namespace
 
 Json page_data(const Page& page) {
-  const auto rasterizer = make_software_rasterizer();
+  constexpr int most_places = 5;
   const PageMesh &before = page.before, &after = page.after;
-  const Image first = rasterizer->paint(page.original ? *page.original : before.mesh, before.frame);
-  const Image second = rasterizer->paint(after.mesh, after.frame);
-  const Plane map = make_metric(page.metric, first)->map(second);
+  const Reference reference(page.original ? *page.original : before.mesh, before.frame,
+                            page.metric);
+  const Image& first = reference.painting().image;
+  const Image second = paint_whole(after.mesh, after.frame).image;
+  const Plane map = reference.metric().map(second);
   Json before_json = mesh_json(before, first);
   before_json["merging"] = merging(before.mesh, page.edges);
   before_json["regions"] = regions_json(page.regions, page.fitted);
@@ -145,6 +155,7 @@ Json page_data(const Page& page) {
           {"local_error", largest_local_mean(map)},
           {"epsilon", page.epsilon},
           {"errors", errors_json(map)},
+          {"worst", worst_json(worst_places(map, reference.away_from_outline(), most_places))},
           {"run", page.run},
           {"heeded_by", heeded_by()},
           {"before", std::move(before_json)},

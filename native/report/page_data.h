@@ -11,6 +11,7 @@ namespace gradmesh {
 ///    "heeded_by": {option: [methods]},           of options that only some methods heed
 ///    "metric": "FLIP", "error", "local_error", "epsilon",
 ///    "errors": {"picture", "largest", "scale": ["#rrggbb", ...]}, scale from 0 to largest
+///    "worst": [{"x", "y", "error"}, ...],        metric/worst_places.h, in pixels
 ///    "run": {...} or null,
 ///    "before": mesh, "after": mesh}
 /// with pictures as `data:` addresses, and a mesh as

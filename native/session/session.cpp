@@ -8,7 +8,6 @@
 #include "mesh/face_outline.h"
 #include "mesh/faces_under.h"
 #include "mesh/rectangle.h"
-#include "metric/local_mean.h"
 #include "ops/fix.h"
 
 namespace gradmesh {
@@ -95,24 +94,10 @@ void Session::set_now(Candidate written) {
 }
 
 std::vector<WorstPlace> Session::worst_places(int most) const {
-  std::vector<std::pair<double, glm::ivec2>> windows;
-  for_each_local_mean(now_.measured->map(), [&](int x, int y, double mean) {
-    constexpr int step = local_side / 4;
-    if (x % step == 0 && y % step == 0 && mean > 0) windows.emplace_back(mean, glm::ivec2(x, y));
-  });
-  std::ranges::stable_sort(windows, std::greater{}, &std::pair<double, glm::ivec2>::first);
   const Affine back = problem_.frame().to_pixels.inverse();
-  std::vector<glm::ivec2> taken;
-  std::vector<WorstPlace> worst;
-  for (const auto& [mean, corner] : windows) {
-    if (int(worst.size()) == most) break;
-    const auto overlaps = [c = corner](glm::ivec2 other) {
-      return std::abs(c.x - other.x) < local_side && std::abs(c.y - other.y) < local_side;
-    };
-    if (std::ranges::any_of(taken, overlaps)) continue;
-    taken.push_back(corner);
-    worst.push_back({back.point(glm::dvec2(corner) + double(local_side) / 2), mean});
-  }
+  std::vector<WorstPlace> worst =
+      gradmesh::worst_places(now_.measured->map(), problem_.reference()->away_from_outline(), most);
+  for (WorstPlace& each : worst) each.place = back.point(each.place);
   return worst;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "metric/worst_places.h"
 #include "ops/mesh_difference.h"
 #include "problem/problem.h"
 #include "session/analysis.h"
@@ -12,13 +13,6 @@
 #include "session/edits.h"
 
 namespace gradmesh {
-
-/// A place in the picture where the error is large: the middle of a window of 32 x 32 pixels of the
-/// frame, in mesh units, and the mean error in it.
-struct WorstPlace {
-  glm::dvec2 place;
-  double error;
-};
 
 /// One mesh, and what a person makes of it by eye: goes along curves, merges and splits by hand,
 /// takes back. All that it shows is measured as it will be written. Not thread-safe; curves are
@@ -50,7 +44,7 @@ class Session {
   /// Returns the mesh as its document has it now.
   const Candidate& start() const { return start_; }
   bool is_unchanged() const;
-  /// Returns at most that many places, the worst first, of which no two overlap.
+  /// Returns at most that many places where details differ most, in mesh units (worst_places).
   std::vector<WorstPlace> worst_places(int most) const;
 
   /// Returns the search for what can be found out about the mesh that is shown. All that it has

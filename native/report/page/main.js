@@ -169,6 +169,17 @@ function describeErrors() {
   say(`${data.metric} of each pixel; its mean is ${short(data.error, 3)}`);
 }
 
+/** Buttons that lead to where details differ most. */
+function describeWorst() {
+  const box = document.getElementById("worst");
+  box.hidden = data.worst.length === 0;
+  for (const place of data.worst) {
+    const title = `${data.metric} of 4 \u00d7 4 px at (${place.x}, ${place.y})`;
+    const onclick = () => stage.lookAt(place);
+    box.append(make("button", { type: "button", title, onclick }, short(place.error, 2)));
+  }
+}
+
 function shortcuts(event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input")) return;
   if (event.key === "+") stage.zoom(1.5);
@@ -179,6 +190,7 @@ function shortcuts(event) {
 describePage();
 describeRun();
 describeErrors();
+describeWorst();
 for (const button of document.querySelectorAll("#sides button"))
   button.addEventListener("click", () => select(button.dataset.side, state[button.dataset.side]));
 document.addEventListener("keydown", shortcuts);

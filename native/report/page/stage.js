@@ -163,6 +163,14 @@ class Stage {
     this.update();
   }
 
+  /** Brings a place of the picture into the middle, enlarged. */
+  lookAt({ x, y }) {
+    const [width, height] = this.size,
+      zoom = Math.min(32, Math.max(1, Math.max(width, height) / 80));
+    this.part = { x: x - width / zoom / 2, y: y - height / zoom / 2, zoom };
+    this.update();
+  }
+
   setUpControls() {
     const on = (id, action) => document.getElementById(id).addEventListener("click", action);
     on("zoom-in", () => this.zoom(1.5));

@@ -7,6 +7,7 @@
 #include "mesh/rectangle.h"
 #include "meshes.h"
 #include "plain/border.h"
+#include "plain/crush.h"
 #include "plain/grid_fit.h"
 #include "problems.h"
 #include "raster/folds.h"
@@ -173,6 +174,46 @@ TEST(BorderGap, is_how_far_the_border_is_from_where_it_was) {
   EXPECT_NEAR(border_gap(grid, picture), 4, 1);
   grid.knot(0, 2).position += 0.8 * in;
   EXPECT_GT(border_gap(grid, picture), 8);
+}
+
+/// A grid of 3 x 3 squares one point of which is moved down to `y`, mirrored or not.
+PlainGrid grid_with_point_at(double y, bool is_mirrored) {
+  PlainGrid grid(grid_mesh({.rows = 3, .columns = 3}));
+  grid.knot(1, 1).position.y = y;
+  for (int i = 0; i <= 3; ++i)
+    for (int j = 0; j <= 3; ++j)
+      if (is_mirrored) grid.knot(i, j).position.x *= -1;
+  return grid;
+}
+
+TEST(Crush, is_where_lines_nearly_touch_or_cross) {
+  for (const bool is_mirrored : {false, true}) {
+    const auto share = [&](double y) {
+      return narrowest_share(grid_with_point_at(y, is_mirrored).patch(1, 1));
+    };
+    EXPECT_NEAR(share(100), 1, 1e-12);
+    EXPECT_GT(share(180), 0.1);
+    EXPECT_GT(share(199.5), 0);
+    EXPECT_LT(share(199.5), 0.1);
+    EXPECT_LT(share(215), 0);
+    const Crush crush(grid_with_point_at(100, is_mirrored));
+    EXPECT_FALSE(crush.is_worse(grid_with_point_at(180, is_mirrored)));
+    EXPECT_TRUE(crush.is_worse(grid_with_point_at(199.5, is_mirrored)));
+    const Crush narrow(grid_with_point_at(199, is_mirrored));
+    EXPECT_FALSE(narrow.is_worse(grid_with_point_at(199.5, is_mirrored)));
+    EXPECT_TRUE(narrow.is_worse(grid_with_point_at(215, is_mirrored)));
+  }
+}
+
+TEST(Crush, does_not_grow_by_simplifying) {
+  const RunOptions options = plain_options(0.1);
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    Mesh mesh =
+        grid_mesh({.rows = 7, .columns = 6, .position_noise = 0.2, .color_noise = 0.1}, seed);
+    const Crush crush{PlainGrid(mesh)};
+    ASSERT_TRUE(simplify(mesh, options).changed);
+    EXPECT_FALSE(crush.is_worse(PlainGrid(mesh))) << seed;
+  }
 }
 
 /// A grid of 4 x 4 patches whose middle row of points lies on a smooth wave.

@@ -358,6 +358,19 @@ def test_the_error_map_has_a_legend(page, fruit):
     assert page.js("location.hash") == "#after/patch/7" and page.mark("errors") == "patch/7"
 
 
+def test_buttons_lead_to_the_worst_places(page, fruit):
+    worst = fruit.data["worst"]
+    assert worst and worst == sorted(worst, key=lambda place: -place["error"])
+    assert [float(t) for t in page.texts("#worst button")] == pytest.approx(
+        [place["error"] for place in worst], rel=0.1
+    )
+    page.press("#worst button")
+    view_box = page.js("document.querySelector('[data-side=before] svg').getAttribute('viewBox')")
+    x, y, width, height = map(float, view_box.split())
+    assert x <= worst[0]["x"] <= x + width and width < 0.7 * fruit.data["width"]
+    assert y <= worst[0]["y"] <= y + height and height < 0.7 * fruit.data["height"]
+
+
 def test_outlines_and_zoom(page):
     view_box = "document.querySelector('[data-side=before] svg').getAttribute('viewBox')"
     whole = [float(x) for x in page.js(view_box).split()]
