@@ -18,7 +18,6 @@ import time
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-from look_at_amounts import Page, worst_window
 from make_readme_pictures import (
     MESH_TOOL,
     ROOT,
@@ -31,6 +30,7 @@ from make_readme_pictures import (
 from PIL import Image
 
 import numpy as np  # noqa: E402, the helpers come with make_readme_pictures
+from pages import Page, worst_window  # noqa: E402
 from svg_meshes import Document, apply  # noqa: E402
 
 SHOWN = [("fruit", "pear"), ("face", "face"), ("photo", "photo"), ("opacity", "bubble")]
