@@ -41,6 +41,14 @@ NAMESPACE = "urn:gradmesh"
 etree.register_namespace("gradmesh", NAMESPACE)
 #: Of elements that Show Analysis has added.
 MARK = f"{{{NAMESPACE}}}analysis"
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+LOCKED = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}insensitive"
+HREF = "{http://www.w3.org/1999/xlink}href"
+
+
+#: The error that Strong allows, by metric.
+STRONG = {"flip": 0.02, "ssim": 0.01}
+MORE_THAN_STRONG = _("That is more than Strong allows: it will be seen.")
 
 
 class NothingToDo(AbortExtension):
@@ -89,6 +97,9 @@ class Gradmesh:
 class _GradmeshDocument(Gradmesh):
     """Reads the document with gradmesh, too; its meshes are in `meshes`."""
 
+    #: How many meshes were left out as they are locked or hidden.
+    left_out = 0
+
     def load(self, stream):
         data = getattr(stream, "buffer", stream).read()
         # Inkscape sends a copy under a temporary name and says the real one here.
@@ -109,18 +120,40 @@ class _GradmeshDocument(Gradmesh):
         }
         found = [name for name in self.meshes.ids if name in touched]
         if not found:
+            self.refuse_clones()
             raise AbortExtension(
                 _("None of the selected objects is painted by a gradient mesh; select one that is.")
             )
         return self.readable(found)
 
+    def refuse_clones(self):
+        """Says of a selected clone of a mesh how its original is selected."""
+        elements = self.elements_by_id()
+        for name in self.options.ids:
+            shown = elements[name]
+            while shown is not None and etree.QName(shown).localname == "use":
+                shown = elements.get((shown.get(HREF) or shown.get("href") or "").lstrip("#"))
+            if shown is not elements[name] and shown is not None and shown.get("id") in self.meshes.ids:
+                raise AbortExtension(
+                    _("{id} is a clone: Shift+D selects its original, which can be changed.").format(id=name)
+                )
+
     def selected_or_all(self):
-        """Ids as of selected_meshes(), or of all meshes where nothing is selected."""
+        """Ids as of selected_meshes(), or, where nothing is selected, of all meshes that Inkscape would
+        select with all: not of those that are locked or hidden."""
         if self.options.ids:
             return self.selected_meshes()
         if not self.meshes.ids:
             raise AbortExtension(_("There is no gradient mesh in the document."))
-        return self.readable([mesh.id for mesh in self.meshes.meshes])
+        elements = self.elements_by_id()
+        ids = [mesh.id for mesh in self.meshes.meshes]
+        within_reach = [name for name in ids if not is_locked_or_hidden(elements[name])]
+        self.left_out = len(ids) - len(within_reach)
+        if not within_reach:
+            raise AbortExtension(
+                _("All gradient meshes are locked or hidden, or in such layers; select those that are meant.")
+            )
+        return self.readable(within_reach)
 
     def readable(self, ids):
         """Those of the meshes that can be read. Says why the others are left alone; where there are
@@ -143,8 +176,23 @@ class _GradmeshDocument(Gradmesh):
             raise AbortExtension(_('There is no object with the id "{id}".').format(id=missing[0]))
         return [elements[name] for name in self.options.ids]
 
+    def called(self, name):
+        """What a person calls a mesh: its label, or else its id."""
+        label = self.elements_by_id()[name].get(LABEL)
+        wrote = any(mesh.simplified for mesh in self.meshes.meshes if mesh.id == name)
+        return label if label and not wrote else name
+
     def elements_by_id(self):
         return {element.get("id"): element for element in self.svg.iter("*")}
+
+
+def is_locked_or_hidden(element):
+    """Whether Inkscape leaves an object out where all are selected."""
+    for each in (element, *element.iterancestors()):
+        style = (each.get("style") or "").replace(" ", "")
+        if each.get(LOCKED) == "true" or each.get("display") == "none" or "display:none" in style:
+            return True
+    return False
 
 
 class GradmeshEffect(_GradmeshDocument, EffectExtension):

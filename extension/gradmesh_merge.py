@@ -3,7 +3,14 @@
 """Extensions > Gradient Mesh > Merge Selected Patches: one patch of the selected blocks, or of a part of one."""
 
 from gradmesh_attended import ATTENDED
-from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences, say
+from gradmesh_effect import (
+    MORE_THAN_STRONG,
+    STRONG,
+    GradmeshEffect,
+    gradmesh,
+    refusals_as_sentences,
+    say,
+)
 from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
 from gradmesh_text import _
@@ -45,10 +52,11 @@ class Merge(GradmeshEffect):
         return {lines: (first, last) for lines, (first, last) in ends.items() if first}
 
     def what_became(self, edit):
-        return _(
+        text = _(
             "{id}: these patches are one now. The error is FLIP {error:.4f}, and {handles} handles and {patches} "
             "patches are left."
         ).format(id=edit.id, error=edit.error, handles=edit.handles_after, patches=edit.patches_after)
+        return f"{text} {MORE_THAN_STRONG}" if edit.error > STRONG["flip"] else text
 
 
 if __name__ == "__main__":

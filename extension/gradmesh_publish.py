@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """File > Save a Copy as SVG with meshes as pictures."""
 
+import os
+
+from gradmesh_attended import ATTENDED
 from gradmesh_effect import GradmeshOutput, gradmesh, refusals_as_sentences
+from gradmesh_keep import keep
 
 
 class Publish(GradmeshOutput):
@@ -16,7 +20,11 @@ class Publish(GradmeshOutput):
         self.readable(self.meshes.ids)
         with refusals_as_sentences():
             gradmesh.publish(self.meshes, scale=self.options.scale)
-        stream.write(self.meshes.to_bytes())
+        copy = self.meshes.to_bytes()
+        stream.write(copy)
+        drawing = os.environ.get("DOCUMENT_PATH")
+        if ATTENDED and drawing and os.path.isfile(drawing):
+            keep(drawing, copy)
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ class ShowAnalysis(GradmeshEffect):
         for name in self.selected_meshes():
             with refusals_as_sentences():
                 drawing = LongWork(
-                    _("{id} is analyzed.").format(id=name), lambda tell: self.draw(name, tell)
+                    [_("Analyzing {id}").format(id=self.called(name))], lambda tell: self.draw(name, tell)
                 ).run()
             self.svg.append(self.layer(name, drawing))
 

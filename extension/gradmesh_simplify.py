@@ -2,18 +2,29 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Simplify: takes needless handles and patches out of gradient meshes."""
 
-from gradmesh_effect import GradmeshEffect, NothingToDo, etree, gradmesh, refusals_as_sentences, say
+from gradmesh_effect import (
+    MORE_THAN_STRONG,
+    STRONG,
+    GradmeshEffect,
+    NothingToDo,
+    etree,
+    gradmesh,
+    refusals_as_sentences,
+    say,
+)
 from gradmesh_cache import analysis_cache
 from gradmesh_inkex import Boolean
 from gradmesh_log import log
 from gradmesh_report import report
 from gradmesh_text import _
+from gradmesh_toast import is_seen, toast
 from gradmesh_window import LongWork
 
 #: The method by which a mesh becomes what the dialog offers.
 METHODS = {"simplest": "simplest", "one-mesh": "plain", "lines": "lines", "blocks": "best", "gqe": "gqe"}
-#: The amount of "usual", which the dialog begins with.
-USUAL = "balanced"
+#: What preferences and scripts of before say for the amount that the dialog begins with.
+USUAL = {"usual": "balanced"}
+AMOUNTS = {"gentle": _("Gentle"), "balanced": _("Balanced"), "strong": _("Strong")}
 #: What is counted by the amounts that are a number or a share.
 COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patch-share": "patches"}
 
@@ -33,6 +44,9 @@ NO_HANDLE_WENT = {
         "{meshes}: there is no more than that, or no handle can be taken out, so the document "
         "stays as it was."
     ),
+    "amount": _(
+        "{meshes}: as simple as {amount} allows, with {handles} handles, so the document stays as it was."
+    ),
     "epsilon": _(
         "{meshes}: no handle can be taken out within an error of {epsilon:g}, so the document stays "
         "as it was."
@@ -50,6 +64,9 @@ NOTHING_WAS_MERGED = {
         "{meshes}: there is no more than that, or no patches can be merged, so the document "
         "stays as it was."
     ),
+    "amount": _(
+        "{meshes}: as simple as {amount} allows, with {handles} handles, so the document stays as it was."
+    ),
     "epsilon": _(
         "{meshes}: nothing can be made simpler within an error of {epsilon:g}, so the document "
         "stays as it was."
@@ -65,7 +82,7 @@ class Simplify(GradmeshEffect):
         pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
         # The core checks the values, as Inkscape passes on any choice that its preferences hold, and
         # has defaults for what is not named here.
-        pars.add_argument("--amount", default="usual")
+        pars.add_argument("--amount", default="balanced")
         pars.add_argument("--limit", default="epsilon")
         pars.add_argument("--epsilon", type=float)
         pars.add_argument("--handles", type=int, default=100)
@@ -88,30 +105,41 @@ class Simplify(GradmeshEffect):
         ids = self.selected_or_all()
         with refusals_as_sentences():
             options = self.core_options()
-            work = LongWork(self.title(ids), lambda tell: self.simplify(ids, options, tell))
+            work = LongWork(self.titles(ids), lambda tell: self.simplify(ids, options, tell))
             results = work.run()
         report.meshes = results
         if not any(result.changed for result in results):
             raise NothingToDo(self.why_nothing_changed(results))
         if self.options.preview:
-            say("\n".join(map(self.what_would_change, results)))
-            report.outcome = "unchanged"
+            self.tell_only("\n".join(map(self.what_would_change, results)))
         else:
             self.take_over()
+            toast(" ".join(what_became(results, self.left_out, self.amount in COUNTED)))
 
-    def title(self, ids):
-        if not self.options.ids:
-            return _("Nothing is selected: all {count} gradient meshes are simplified.").format(
-                count=len(ids)
-            )
+    def tell_only(self, text):
+        """Without a dialog where that can be seen: with a live preview there is one at every change."""
+        if is_seen():
+            toast(text)
+            report.messages.append(text)
+        else:
+            say(text)
+        report.outcome = "unchanged"
+
+    def titles(self, ids):
+        """What the progress window says while each of the meshes is at work."""
         if len(ids) == 1:
-            return _("{id} is simplified.").format(id=ids[0])
-        return _("{count} gradient meshes are simplified.").format(count=len(ids))
+            return [_("Simplifying {id}").format(id=self.called(ids[0]))]
+        text = _("Simplifying {id}, {number} of {count}")
+        titles = [text.format(id=self.called(name), number=n, count=len(ids)) for n, name in enumerate(ids, 1)]
+        if self.options.ids:
+            return titles
+        return [_("Nothing is selected, so all are simplified.") + "\n" + title for title in titles]
 
     @property
     def amount(self):
         """How much, which the first page of the dialog may leave to the second."""
-        return self.options.limit if self.options.amount == "custom" else self.options.amount
+        amount = self.options.limit if self.options.amount == "custom" else self.options.amount
+        return USUAL.get(amount, amount)
 
     @property
     def result(self):
@@ -150,7 +178,7 @@ class Simplify(GradmeshEffect):
         if amount == "epsilon":
             return {"epsilon": options.epsilon, **bound}
         if amount not in COUNTED:
-            return {"amount": USUAL if amount == "usual" else amount}
+            return {"amount": amount}
         count = COUNTED[amount]
         if amount == count:
             return {count: getattr(options, count), **bound}
@@ -166,9 +194,11 @@ class Simplify(GradmeshEffect):
         are_plain = all(result.method == "plain" for result in results)
         stopped = {result.stopped for result in results}
         ends = [end for end in ("budget", "cancelled") if end in stopped]
-        ends.append("target" if self.amount in COUNTED else "epsilon")
+        ends.append("target" if self.amount in COUNTED else "amount" if self.amount in AMOUNTS else "epsilon")
         return (NO_HANDLE_WENT if are_plain else NOTHING_WAS_MERGED)[ends[0]].format(
-            meshes=", ".join(result.id for result in results),
+            meshes=", ".join(self.called(result.id) for result in results),
+            amount=AMOUNTS.get(self.amount),
+            handles=sum(result.handles_after for result in results),
             seconds=self.options.time_budget,
             epsilon=results[0].run["epsilon"],
         )
@@ -196,6 +226,39 @@ class Simplify(GradmeshEffect):
                 error=result.local_error, bound=bound
             )
         return text
+
+
+def what_became(results, left_out, is_counted):
+    """The sentences that a person is told after a run."""
+    changed = [result for result in results if result.changed]
+    numbers = {
+        "id": changed[0].id,
+        "count": len(changed),
+        "handles": sum(result.handles_after for result in changed),
+        "before": sum(result.handles_before for result in changed),
+        "metric": changed[0].run["metric"].upper(),
+        "error": max(result.error for result in changed),
+    }
+    if len(changed) == 1:
+        yield _("{id}: {handles} of {before} handles are left, {metric} {error:.3f}.").format(**numbers)
+    else:
+        text = _("{count} gradient meshes: {handles} of {before} handles are left, {metric} up to {error:.3f}.")
+        yield text.format(**numbers)
+    if is_counted and numbers["error"] > STRONG[changed[0].run["metric"]]:
+        yield MORE_THAN_STRONG
+    if any(result.stopped == "cancelled" for result in results):
+        if len(results) == 1:
+            yield _("It was stopped before the end; Ctrl+Z takes it back.")
+        else:
+            text = _(
+                "Stopped: {count} of {all} meshes are simplified, the last one not to the end; "
+                "Ctrl+Z takes it back."
+            )
+            yield text.format(count=len(changed), all=len(results))
+    elif any(result.stopped == "budget" for result in results):
+        yield _("The time that is allowed under More was over before the end.")
+    if left_out:
+        yield _("{count} locked or hidden meshes were left out.").format(count=left_out)
 
 
 if __name__ == "__main__":

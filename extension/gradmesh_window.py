@@ -20,14 +20,17 @@ REFRESH = 100  # milliseconds
 
 
 class LongWork:
-    """Runs work(progress) in a thread of its own; progress is that of gradmesh.simplify()."""
+    """Runs work(progress) in a thread of its own; progress is that of gradmesh.simplify().
 
-    def __init__(self, title, work):
-        self.title = title
+    titles: what is being done, for each of the meshes.
+    """
+
+    def __init__(self, titles, work):
+        self._titles = titles
         self._work = work
         self._ended = threading.Event()
         self._stop = False
-        self._now = None
+        self._now, self._handles = None, 0
         self._result = self._failure = None
 
     def run(self):
@@ -52,6 +55,7 @@ class LongWork:
 
     def _progress(self, now):
         self._now = now
+        self._handles = now.handles or self._handles
         return not self._stop
 
     @property
@@ -60,15 +64,23 @@ class LongWork:
 
     @property
     def share(self):
-        """How much is done, 0 to 1."""
-        return min(self._now.done / self._now.total, 1) if self._now and self._now.total else 0
+        """How much is done of all meshes, 0 to 1."""
+        now = self._now
+        if not now:
+            return 0
+        return (now.mesh + (min(now.done / now.total, 1) if now.total else 0)) / now.meshes
+
+    @property
+    def title(self):
+        """What is being done now."""
+        return self._titles[self._now.mesh if self._now else 0]
 
     @property
     def words(self):
         if self._stop:
             return _("Stopping: the best so far is kept …")
-        if self._now and self._now.handles:
-            return _("{handles} handles so far").format(handles=self._now.handles)
+        if self._handles:
+            return _("{handles} handles so far").format(handles=self._handles)
         if self._now and self._now.patches:
             return _("{patches} patches so far").format(patches=self._now.patches)
         return _("Preparing …")
@@ -87,7 +99,8 @@ def show(work):
     window.set_default_size(380, -1)
     window.set_resizable(False)
     column = gtk.Box(orientation=gtk.Orientation.VERTICAL, spacing=12, margin=18)
-    column.add(gtk.Label(label=work.title, xalign=0, wrap=True, max_width_chars=48))
+    title = gtk.Label(label=work.title, xalign=0, wrap=True, max_width_chars=48)
+    column.add(title)
     bar = gtk.ProgressBar()
     column.add(bar)
     row = gtk.Box(spacing=12)
@@ -104,6 +117,7 @@ def show(work):
         return True  # closing the window stops the work, which then closes the window
 
     def refresh():
+        title.set_text(work.title)
         bar.set_fraction(work.share)
         words.set_text(work.words)
         if work.ended:

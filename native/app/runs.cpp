@@ -72,6 +72,16 @@ void check_start(const Document& document, const MeshEntry& entry, const Simplif
       document.describe(entry), name(result.mesh.color_model()), error);
 }
 
+/// Returns the watch of the run of one of several meshes.
+StopWatch watch_of(const RunOptions& options, std::size_t mesh, std::size_t meshes) {
+  if (!options.progress) return watch_of(options);
+  return {options.time_budget, [=, tell = options.progress](Progress now) {
+            now.mesh = mesh;
+            now.meshes = meshes;
+            return tell(now);
+          }};
+}
+
 /// What became of the selected meshes, and what of that is to be written.
 struct Simplified {
   std::vector<MeshReport> reports;
@@ -97,7 +107,7 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
     const MeshEntry& entry = entries[i];
     // Its picture is needed no longer than the run.
     const Problem problem = std::move(problems[i]);
-    StopWatch watch = watch_of(options);
+    StopWatch watch = watch_of(options, i, entries.size());
     SimplifyResult result =
         document.naming(entry, [&] { return simplify_as_asked(problem, options.method, watch); });
     check_start(document, entry, result, options);

@@ -286,7 +286,9 @@ ChosenPatches SvgMeshes::rectangle(const std::string& id) const {
   for (const MeshEntry& entry : entries_) {
     if (entry.id != id) continue;
     if (entry.simplified)
-      throw InputError("{0}: it is made of blocks; choose one of them.", describe(entry));
+      throw InputError(
+          "{0}: it is made of blocks; choose one of them, in Inkscape after a double click.",
+          describe(entry));
     return whole(entry);
   }
   return block(id);

@@ -12,6 +12,8 @@ struct Progress {
   double error = 0;
   /// 0 where patches are what a run makes fewer.
   int handles = 0;
+  /// Which of several meshes is at work, from 0, and how many they are.
+  std::size_t mesh = 0, meshes = 1;
 };
 
 /// Called from the thread that started the run; returning false cancels it.

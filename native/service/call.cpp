@@ -16,7 +16,9 @@ ProgressCallback Call::progress() const {
                               {"total", p.total},
                               {"patches", p.patches},
                               {"error", p.error},
-                              {"handles", p.handles}});
+                              {"handles", p.handles},
+                              {"mesh", p.mesh},
+                              {"meshes", p.meshes}});
     return answer.is_null() || answer == true;
   };
 }

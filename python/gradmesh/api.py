@@ -25,6 +25,8 @@ class Progress(NamedTuple):
     patches: int  #: left
     error: float  #: so far
     handles: int  #: left; 0 where patches are what is made fewer
+    mesh: int = 0  #: which of several meshes is at work, from 0
+    meshes: int = 1  #: how many they are
 
 
 #: Called with how far a run is; False cancels the run.

@@ -184,7 +184,7 @@ TEST(SvgObjects, transform_to_document) {
   SvgTree bad = parse_body("\n<g transform='scale('><path id='a' fill='url(#m)'/></g>");
   const auto objects = mesh_objects(bad);
   EXPECT_EQ(complaint([&] { to_document(objects.at(0)); }),
-            "drawing.svg: g in line 2: its transform \"scale(\" is malformed.");
+            "drawing.svg: group in line 2: its transform \"scale(\" is malformed.");
 }
 
 TEST(SvgTree, unreadable_documents_give_the_reason) {
@@ -267,7 +267,7 @@ TEST(SvgTree, entities_are_taken_only_where_harmless) {
             "drawing.svg: svg in line 1: the entity \"a\" is not a short plain text.");
   EXPECT_EQ(
       complaint([&] { first_color("<!ENTITY a \"fill\"><!ENTITY b \"&a;:url(#m)\">", "&b;"); }),
-      "drawing.svg: rect \"a\": the entity \"b\" is not a short plain text.");
+      "drawing.svg: rectangle \"a\": the entity \"b\" is not a short plain text.");
 }
 
 TEST(SvgTree, entity_bomb_is_not_expanded) {

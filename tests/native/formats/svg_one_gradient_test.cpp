@@ -288,7 +288,7 @@ TEST(OneGradient, and_blocks_that_no_reader_would_take_are_not_written) {
     options.resolution = 50;
     EXPECT_EQ(
         test::complaint([&] { simplify(*document, {}, options); }),
-        "far.svg: rect \"r\": its mesh would reach beyond 5e8 user units when it is written.");
+        "far.svg: rectangle \"r\": its mesh would reach beyond 5e8 user units when it is written.");
     EXPECT_EQ(document->bytes(), before);
   }
 }

@@ -388,11 +388,11 @@ TEST(SvgGroup, says_what_is_missing) {
     return complaint([&] { build_mesh(read_mesh_group(document, document.find("p"))); });
   };
   EXPECT_EQ(complaint_of([](xmlNode* g) { remove_node(child_elements(g)[1]); }),
-            "d.svg: g \"p\": one of its blocks is missing: undo what removed it.");
+            "d.svg: group \"p\": one of its blocks is missing: undo what removed it.");
   EXPECT_EQ(complaint_of([](xmlNode* g) { set_own_attribute(child_elements(g)[1], "face", "0"); }),
-            "d.svg: g \"p\": one of its blocks is there twice.");
+            "d.svg: group \"p\": one of its blocks is there twice.");
   EXPECT_EQ(complaint_of([](xmlNode* g) { set_own_attribute(g, "curves", "1 | x"); }),
-            "d.svg: g \"p\": its gradmesh:curves cannot be read.");
+            "d.svg: group \"p\": its gradmesh:curves cannot be read.");
   EXPECT_NE(complaint_of([](xmlNode* g) { set_own_attribute(g, "curves", "1 | 1"); }),
             "nothing was thrown");
   EXPECT_NE(complaint_of([](xmlNode* g) {

@@ -227,7 +227,9 @@ TEST(Helper, asks_how_to_go_on_and_stops_where_the_answer_is_not_true) {
     const auto reply = [&, answer = answer](const Json& question) {
       ++asked;
       EXPECT_EQ(question["ask"], "progress");
-      EXPECT_EQ(question.size(), 6u) << question;
+      EXPECT_EQ(question.size(), 8u) << question;
+      EXPECT_EQ(question["mesh"], 0);
+      EXPECT_EQ(question["meshes"], 1);
       EXPECT_LE(question["done"], question["total"]);
       EXPECT_LE(question["patches"], 36);
       EXPECT_LE(question["handles"], 313);

@@ -99,7 +99,7 @@ def test_the_window_tells_and_stops(run, display, tmp_path, stop, result):
     assert (done.returncode, done.stderr) == (0, "")
 
     running, stopped = json.loads(seen.read_text())
-    assert (running["window"], running["title"]) == ("Gradient Mesh", "photo is simplified.")
+    assert (running["window"], running["title"]) == ("Gradient Mesh", "Simplifying photo")
     left = int(re.fullmatch(rf"(\d+) {what} so far", running["words"])[1])
     assert 0 < left < before and 0 <= running["share"] < 1
     # gqe tells of a mesh that its first search has found before that search is done.

@@ -123,7 +123,7 @@ def test_what_cannot_be_merged_is_told_why(simplified):
     with pytest.raises(gradmesh.InputError) as refused:
         gradmesh.merge(simplified, [first, second], **SMALL)
     assert str(refused.value) == said
-    assert re.fullmatch(r'document: g "pear": these patches cannot become one, because .+\.', said)
+    assert re.fullmatch(r'document: group "pear": these patches cannot become one, because .+\.', said)
     assert simplified.to_bytes() == before
 
 

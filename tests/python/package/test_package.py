@@ -107,8 +107,9 @@ def test_nothing_to_merge_keeps_every_byte():
 def test_progress_is_told(fruit):
     calls = []
     (result,) = gradmesh.simplify(fruit, method="grid", progress=calls.append)
-    assert calls[0]._fields == ("done", "total", "patches", "error", "handles")
-    done, total, patches, errors, handles = zip(*calls)
+    assert calls[0]._fields == ("done", "total", "patches", "error", "handles", "mesh", "meshes")
+    done, total, patches, errors, handles, mesh, meshes = zip(*calls)
+    assert set(mesh) == {0} and set(meshes) == {1}
     assert set(handles) == {0}  # patches are what is made fewer
     assert list(done) == sorted(done) and set(total) == {total[0]} and done[-1] <= total[0]
     assert list(patches) == sorted(patches, reverse=True)
@@ -119,9 +120,16 @@ def test_progress_is_told(fruit):
 def test_handles_are_told_where_they_are_made_fewer(fruit):
     calls = []
     gradmesh.simplify(fruit, resolution=200, progress=calls.append)
-    done, total, _patches, _errors, handles = zip(*calls)
+    done, total, _patches, _errors, handles, *_which = zip(*calls)
     assert set(total) == {660} and [660 - count for count in done] == list(handles)
     assert handles[-1] == fruit.meshes[0].handles < 660
+
+
+def test_which_of_several_meshes_is_at_work_is_told():
+    calls = []
+    gradmesh.simplify(gradmesh.load(SAMPLES / "two.svg"), resolution=100, progress=calls.append)
+    assert [now.mesh for now in calls] == sorted(now.mesh for now in calls)
+    assert {(now.mesh, now.meshes) for now in calls} == {(0, 2), (1, 2)}
 
 
 def test_cancelling_keeps_the_best_so_far(fruit):

@@ -164,7 +164,7 @@ def test_why_blocks_cannot_be_merged_is_german_throughout(run, tmp_path):
     for pair in reasons.values():
         said = refused(run(file, *(f"--id={block}" for block in pair), item="merge", **GERMAN))
         assert re.fullmatch(
-            'apple.svg: g "pear": diese Felder können nicht eines werden, '
+            'apple.svg: Gruppe "pear": diese Felder können nicht eines werden, '
             "(weil sie einander nicht an einer ganzen Seite berühren"
             "|wegen einer Kante zwischen ihnen: (sie|ein|eine|ihre) [^.]*)[.]\n",
             said,

@@ -183,6 +183,8 @@ ChosenBlock find_block(const SvgTree& tree, const std::vector<MeshObject>& objec
                                                     : std::map<const xmlNode*, BlockFaces>();
   const auto found = blocks.find(path);
   const auto object = std::ranges::find(objects, group, &MeshObject::node);
+  if (is_mesh_group(path))
+    fail(path, Message("it is a whole simplified mesh: double-click it, then select its blocks"));
   if (found == blocks.end() || object == objects.end())
     fail(path, Message("it is no block of a simplified mesh"));
   ChosenBlock block{std::size_t(object - objects.begin()), found->second, 0};

@@ -146,8 +146,20 @@ std::string href(const xmlNode* node) {
   return attribute(node, "href", xlink_namespace).value_or("");
 }
 
+namespace {
+
+/// Returns what a person calls an element of this name.
+Message kind_of(std::string_view name) {
+  if (name == "g") return Message("group");
+  if (name == "rect") return Message("rectangle");
+  if (name == "use") return Message("clone");
+  return Message("{0}", std::string(name));
+}
+
+}  // namespace
+
 Message describe(const xmlNode* node) {
-  std::string name(view(node->name));
+  const Message name = kind_of(view(node->name));
   for (const xmlAttr* a : attributes(node))
     if (!a->ns && view(a->name) == "id" && a->children && a->children->type == XML_TEXT_NODE)
       return Message("{0} {1}", name, excerpt(view(a->children->content)));
