@@ -114,7 +114,7 @@ class Simplify(GradmeshEffect):
             self.tell_only("\n".join(map(self.what_would_change, results)))
         else:
             self.take_over()
-            toast(" ".join(what_became(results, self.left_out, self.amount in COUNTED)))
+            toast(" ".join(self.what_became(results)))
 
     def tell_only(self, text):
         """Without a dialog where that can be seen: with a live preview there is one at every change."""
@@ -203,6 +203,38 @@ class Simplify(GradmeshEffect):
             epsilon=results[0].run["epsilon"],
         )
 
+    def what_became(self, results):
+        """The sentences that a person is told after a run."""
+        changed = [result for result in results if result.changed]
+        numbers = {
+            "id": self.called(changed[0].id),
+            "count": len(changed),
+            "handles": sum(result.handles_after for result in changed),
+            "before": sum(result.handles_before for result in changed),
+            "metric": changed[0].run["metric"].upper(),
+            "error": max(result.error for result in changed),
+        }
+        if len(changed) == 1:
+            yield _("{id}: {handles} of {before} handles are left, {metric} {error:.3f}.").format(**numbers)
+        else:
+            text = _("{count} gradient meshes: {handles} of {before} handles are left, {metric} up to {error:.3f}.")
+            yield text.format(**numbers)
+        if self.amount in COUNTED and numbers["error"] > STRONG[changed[0].run["metric"]]:
+            yield MORE_THAN_STRONG
+        if any(result.stopped == "cancelled" for result in results):
+            if len(results) == 1:
+                yield _("It was stopped before the end; Ctrl+Z takes it back.")
+            else:
+                text = _(
+                    "Stopped: {count} of {all} meshes are simplified, the last one not to the end; "
+                    "Ctrl+Z takes it back."
+                )
+                yield text.format(count=len(changed), all=len(results))
+        elif any(result.stopped == "budget" for result in results):
+            yield _("The time that is allowed under More was over before the end.")
+        if self.left_out:
+            yield _("{count} locked or hidden meshes were left out.").format(count=self.left_out)
+
     def what_would_change(self, result):
         text = _(
             "{id}: {handles} of {handles_before} handles and {after} of {before} patches would be left, "
@@ -226,39 +258,6 @@ class Simplify(GradmeshEffect):
                 error=result.local_error, bound=bound
             )
         return text
-
-
-def what_became(results, left_out, is_counted):
-    """The sentences that a person is told after a run."""
-    changed = [result for result in results if result.changed]
-    numbers = {
-        "id": changed[0].id,
-        "count": len(changed),
-        "handles": sum(result.handles_after for result in changed),
-        "before": sum(result.handles_before for result in changed),
-        "metric": changed[0].run["metric"].upper(),
-        "error": max(result.error for result in changed),
-    }
-    if len(changed) == 1:
-        yield _("{id}: {handles} of {before} handles are left, {metric} {error:.3f}.").format(**numbers)
-    else:
-        text = _("{count} gradient meshes: {handles} of {before} handles are left, {metric} up to {error:.3f}.")
-        yield text.format(**numbers)
-    if is_counted and numbers["error"] > STRONG[changed[0].run["metric"]]:
-        yield MORE_THAN_STRONG
-    if any(result.stopped == "cancelled" for result in results):
-        if len(results) == 1:
-            yield _("It was stopped before the end; Ctrl+Z takes it back.")
-        else:
-            text = _(
-                "Stopped: {count} of {all} meshes are simplified, the last one not to the end; "
-                "Ctrl+Z takes it back."
-            )
-            yield text.format(count=len(changed), all=len(results))
-    elif any(result.stopped == "budget" for result in results):
-        yield _("The time that is allowed under More was over before the end.")
-    if left_out:
-        yield _("{count} locked or hidden meshes were left out.").format(count=left_out)
 
 
 if __name__ == "__main__":
