@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "base/clamped_int.h"
+#include "base/per_thread.h"
 #include "fit/samples.h"
 
 namespace gradmesh {
@@ -21,29 +21,40 @@ constexpr double outline_weight = 0.2;
 /// the mesh tool finds the border of the mesh where it was, unless elsewhere it helps what is seen.
 constexpr double hidden_outline_weight = 0.05;
 
-/// A patch at its samples, and its difference from the target there.
+constexpr std::size_t most = std::size_t(most_samples) * most_samples;
+using Row = std::array<double, most>;
+using Map = Eigen::Map<const Eigen::ArrayXd>;
+
+/// A patch at its samples, and its difference from the target there; of each the first `count`
+/// values are set.
 struct Surface {
-  /// One column for each of x, y (pixels), r, g, b, a; one row for each sample.
-  Eigen::MatrixXd at, by_u, by_v;
-  /// By sample: its area in pixels, and how much its difference of colour counts.
-  Eigen::VectorXd area, weight;
-  /// By sample and channel of the picture: the difference, and the slopes over the picture.
-  Eigen::MatrixXd difference, slope_x, slope_y;
-  /// By sample beyond the outline: the weighted way back to it, along a normal.
-  Eigen::MatrixXd normal;
-  Eigen::VectorXd beyond;
+  int count = 0;
+  /// x, y (pixels), r, g, b, a.
+  std::array<Row, 6> at, by_u, by_v;
+  /// The area in pixels, and how much the difference of colour counts.
+  Row area, weight;
+  /// By channel of the picture: the difference, and the slopes over the picture.
+  std::array<Row, 3> difference;
+  std::array<std::array<Row, 3>, 2> slope;
+  /// Beyond the outline: the weighted way back to it, along a normal.
+  std::array<Row, 2> normal;
+  Row beyond;
+
+  Map values(const Row& row) const { return {row.data(), count}; }
 };
 
-Eigen::Matrix<double, 16, 6> control_in_pixels(const Patch& patch, const Frame& frame) {
-  Eigen::Matrix<double, 16, 6> control;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      const Value& v = patch.c[i][j];
-      const bool is_corner = i % 3 == 0 && j % 3 == 0;
-      const glm::dvec2 p =
-          is_corner ? frame.to_pixels.point(v.position) : frame.to_pixels.vector(v.position);
-      control.row(4 * i + j) << p.x, p.y, v.color.r, v.color.g, v.color.b, v.color.a;
-    }
+/// The control vectors of a patch in pixels, by quantity.
+std::array<std::array<double, 16>, 6> control_in_pixels(const Patch& patch, const Frame& frame) {
+  std::array<std::array<double, 16>, 6> control;
+  for (std::size_t k = 0; k < 16; ++k) {
+    const Value& value = patch.c[k / 4][k % 4];
+    const bool is_corner = k / 4 % 3 == 0 && k % 4 % 3 == 0;
+    const glm::dvec2 p =
+        is_corner ? frame.to_pixels.point(value.position) : frame.to_pixels.vector(value.position);
+    control[0][k] = p.x;
+    control[1][k] = p.y;
+    for (int c = 0; c < 4; ++c) control[std::size_t(2 + c)][k] = value.color[c];
+  }
   return control;
 }
 
@@ -60,69 +71,94 @@ int sample_count(const Patch& patch, int side, int opposite, const Frame& frame)
 }
 
 /// Sets the difference, slopes and weight of the i-th sample, from the colours over white.
-void compare(Surface& s, Eigen::Index i, const glm::dvec3& wanted, const Robustness& robustness) {
-  const double a = s.at(i, 5), det = s.by_u(i, 0) * s.by_v(i, 1) - s.by_u(i, 1) * s.by_v(i, 0);
+void compare(Surface& s, std::size_t i, const glm::dvec3& wanted, const Robustness& robustness,
+             bool needs_slopes) {
+  const double a = s.at[5][i];
   double square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double c = s.at(i, 2 + k);
-    s.difference(i, k) = a * c + 1 - a - wanted[k];
-    square += s.difference(i, k) * s.difference(i, k);
-    const double along_u = a * s.by_u(i, 2 + k) + (c - 1) * s.by_u(i, 5);
-    const double along_v = a * s.by_v(i, 2 + k) + (c - 1) * s.by_v(i, 5);
-    s.slope_x(i, k) = (along_u * s.by_v(i, 1) - along_v * s.by_u(i, 1)) / det;
-    s.slope_y(i, k) = (along_v * s.by_u(i, 0) - along_u * s.by_v(i, 0)) / det;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double difference = a * s.at[2 + k][i] + 1 - a - wanted[glm::length_t(k)];
+    s.difference[k][i] = difference;
+    square += difference * difference;
   }
   const double beyond = 1 + square / (robustness.scale * robustness.scale);
   const double power = robustness.power;
-  s.weight(i) = s.area(i) / (power == 1     ? beyond
+  s.weight[i] = s.area[i] / (power == 1     ? beyond
                              : power == 0.5 ? std::sqrt(beyond)
                                             : std::pow(beyond, power));
+  if (!needs_slopes) return;
+  const double share = 1 / (s.by_u[0][i] * s.by_v[1][i] - s.by_u[1][i] * s.by_v[0][i]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double c = s.at[2 + k][i] - 1;
+    const double along_u = a * s.by_u[2 + k][i] + c * s.by_u[5][i];
+    const double along_v = a * s.by_v[2 + k][i] + c * s.by_v[5][i];
+    s.slope[0][k][i] = (along_u * s.by_v[1][i] - along_v * s.by_u[1][i]) * share;
+    s.slope[1][k][i] = (along_v * s.by_u[0][i] - along_u * s.by_v[0][i]) * share;
+  }
 }
 
-void pull_back(Surface& s, Eigen::Index i, const Reference& target) {
-  const glm::dvec2 place(s.at(i, 0), s.at(i, 1));
+void pull_back(Surface& s, std::size_t i, const Reference& target) {
+  const glm::dvec2 place(s.at[0][i], s.at[1][i]);
   const auto outline = target.outline_near(place);
   if (!outline) return;
-  s.weight(i) = s.area(i);
-  s.normal.row(i) << outline_weight * outline->normal.x, outline_weight * outline->normal.y;
-  s.beyond(i) = outline_weight * glm::dot(place - outline->place, outline->normal);
+  s.weight[i] = s.area[i];
+  for (std::size_t d = 0; d < 2; ++d)
+    s.normal[d][i] = outline_weight * outline->normal[glm::length_t(d)];
+  s.beyond[i] = outline_weight * glm::dot(place - outline->place, outline->normal);
 }
 
-Surface sampled(const Patch& patch, const Samples& samples, const Reference& target,
-                const Robustness& robustness) {
+/// Sets the samples to nothing that counts.
+void clear(Surface& s) {
+  const auto set = [&](Row& row) { std::fill_n(row.begin(), s.count, 0.0); };
+  set(s.weight);
+  set(s.beyond);
+  for (Row& row : s.difference) set(row);
+  for (auto& rows : s.slope)
+    for (Row& row : rows) set(row);
+  for (Row& row : s.normal) set(row);
+}
+
+/// Samples a patch; slopes are needed only where something moves.
+void sample(const Patch& patch, const Parts& u, const Parts& v, const Reference& target,
+            const Robustness& robustness, bool needs_slopes, Surface& s) {
   const auto control = control_in_pixels(patch, target.frame());
-  const Eigen::Index n = samples.at.rows();
-  Surface s;
-  s.at = samples.at * control;
-  s.by_u = samples.by_u * control;
-  s.by_v = samples.by_v * control;
-  s.area = ((s.by_u.col(0).array() * s.by_v.col(1).array() -
-             s.by_u.col(1).array() * s.by_v.col(0).array()) /
-            double(n))
-               .abs();
-  s.weight = s.beyond = Eigen::VectorXd::Zero(n);
-  s.difference = s.slope_x = s.slope_y = Eigen::MatrixXd::Zero(n, 3);
-  s.normal = Eigen::MatrixXd::Zero(n, 2);
+  s.count = u.count * v.count;
+  for (std::size_t k = 0; k < 6; ++k) {
+    sum_up(control[k], u.at, u.count, v.at, v.count, s.at[k].data());
+    if (k >= 2 && !needs_slopes) continue;
+    sum_up(control[k], u.along, u.count, v.at, v.count, s.by_u[k].data());
+    sum_up(control[k], u.at, u.count, v.along, v.count, s.by_v[k].data());
+  }
+  clear(s);
   // Where the patch has hardly an area, as at degenerate corners, slopes say nothing.
   constexpr double flat = 1e-6;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double size =
-        s.by_u.row(i).head<2>().squaredNorm() + s.by_v.row(i).head<2>().squaredNorm();
-    if (s.area(i) * double(n) < flat * size) continue;
-    const glm::dvec2 place(s.at(i, 0), s.at(i, 1));
+  for (std::size_t i = 0; i < std::size_t(s.count); ++i) {
+    const double xu = s.by_u[0][i], yu = s.by_u[1][i], xv = s.by_v[0][i], yv = s.by_v[1][i],
+                 size = std::abs(xu * yv - yu * xv);
+    s.area[i] = size / s.count;
+    if (size < flat * (xu * xu + yu * yu + xv * xv + yv * yv)) continue;
+    const glm::dvec2 place(s.at[0][i], s.at[1][i]);
     if (const auto wanted = target.color_at(place))
-      compare(s, i, *wanted, robustness);
+      compare(s, i, *wanted, robustness, needs_slopes);
     else if (!target.is_hidden(place))
       pull_back(s, i, target);
   }
-  return s;
+}
+
+double squares_of(const Surface& s) {
+  double squares = 0;
+  for (std::size_t i = 0; i < std::size_t(s.count); ++i)
+    squares += s.weight[i] *
+               (s.difference[0][i] * s.difference[0][i] + s.difference[1][i] * s.difference[1][i] +
+                s.difference[2][i] * s.difference[2][i] + s.beyond[i] * s.beyond[i]);
+  return squares;
 }
 
 /// Returns what some rows of the Jacobian add to the normal equations, which hold the same
 /// functions of the unknowns, weighted.
-Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::ArrayXd& weight,
-                        const Eigen::MatrixXd& b) {
-  return a.transpose() * weight.matrix().asDiagonal() * b;
+template <class Weight>
+Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Weight& weight, const Eigen::MatrixXd& b) {
+  const Eigen::MatrixXd weighted = b.array().colwise() * weight;
+  return a.transpose().lazyProduct(weighted);
 }
 
 /// The equations of a surface. Columns by blocks: all x, all y, all r, all g, all b.
@@ -144,15 +180,14 @@ class SurfaceEquations {
     result_.rhs = Eigen::VectorXd::Zero(size);
   }
 
-  NormalEquations run(const Surface& s, const Samples& samples) {
-    const Eigen::MatrixXd place = samples.at * influence(places_, &Influence::place);
-    const Eigen::MatrixXd color =
-        s.at.col(5).asDiagonal() * (samples.at * influence(colors_, &Influence::color));
+  NormalEquations run(const Surface& s, const Parts& u, const Parts& v) {
+    result_.squares = squares_of(s);
+    if (places_.empty()) return std::move(result_);
+    const Eigen::MatrixXd place = influence(places_, &Influence::place, u, v);
     add_places(s, place);
-    result_.squares = (s.weight.array() *
-                       (s.difference.rowwise().squaredNorm().array() + s.beyond.array().square()))
-                          .sum();
     if (!colors_.empty()) {
+      Eigen::MatrixXd color = influence(colors_, &Influence::color, u, v);
+      color.array().colwise() *= s.values(s.at[5]);
       add_colors(s, color);
       add_both(s, place, color);
     }
@@ -162,40 +197,46 @@ class SurfaceEquations {
  private:
   using Part = std::array<double, 16> Influence::*;
 
-  static Eigen::MatrixXd influence(const std::vector<const Influence*>& by, Part part) {
-    Eigen::MatrixXd matrix(16, Eigen::Index(by.size()));
+  static Eigen::MatrixXd influence(const std::vector<const Influence*>& by, Part part,
+                                   const Parts& u, const Parts& v) {
+    Eigen::MatrixXd matrix(u.count * v.count, Eigen::Index(by.size()));
     for (Eigen::Index i = 0; i < matrix.cols(); ++i)
-      matrix.col(i) =
-          Eigen::Map<const Eigen::Matrix<double, 16, 1>>((by[std::size_t(i)]->*part).data());
+      sum_up(by[std::size_t(i)]->*part, u.at, u.count, v.at, v.count, matrix.col(i).data());
     return matrix;
   }
 
   void add_places(const Surface& s, const Eigen::MatrixXd& place) {
     const Eigen::Index n = place.cols();
-    const Eigen::ArrayXd w = s.weight.array();
-    const Eigen::MatrixXd* slopes[2] = {&s.slope_x, &s.slope_y};
-    for (int d = 0; d < 2; ++d) {
-      for (int e = 0; e <= d; ++e) {
-        Eigen::ArrayXd weight = w * ((slopes[d]->array() * slopes[e]->array()).rowwise().sum() +
-                                     s.normal.col(d).array() * s.normal.col(e).array());
-        if (d == e) weight += anchor * anchor * s.area.array();
+    const Map w = s.values(s.weight);
+    for (std::size_t d = 0; d < 2; ++d) {
+      const Eigen::Index row = Eigen::Index(d) * n;
+      for (std::size_t e = 0; e <= d; ++e) {
+        const Eigen::Index column = Eigen::Index(e) * n;
+        Eigen::ArrayXd weight = s.values(s.normal[d]) * s.values(s.normal[e]);
+        for (std::size_t k = 0; k < 3; ++k)
+          weight += s.values(s.slope[d][k]) * s.values(s.slope[e][k]);
+        weight *= w;
+        if (d == e) weight += anchor * anchor * s.values(s.area);
         const Eigen::MatrixXd block = product(place, weight, place);
-        result_.matrix.block(d * n, e * n, n, n) = block;
-        result_.matrix.block(e * n, d * n, n, n) = block.transpose();
+        result_.matrix.block(row, column, n, n) = block;
+        result_.matrix.block(column, row, n, n) = block.transpose();
       }
-      const Eigen::ArrayXd off = w * ((slopes[d]->array() * s.difference.array()).rowwise().sum() -
-                                      s.normal.col(d).array() * s.beyond.array());
-      result_.rhs.segment(d * n, n) = place.transpose() * off.matrix();
+      Eigen::ArrayXd off = -s.values(s.normal[d]) * s.values(s.beyond);
+      for (std::size_t k = 0; k < 3; ++k)
+        off += s.values(s.slope[d][k]) * s.values(s.difference[k]);
+      off *= w;
+      result_.rhs.segment(row, n) = place.transpose() * off.matrix();
     }
   }
 
   void add_colors(const Surface& s, const Eigen::MatrixXd& color) {
     const Eigen::Index n = color.cols(), first = 2 * Eigen::Index(places_.size());
-    const Eigen::MatrixXd block = product(color, s.weight.array(), color);
+    const Eigen::MatrixXd block = product(color, s.values(s.weight), color);
     for (int k = 0; k < 3; ++k) {
       result_.matrix.block(first + k * n, first + k * n, n, n) = block;
       result_.rhs.segment(first + k * n, n) =
-          -color.transpose() * (s.weight.array() * s.difference.col(k).array()).matrix();
+          -color.transpose() *
+          (s.values(s.weight) * s.values(s.difference[std::size_t(k)])).matrix();
     }
   }
 
@@ -203,8 +244,9 @@ class SurfaceEquations {
     const Eigen::Index np = place.cols(), nc = color.cols();
     for (int d = 0; d < 2; ++d)
       for (int k = 0; k < 3; ++k) {
-        const Eigen::ArrayXd slope = (d == 0 ? s.slope_x : s.slope_y).col(k).array();
-        const Eigen::MatrixXd block = -product(color, s.weight.array() * slope, place);
+        const Eigen::ArrayXd weight =
+            -s.values(s.weight) * s.values(s.slope[std::size_t(d)][std::size_t(k)]);
+        const Eigen::MatrixXd block = product(color, weight, place);
         result_.matrix.block(2 * np + k * nc, d * np, nc, np) = block;
         result_.matrix.block(d * np, 2 * np + k * nc, np, nc) = block.transpose();
       }
@@ -214,28 +256,27 @@ class SurfaceEquations {
   NormalEquations result_;
 };
 
-/// How much a point of a side moves with each column that holds places: column (that of x) and
-/// share.
+/// How much a point of a side moves with each influence: its number, which is that of its column
+/// of x, and share.
 using SideRow = std::vector<std::pair<int, double>>;
 
-SideRow side_row(const std::vector<Influence>& influences, const Columns& columns,
-                 const std::map<int, int>& local, int side, double t) {
+SideRow side_row(const std::vector<Influence>& influences, int side, double t) {
   const double u = side == 0 ? 0 : side == 1 ? t : side == 2 ? 1 : 1 - t;
   const double v = side == 0 ? t : side == 1 ? 1 : side == 2 ? 1 - t : 0;
   const std::array<double, 16> basis = basis_products(u, v);
   SideRow row;
+  int number = 0;
   for (const Influence& by : influences) {
-    const int column = columns.place[std::size_t(by.unknown)];
     double share = 0;
     for (std::size_t k = 0; k < 16; ++k) share += basis[k] * by.place[k];
-    if (share != 0) row.emplace_back(local.at(column), share);
+    if (share != 0) row.emplace_back(number, share);
+    ++number;
   }
   return row;
 }
 
 /// Adds the distances of a side's points from the target's outline, across the outline.
-void add_outline(const Patch& patch, const std::vector<Influence>& influences,
-                 const Columns& columns, const std::map<int, int>& local, int side,
+void add_outline(const Patch& patch, const std::vector<Influence>& influences, int side,
                  const Reference& target, NormalEquations& equations) {
   const Cubic<glm::dvec2> line = in_pixels(patch.side(side), target.frame());
   const int steps = clamped_int(glm::length(line.p1 - line.p0) / 3, 6, 40);
@@ -250,7 +291,7 @@ void add_outline(const Patch& patch, const std::vector<Influence>& influences,
     const double by_pixel = target.is_hidden(line.at(t)) ? hidden_outline_weight : outline_weight;
     const double weight = by_pixel * by_pixel * glm::length(line.derivative(t)) / steps;
     equations.squares += weight * off * off;
-    const SideRow row = side_row(influences, columns, local, side, t);
+    const SideRow row = side_row(influences, side, t);
     for (const auto& [a, share_a] : row)
       for (int d = 0; d < 2; ++d) {
         equations.rhs(a + d * to_y) -= weight * share_a * normal[d] * off;
@@ -280,16 +321,13 @@ Columns::Columns(int places) : color(std::size_t(places), -1), count(2 * places)
 NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,
                                  const std::array<bool, 4>& is_outline, const Columns& columns,
                                  const Reference& target, const Robustness& robustness) {
-  const Samples& samples = samples_of(sample_count(patch, 1, 3, target.frame()),
-                                      sample_count(patch, 0, 2, target.frame()));
-  NormalEquations equations = SurfaceEquations(influences, columns)
-                                  .run(sampled(patch, samples, target, robustness), samples);
-  std::map<int, int> local;
-  for (int i = 0; i < int(equations.columns.size()); ++i)
-    local[equations.columns[std::size_t(i)]] = i;
+  const Parts& u = parts_of(sample_count(patch, 1, 3, target.frame()));
+  const Parts& v = parts_of(sample_count(patch, 0, 2, target.frame()));
+  Surface& surface = per_thread<Surface>();
+  sample(patch, u, v, target, robustness, !influences.empty(), surface);
+  NormalEquations equations = SurfaceEquations(influences, columns).run(surface, u, v);
   for (int k = 0; k < 4; ++k)
-    if (is_outline[std::size_t(k)])
-      add_outline(patch, influences, columns, local, k, target, equations);
+    if (is_outline[std::size_t(k)]) add_outline(patch, influences, k, target, equations);
   return equations;
 }
 
