@@ -122,6 +122,7 @@ class Simplify(GradmeshEffect):
             toast(text)
             report.messages.append(text)
         else:
+            log(text)
             say(text)
         report.outcome = "unchanged"
 
