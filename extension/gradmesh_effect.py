@@ -14,6 +14,7 @@ import os
 import sys
 import traceback
 from contextlib import contextmanager
+from functools import cached_property
 
 from gradmesh_log import log
 from gradmesh_report import report
@@ -44,8 +45,6 @@ MARK = f"{{{NAMESPACE}}}analysis"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 LOCKED = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}insensitive"
 HREF = "{http://www.w3.org/1999/xlink}href"
-
-
 #: The error that Strong allows, by metric.
 STRONG = {"flip": 0.02, "ssim": 0.01}
 MORE_THAN_STRONG = _("That is more than Strong allows: it will be seen.")
@@ -130,10 +129,7 @@ class _GradmeshDocument(Gradmesh):
         """Says of a selected clone of a mesh how its original is selected."""
         elements = self.elements_by_id()
         for name in self.options.ids:
-            shown = elements[name]
-            while shown is not None and etree.QName(shown).localname == "use":
-                shown = elements.get((shown.get(HREF) or shown.get("href") or "").lstrip("#"))
-            if shown is not elements[name] and shown is not None and shown.get("id") in self.meshes.ids:
+            if original_of(name, elements) in self.meshes.ids:
                 raise AbortExtension(
                     _("{id} is a clone: Shift+D selects its original, which can be changed.").format(id=name)
                 )
@@ -178,12 +174,26 @@ class _GradmeshDocument(Gradmesh):
 
     def called(self, name):
         """What a person calls a mesh: its label, or else its id."""
-        label = self.elements_by_id()[name].get(LABEL)
-        wrote = any(mesh.simplified for mesh in self.meshes.meshes if mesh.id == name)
-        return label if label and not wrote else name
+        return self._labels.get(name) or name
+
+    @cached_property
+    def _labels(self):
+        """Of the meshes as they came, but those labels that gradmesh wrote."""
+        elements = self.elements_by_id()
+        ids = [mesh.id for mesh in self.meshes.meshes if not mesh.simplified]
+        return {name: elements[name].get(LABEL) for name in ids if name in elements}
 
     def elements_by_id(self):
         return {element.get("id"): element for element in self.svg.iter("*")}
+
+
+def original_of(name, elements):
+    """The id of what a clone shows, or a clone of a clone; another's own. Clones in a circle show none."""
+    passed = set()
+    while name in elements and name not in passed and etree.QName(elements[name]).localname == "use":
+        passed.add(name)
+        name = (elements[name].get(HREF) or elements[name].get("href") or "").lstrip("#")
+    return name
 
 
 def is_locked_or_hidden(element):

@@ -31,6 +31,9 @@ COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patc
 #: What covers something.
 SHAPES = {"path", "rect", "circle", "ellipse", "polygon", "polyline"}
 
+AS_SIMPLE_AS_ALLOWED = _(
+    "{meshes}: as simple as {amount} allows, with {handles} handles, so the document stays as it was."
+)
 #: Why nothing changed, by how a run ended: where all meshes were to lose handles, and otherwise.
 NO_HANDLE_WENT = {
     "budget": _(
@@ -44,9 +47,7 @@ NO_HANDLE_WENT = {
         "{meshes}: there is no more than that, or no handle can be taken out, so the document "
         "stays as it was."
     ),
-    "amount": _(
-        "{meshes}: as simple as {amount} allows, with {handles} handles, so the document stays as it was."
-    ),
+    "amount": AS_SIMPLE_AS_ALLOWED,
     "epsilon": _(
         "{meshes}: no handle can be taken out within an error of {epsilon:g}, so the document stays "
         "as it was."
@@ -64,9 +65,7 @@ NOTHING_WAS_MERGED = {
         "{meshes}: there is no more than that, or no patches can be merged, so the document "
         "stays as it was."
     ),
-    "amount": _(
-        "{meshes}: as simple as {amount} allows, with {handles} handles, so the document stays as it was."
-    ),
+    "amount": AS_SIMPLE_AS_ALLOWED,
     "epsilon": _(
         "{meshes}: nothing can be made simpler within an error of {epsilon:g}, so the document "
         "stays as it was."

@@ -41,9 +41,9 @@ STRAIGHT = 1e-3
 COLORS = 256
 # The sample's own page, and what is dragged there.
 PEAR_PAGE, DRAGGED, DRAG = (0, 0, 480, 600), 170 + 360j, 22 - 16j
-# Where in the samples, painted at 200 %, the amounts are seen.
 DETAILS = ["photo", "two", "face"]
 DETAIL_SIDE, ENLARGED = 80, 3
+# Where in the samples, painted at 200 %, the amounts are seen.
 AMOUNTS = [("photo", (420, 370, 780, 670)), ("smooth", (280, 290, 640, 530))]
 
 

@@ -66,6 +66,19 @@ def test_a_clone_names_the_way_to_its_original(run):
         assert refused(run(text, f"--id={clone}")).startswith(f"{clone} is a clone: Shift+D")
 
 
+def test_clones_in_a_circle_end(run):
+    circle = '<use id="u" xlink:href="#v"/><use id="v" href="#u"/><use id="w" href="#w"/></svg>'
+    text = TWO.read_text().replace("</svg>", circle)
+    for clone in "uvw":
+        assert refused(run(text, f"--id={clone}")).startswith("None of the selected objects is painted")
+
+
+def test_a_label_is_the_name(run, tmp_path):
+    names = 'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" inkscape:label="the red cap"'
+    run(TWO.read_text().replace('id="cap"', f'id="cap" {names}'), SMALL, "--id=cap", **ATTENDED)
+    assert "the red cap: " in log(tmp_path)
+
+
 def test_a_second_run_names_the_amount_and_what_is_left(run):
     first = run(SAMPLES / "fruit.svg", SMALL, "--id=pear")
     said = refused(run(first.stdout, SMALL, "--id=pear"))
