@@ -14,22 +14,18 @@ from .api import (
     Progress,
     Result,
     analyze,
-    compare,
     convert,
-    differences,
-    draw,
     info,
     load,
     loads,
     options,
-    render,
-    report,
     save,
     simplify,
 )
 from .core import core as _core_in_use
 from .edits import Edit, Update, join_colors, merge, recolor, refine, to_one_mesh, update
 from .errors import HelperError, InputError
+from .pictures import compare, differences, draw, render, report
 from .publishing import Published, publish
 from .session import Pointed, Session, View
 
