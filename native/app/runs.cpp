@@ -82,6 +82,46 @@ StopWatch watch_of(const RunOptions& options, std::size_t mesh, std::size_t mesh
           }};
 }
 
+/// Simplifies meshes of a document, each one once: drawings are full of copies, and one that lies,
+/// is seen and will be written like another becomes what that has become.
+class Runs {
+ public:
+  explicit Runs(const RunOptions& options) : options_(options) {}
+
+  SimplifyResult result_of(const Problem& problem, StopWatch& watch) {
+    const PriceTableKey key = problem.price_key();
+    for (const Run& run : runs_)
+      if (run.key == key && are_like(run.rules, problem.rules) &&
+          are_like(run.gradient_rules, problem.gradient_rules))
+        return as_copy(run.result);
+    SimplifyResult result = simplify_as_asked(problem, options_.method, watch);
+    if (!watch.is_over()) runs_.push_back({key, problem.rules, problem.gradient_rules, result});
+    return result;
+  }
+
+ private:
+  using Rules = std::shared_ptr<const WritingRules>;
+
+  struct Run {
+    PriceTableKey key;
+    Rules rules, gradient_rules;
+    SimplifyResult result;
+  };
+
+  static bool are_like(const Rules& a, const Rules& b) {
+    return a == b || (a && b && a->are_like(*b));
+  }
+
+  static SimplifyResult as_copy(SimplifyResult result) {
+    result.evaluations = 0;
+    result.seconds = {};
+    return result;
+  }
+
+  const RunOptions& options_;
+  std::vector<Run> runs_;
+};
+
 /// What became of the selected meshes, and what of that is to be written.
 struct Simplified {
   std::vector<MeshReport> reports;
@@ -103,13 +143,13 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
   for (const MeshEntry& entry : entries)
     problems.push_back(problem_of(document, entry, options, files));
   Simplified all;
+  Runs runs(options);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const MeshEntry& entry = entries[i];
     // Its picture is needed no longer than the run.
     const Problem problem = std::move(problems[i]);
     StopWatch watch = watch_of(options, i, entries.size());
-    SimplifyResult result =
-        document.naming(entry, [&] { return simplify_as_asked(problem, options.method, watch); });
+    SimplifyResult result = document.naming(entry, [&] { return runs.result_of(problem, watch); });
     check_start(document, entry, result, options);
     if (result.changed)
       all.changed.push_back({entry,

@@ -31,6 +31,10 @@ class BlockRules : public WritingRules {
     Mesh surface = readable_mesh(block_parts(mesh, blocks));
     return {std::move(surface), std::move(blocks)};
   }
+  bool are_like(const WritingRules& other) const override {
+    const auto* const blocks = dynamic_cast<const BlockRules*>(&other);
+    return blocks && blocks->has_step_ == has_step_;
+  }
   bool may_mask_opacity() const override { return true; }
 
  private:
@@ -44,6 +48,10 @@ class GradientRules : public WritingRules {
   WrittenForm form(const Mesh& mesh, const Frame& frame) const override {
     const BlockForm one = gradient_form(mesh, coons_tolerance(frame), to_gradient_);
     return {readable_mesh(block_parts(mesh, one), to_gradient_)};
+  }
+  bool are_like(const WritingRules& other) const override {
+    const auto* const gradient = dynamic_cast<const GradientRules*>(&other);
+    return gradient && gradient->to_gradient_ == to_gradient_;
   }
 
  private:
