@@ -171,6 +171,12 @@ class Rounds {
   /// written.
   std::optional<Candidate> run() {
     keep();
+    if (!best_) {
+      // What merging has lost of small parts and details no rounds bring back, if a fit does not.
+      fit(steps_at_rest);
+      keep();
+      if (!best_) return std::nullopt;
+    }
     for (bool at_rest = false; !should_stop();) {
       if (round()) {
         fit(1);
