@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "plain/flaws.h"
 #include "plain/grid_fit.h"
 #include "plain/harmful_sides.h"
+#include "plain/line_rises.h"
 #include "plain/side_rises.h"
 #include "plain/steps.h"
 
@@ -98,6 +100,10 @@ class Selection {
   /// Lines that are priced at the same time: fixed, so that the result does not depend on the
   /// number of threads.
   static constexpr std::size_t at_once = 2;
+  /// How many lines are priced to learn how the error rises with the squares, and the share of what
+  /// that lets expect that a line hardly ever stays below.
+  static constexpr std::size_t priced_first = 3;
+  static constexpr double share_of_expected = 0.5;
   /// After so many single sides that were too much, one after the other, no more are tried in a
   /// pass: those that are left change the picture more.
   static constexpr int most_in_a_row = 40;
@@ -148,7 +154,9 @@ class Selection {
       });
       if (proposals_.empty() || proposals_.front().is_too_much) break;
       Proposal& best = proposals_.front();
-      if (best.priced_at != made_ && is_hopeless(best))
+      if (best.step.takes_line() && !lines_are_expected_)
+        expect_lines();
+      else if (best.priced_at != made_ && is_hopeless(best))
         give_up_first();
       else if (best.priced_at != made_)
         price_first();
@@ -164,6 +172,41 @@ class Selection {
     for (const Along along : {Along::rows, Along::columns})
       for (int i = 1; i < (along == Along::rows ? grid().rows() : grid().columns()); ++i)
         if (grid().may_take_out(along, i)) proposals_.push_back({{{}, along, i}, price});
+  }
+
+  /// Prices the lines that are expected to be the cheapest, and gives the others the prices that
+  /// these let expect: so each is priced when its turn comes, and most never.
+  void expect_lines() {
+    lines_are_expected_ = true;
+    std::vector<Step> lines;
+    std::vector<Proposal*> proposals;
+    for (Proposal& c : proposals_) {
+      if (!c.step.takes_line()) continue;
+      lines.push_back(c.step);
+      proposals.push_back(&c);
+    }
+    const std::vector<LineRise> rises = rises_without(grid(), lines, problem_.coarse_reference());
+    std::vector<std::size_t> order(lines.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](std::size_t n) { return rises[n].by_handle(); });
+    const auto first = order.begin(),
+               last = first + std::ptrdiff_t(std::min(priced_first, lines.size()));
+    std::vector<Proposal*> cheapest;
+    std::for_each(first, last, [&](std::size_t n) { cheapest.push_back(proposals[n]); });
+    price(cheapest);
+    // The least found of how error and price rise with what is expected.
+    double of_error = std::numeric_limits<double>::infinity(), of_price = of_error;
+    std::for_each(first, last, [&](std::size_t n) {
+      if (rises[n].root <= 0) return;
+      of_error = std::min(of_error, std::max(0.0, proposals[n]->rise) / rises[n].root);
+      of_price = std::min(of_price, proposals[n]->price / rises[n].by_handle());
+    });
+    if (!std::isfinite(of_error)) return;
+    std::for_each(last, order.end(), [&](std::size_t n) {
+      Proposal& c = *proposals[n];
+      c.rise = share_of_expected * of_error * rises[n].root;
+      c.price = std::max(c.price, share_of_expected * of_price * rises[n].by_handle());
+    });
   }
 
   /// Sees to it that one proposal makes sides straight: of all that may still become so, the
@@ -236,9 +279,13 @@ class Selection {
       if (stale.size() < at_once && c.priced_at != made_ && !c.is_too_much && !is_hopeless(c) &&
           c.step.takes_line() == proposals_.front().step.takes_line())
         stale.push_back(&c);
-    evaluations_ += int(stale.size());
-    parallel_for(stale.size(), [&](std::size_t n) {
-      Proposal& c = *stale[n];
+    price(stale);
+  }
+
+  void price(const std::vector<Proposal*>& proposals) {
+    evaluations_ += int(proposals.size());
+    parallel_for(proposals.size(), [&](std::size_t n) {
+      Proposal& c = *proposals[n];
       c.outcome = after(c.step);
       c.rise = c.outcome->written.error - now_.written.error;
       const double local_rise = std::max(0.0, local_share(*c.outcome) - local_);
@@ -381,7 +428,7 @@ class Selection {
   int made_when_too_much_ = 0;
   int too_much_in_a_row_ = 0;
   int evaluations_ = 0;
-  bool is_over_ = false;
+  bool is_over_ = false, lines_are_expected_ = false;
 };
 
 /// Returns the mesh without the lines that cost next to nothing, such as those that a program put

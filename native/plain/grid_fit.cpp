@@ -55,6 +55,19 @@ class GridFit {
     return now_.squares;
   }
 
+  ExpectedSquares expected() {
+    now_ = equations(grid_);
+    ExpectedSquares result{now_.squares, {}};
+    for (const InfluencedPatch& p : patches_) result.patches.push_back({p.row, p.column});
+    const Eigen::VectorXd whole = step();
+    if (!is_finite_) return result;
+    for (const NormalEquations& part : now_.parts) {
+      const Eigen::VectorXd own = whole(part.columns);
+      result.squares += own.dot(part.matrix * own - 2 * part.rhs);
+    }
+    return result;
+  }
+
   std::size_t unknown_count() const { return unknowns_.columns().place.size(); }
   Eigen::VectorXd step() {
     const Eigen::VectorXd damping =
@@ -155,8 +168,13 @@ class GridFit {
 
 }  // namespace
 
-double patch_squares(const PlainGrid& grid, int row, int column, const Reference& target) {
-  return squares_of(PaintedGrid(grid).patch(row, column), outlines(grid, row, column), target);
+ExpectedSquares expected_squares(PlainGrid grid, const Reference& target,
+                                 const GridPoints& points) {
+  return GridFit(grid, target, points, false).expected();
+}
+
+double patch_squares(const PaintedGrid& grid, int row, int column, const Reference& target) {
+  return squares_of(grid.patch(row, column), outlines(grid.grid(), row, column), target);
 }
 
 double fit_grid(PlainGrid& grid, const Reference& target, int steps, const GridPoints& points) {

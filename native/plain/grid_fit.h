@@ -21,7 +21,24 @@ double fit_grid(PlainGrid& grid, const Reference& target, int steps);
 void fit_grid_and_colors(PlainGrid& grid, const Reference& target, int steps,
                          const GridPoints& points);
 
+/// A patch of a grid.
+struct PatchPlace {
+  int row, column;
+
+  auto operator<=>(const PatchPlace&) const = default;
+};
+
+/// The sum of the squares, as of fit_grid, that is expected to be left of some patches.
+struct ExpectedSquares {
+  double squares = 0;
+  std::vector<PatchPlace> patches;
+};
+
+/// Returns what the first step of fit_grid is expected to leave of the patches that the points
+/// change: it is what the equations say, and nothing is moved.
+ExpectedSquares expected_squares(PlainGrid grid, const Reference& target, const GridPoints& points);
+
 /// Returns the sum of the squares, as of fit_grid, of one patch of the grid as it is.
-double patch_squares(const PlainGrid& grid, int row, int column, const Reference& target);
+double patch_squares(const PaintedGrid& grid, int row, int column, const Reference& target);
 
 }  // namespace gradmesh

@@ -111,6 +111,7 @@ class PaintedGrid {
 
   /// Returns the patch of a row and a column; one with smooth colours in the model `bicubic`.
   Patch patch(int row, int column) const;
+  const PlainGrid& grid() const { return grid_; }
 
  private:
   const PlainGrid& grid_;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
 #include "base/parallel.h"
 #include "form/handles.h"
@@ -9,6 +12,7 @@
 #include "plain/border.h"
 #include "plain/crush.h"
 #include "plain/grid_fit.h"
+#include "plain/line_rises.h"
 #include "problems.h"
 #include "raster/folds.h"
 #include "simplify/simplify.h"
@@ -93,6 +97,38 @@ TEST(GridFit, brings_points_back_that_were_moved) {
     return glm::length(grid.knot(2, 2).position - original.knot(2, 2).position);
   };
   EXPECT_LT(off(fitted), 0.3 * off(moved));
+}
+
+double all_squares(const PlainGrid& grid, const Reference& target) {
+  const PaintedGrid painted(grid);
+  double squares = 0;
+  for (int i = 0; i < grid.rows(); ++i)
+    for (int j = 0; j < grid.columns(); ++j) squares += patch_squares(painted, i, j, target);
+  return squares;
+}
+
+TEST(LineRises, tell_what_fits_find) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Mesh mesh = noisy_grid(6, 5, seed);
+    const Reference target(mesh, fit_frame(mesh, {}, 200), MetricKind::flip);
+    const PlainGrid grid(mesh);
+    std::vector<Step> lines;
+    for (int i = 1; i < 6; ++i) lines.push_back({{}, Along::rows, i});
+    for (int i = 1; i < 5; ++i) lines.push_back({{}, Along::columns, i});
+    const std::vector<LineRise> expected = rises_without(grid, lines, target);
+    std::vector<double> found;
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+      PlainGrid without = grid;
+      make(lines[n], without);
+      EXPECT_EQ(expected[n].saved, grid.handles() - without.handles());
+      fit_grid(without, target, 4, points_near(lines[n], without));
+      found.push_back(std::sqrt(all_squares(without, target) - all_squares(grid, target)));
+      EXPECT_GT(expected[n].root, 0.5 * found[n]) << n;
+      EXPECT_LT(expected[n].root, 1.5 * found[n]) << n;
+    }
+    const auto cheapest = std::ranges::min_element(expected, {}, &LineRise::root);
+    EXPECT_LT(found[std::size_t(cheapest - expected.begin())], 1.2 * std::ranges::min(found));
+  }
 }
 
 TEST(GridFit, leaves_straight_sides_straight_and_colours_alone_and_folds_nothing) {
