@@ -15,6 +15,7 @@ void register_painting();
 void register_cairo();  ///< Defined only where cairo was found.
 void register_metrics();
 void register_merges();
+void register_assembly();
 void register_methods();
 void register_growth();
 void register_pricing();

@@ -104,6 +104,12 @@ GOALS = [
         30,
     ),
     RatioGoal(
+        "equations of one patch, against sample by sample from their definition",
+        "assembly/patch",
+        "assembly/sample-by-sample",
+        4,
+    ),
+    RatioGoal(
         "gqe on Banana, SSIM 0.005, against the authors' program",
         "method/gqe/banana/ssim",
         SKIMAGE,

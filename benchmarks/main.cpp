@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
 #endif
   register_metrics();
   register_merges();
+  register_assembly();
   register_methods();
   register_growth();
   register_pricing();

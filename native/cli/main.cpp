@@ -10,6 +10,10 @@
 
 #include "cli/commands.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace gradmesh {
 namespace {
 
@@ -38,8 +42,19 @@ void check_command(const CLI::App& program, const std::vector<std::string>& argu
                                 "\"; gradmesh --help lists them.");
 }
 
+/// Keeps freed memory for what comes next. Pictures come and go, and to hand the pages of each back
+/// to the system and take them anew costs up to a fifth of the time of a small mesh.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int mebibyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 * mebibyte);
+  mallopt(M_TRIM_THRESHOLD, 64 * mebibyte);
+#endif
+}
+
 template <class Character>
 int run(int argc, Character** argv) {
+  keep_freed_memory();
   CLI::App program(
       "Takes needless handles and patches out of gradient meshes, without visible change.",
       "gradmesh");

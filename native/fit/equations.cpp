@@ -161,7 +161,7 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Weight& weight, const Ei
   return a.transpose().lazyProduct(weighted);
 }
 
-/// The equations of a surface. Columns by blocks: all x, all y, all r, all g, all b.
+/// The equations of a surface, in the columns of columns_of().
 class SurfaceEquations {
  public:
   SurfaceEquations(const std::vector<Influence>& influences, const Columns& columns) {
@@ -169,12 +169,7 @@ class SurfaceEquations {
       places_.push_back(&by);
       if (columns.color[std::size_t(by.unknown)] >= 0) colors_.push_back(&by);
     }
-    for (int d = 0; d < 2; ++d)
-      for (const Influence* by : places_)
-        result_.columns.push_back(columns.place[std::size_t(by->unknown)] + d);
-    for (int k = 0; k < 3; ++k)
-      for (const Influence* by : colors_)
-        result_.columns.push_back(columns.color[std::size_t(by->unknown)] + k);
+    result_.columns = columns_of(influences, columns);
     const auto size = Eigen::Index(result_.columns.size());
     result_.matrix = Eigen::MatrixXd::Zero(size, size);
     result_.rhs = Eigen::VectorXd::Zero(size);
@@ -316,6 +311,18 @@ Columns::Columns(const std::vector<Unknown>& unknowns) {
 
 Columns::Columns(int places) : color(std::size_t(places), -1), count(2 * places) {
   for (int i = 0; i < places; ++i) place.push_back(2 * i);
+}
+
+std::vector<int> columns_of(const std::vector<Influence>& influences, const Columns& columns) {
+  std::vector<int> result;
+  for (int d = 0; d < 2; ++d)
+    for (const Influence& by : influences)
+      result.push_back(columns.place[std::size_t(by.unknown)] + d);
+  for (int k = 0; k < 3; ++k)
+    for (const Influence& by : influences)
+      if (const int first = columns.color[std::size_t(by.unknown)]; first >= 0)
+        result.push_back(first + k);
+  return result;
 }
 
 NormalEquations normal_equations(const Patch& patch, const std::vector<Influence>& influences,

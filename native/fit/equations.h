@@ -37,6 +37,10 @@ struct NormalEquations {
   double squares = 0;
 };
 
+/// Returns the columns of a patch's equations by what changes it: all x, all y, and of those that
+/// move colours all r, all g, all b.
+std::vector<int> columns_of(const std::vector<Influence>& influences, const Columns& columns);
+
 /// Returns the equations of how the picture of a face and that of the target differ, to first order
 /// in the unknowns: by colour at samples over the patch, each weighted by the area around it, and
 /// where sides of the patch are outlines by their distance from the target's outlines. At a fixed
