@@ -69,18 +69,21 @@ class Growing {
   bool is_marked_ = false;
 };
 
+/// Adds the states of a run for each amount, so that what is marked is what the run leaves, and
+/// then what is beyond the strongest: a person who looks for what is too much has to see it.
 void add_plain(const Problem& problem, StopWatch& watch, Growing& curve) {
-  std::vector<Rung> rungs = rungs_of_amounts(problem.metric());
-  // A person who looks for what is too much has to see it.
-  const Bounds strongest = rungs.back().bounds;
-  for (const double times : {2, 4})
-    rungs.push_back(
-        {{times * strongest.epsilon, times * *strongest.local, times * *strongest.detail}});
-  std::vector<Bounds> bounds;
-  for (const Rung& rung : rungs) bounds.push_back(rung.bounds);
-  pass_plain(
-      problem, bounds, watch, [&](const Candidate& written) { curve.add(written); },
-      [&](std::size_t n) { curve.mark(rungs[n].amount); });
+  for (const Rung& rung : rungs_of_amounts(problem.metric())) {
+    std::vector<Bounds> bounds = {rung.bounds};
+    if (rung.amount == all_amounts().back().name)
+      for (const double times : {2, 4})
+        bounds.push_back(
+            {times * rung.bounds.epsilon, times * *rung.bounds.local, times * *rung.bounds.detail});
+    pass_plain(
+        problem, bounds, watch, [&](const Candidate& written) { curve.add(written); },
+        [&](std::size_t n) {
+          if (n == 0) curve.mark(rung.amount);
+        });
+  }
 }
 
 /// Adds a state between any two amounts, too, as those of blocks are few. What is beyond the

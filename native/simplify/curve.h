@@ -31,7 +31,7 @@ const char* name(CurveKind kind);
 /// The states that simplifying passes, from the mesh as it is on, each with fewer handles than the
 /// one before.
 struct Curve {
-  /// The last state that keeps to an amount (all_amounts).
+  /// What a run with an amount (all_amounts) leaves.
   struct Mark {
     std::string amount;
     int state;
@@ -47,7 +47,8 @@ using CurveGrown = std::function<void(const Curve&)>;
 
 /// Returns the curve of a problem, whose own bounds do not count. It ends beyond the strongest
 /// amount, or earlier if the watch says so. A curve of one gradient has each step of `plain` as a
-/// state; one of blocks has what `best` makes of a row of errors. Throws InputError if the mesh
+/// state that leaves fewer handles than those before, of a run for each amount; one of blocks has
+/// what `best` makes of a row of errors. Throws InputError if the mesh
 /// covers no pixel, and for blocks if `best` cannot work on it.
 Curve find_curve(const Problem& problem, CurveKind kind, StopWatch& watch,
                  const CurveGrown& grown = {});

@@ -48,6 +48,18 @@ def test_states_are_written_as_the_command_line_does(tmp_path):
     assert (result.id, result.handles_after) == ("pear", handles[state]) == (pear["id"], pear["handles"])
 
 
+def test_marked_states_are_what_the_amounts_leave(tmp_path):
+    curve, state, amount = tmp_path / "curve.json", tmp_path / "state.svg", tmp_path / "amount.svg"
+    size = ("--resolution", 128)
+    printed("simplify", FRUIT, "--curve", curve, *size)
+    (found,) = json.loads(curve.read_text())["meshes"]
+    assert list(found["marks"]) == ["gentle", "balanced", "strong"]
+    for name, number in found["marks"].items():
+        printed("simplify", FRUIT, "-o", state, "--state", number, *size)
+        printed("simplify", FRUIT, "-o", amount, "--amount", name, *size)
+        assert state.read_bytes() == amount.read_bytes(), name
+
+
 def test_an_edit_is_shown_before_it_is_made_and_taken_back():
     _document, session = opened()
     before = samples(session)
