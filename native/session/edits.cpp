@@ -100,6 +100,13 @@ HandEdit hand_edit_named(const std::string& name) {
   throw std::invalid_argument("edits are merge, rows, columns and both, not '" + name + "'.");
 }
 
+void check_has_own_colors(const Mesh& mesh) {
+  if (mesh.is_smooth())
+    throw InputError(
+        "the colours of this mesh follow those of the neighbours (type=\"bicubic\"), so that only "
+        "whole lines can be taken out.");
+}
+
 std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh) {
   const Rectangle grid = find_grid(mesh).value();
   std::vector<std::vector<Halfedge>> lines;
@@ -121,6 +128,7 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
     if (fits) fit_grid_and_colors(plain, *problem.reference(), fit_steps, points_near(step, plain));
     return {build_derived_mesh(plain.parts()), curves_along(mesh, grid, step.along, step.line), {}};
   }
+  check_has_own_colors(mesh);
   const GridPlace place = place_of(mesh, grid, pointed.face);
   Mesh cut = mesh;
   Journal journal(cut);
@@ -146,6 +154,7 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
 }
 
 MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
+  check_has_own_colors(mesh);
   if (edit == HandEdit::merge) {
     const Halfedge side = mesh.curve_side(edge_of(pointed));
     std::vector<Face> faces;
@@ -169,6 +178,7 @@ MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
 }
 
 MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
+  check_has_own_colors(mesh);
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (faces.size() < 2) throw InputError("that is one patch already; choose two or more.");

@@ -157,6 +157,40 @@ def test_what_cannot_be_is_refused():
     assert not any(mesh.simplified for mesh in document.meshes)
 
 
+@pytest.mark.parametrize(
+    "edit",
+    [
+        lambda session: session.set_form("blocks"),
+        lambda session: session.merge([0, 1]),
+        lambda session: session.protect([9999]),
+        lambda session: session.protect_others([-1]),
+        lambda session: session.merge([0, 9999]),
+        lambda session: session.find_out("regions", patch=9999),
+        lambda session: session.paint(VIEW, marked=[9999]),
+    ],
+)
+def test_what_a_smooth_mesh_or_no_mesh_allows_is_refused(edit):
+    _document, session = opened(SAMPLES / "smooth.svg")
+    before = dict(session.status)
+    with pytest.raises(gradmesh.InputError, match="follow those of the neighbours|no patch (9999|-1)") as why:
+        edit(session)
+    assert str(why.value).count(". ") == 0 and str(why.value).endswith(".")
+    now = session.refresh()
+    assert {name: now[name] for name in before} == before
+    assert before["unchanged"] and before["form"] == "one gradient"
+
+
+def test_lines_of_a_smooth_mesh_only_go():
+    _document, session = opened(SAMPLES / "smooth.svg")
+    left, top, right, bottom = session.box
+    view = gradmesh.View(200, 200, (left + right) / 2, (top + bottom) / 2, 150 / max(right - left, bottom - top))
+    for edit in ("rows", "columns", "both"):
+        assert "follow those of the neighbours" in str(session.point(view, 100, 100, edit).why_not)
+    lines = session.status["patches"]
+    assert session.point(view, 100, 100, "merge", reach=100).patches < lines
+    assert session.make()["patches"] < lines and session.undo()["unchanged"]
+
+
 SHAPE = '<{} id="eye" fill="none"/>'
 
 
