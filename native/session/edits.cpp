@@ -10,6 +10,8 @@
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
+#include "methods/method.h"
+#include "methods/plain.h"
 #include "ops/merge/merge_faces.h"
 #include "ops/split/split_line.h"
 #include "ops/split/split_patch.h"
@@ -70,6 +72,12 @@ std::vector<Halfedge> curves_along(const Mesh& mesh, const Rectangle& grid, Alon
   return curves;
 }
 
+/// Throws InputError if the mesh is more than a grid of points and handles holds.
+PlainGrid plain_grid(const Mesh& mesh) {
+  if (const auto why = method_named(plain_method).why_not(mesh)) throw InputError(*why);
+  return PlainGrid(mesh);
+}
+
 /// Returns the curves of a mesh that is split further which the mesh before does not have.
 std::vector<Halfedge> new_curves(const Mesh& before, const Mesh& after) {
   std::vector<Cubic<Value>> known;
@@ -121,7 +129,7 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
   const Rectangle grid = find_grid(mesh).value();
   if (edit == HandEdit::merge) {
     const Step step = step_without(mesh, grid, edge_of(pointed));
-    PlainGrid plain(mesh);
+    PlainGrid plain = plain_grid(mesh);
     if (!plain.may_take_out(step.along, step.line))
       throw InputError("a patch beside this line is protected.");
     make(step, plain);
@@ -207,7 +215,7 @@ MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
 Mesh fitted(const Mesh& mesh, bool is_gradient, const std::vector<Face>& faces,
             const Problem& problem) {
   if (is_gradient) {
-    PlainGrid grid(mesh);
+    PlainGrid grid = plain_grid(mesh);
     fit_grid_and_colors(grid, *problem.reference(), steps_of_the_whole, GridPoints::all(grid));
     return build_derived_mesh(grid.parts());
   }
