@@ -205,14 +205,16 @@ def test_shapes_protect_what_they_cover(tmp_path):
     report = tmp_path / "report.json"
     handles = {}
     for protect in ((), ("--protect", "eye")):
-        printed("simplify", svg, "-o", out, "--report", report, "--resolution", 64, *protect)
+        said = printed("simplify", svg, "-o", out, "--report", report, "--resolution", 64, *protect)
         (pear,) = json.loads(report.read_text())["meshes"]
-        assert bool(pear["protected_patches"]) == bool(protect)
+        assert bool(pear["protected_patches"]) == bool(protect) == (" protected, " in said)
         handles[protect] = pear["handles_after"]
     assert handles[()] < handles["--protect", "eye"] < pear["handles_before"]
 
     document = gradmesh.load(svg)
     (result,) = gradmesh.simplify(document, resolution=64, protect=["eye"])
+    assert f", {result.protected_patches} patches protected, " in said
+    assert result.protected_patches == pear["protected_patches"] > 1
     assert result.handles_after == pear["handles_after"] and document.to_bytes() == out.read_bytes()
     assert gradmesh.Session(gradmesh.load(svg), "pear", protect=["eye"]).status["protected"]
 
