@@ -268,7 +268,7 @@ void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& origin
       write_mesh_gradient(changing(), object(m.entry), m.written.mesh, tolerance, &by_origin);
   if (original.empty()) return;
   if (!must_fit || text().size() + original.size() + names <= before)
-    remember_original(changing(), written, tolerance, original);
+    remember_original(changing(), written, m.written.mesh, tolerance, original);
 }
 
 ChosenPatches SvgMeshes::block(const std::string& id) const {
@@ -347,7 +347,7 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
     const std::string original = remembered_original(entry) ? *memory_of(object(entry)) : "";
     const MeshObject shape = restore_shape(changing(), object(entry));
     const MeshObject one = write_mesh_gradient(svg_, shape, meshes[i].second, tolerances[i]);
-    if (!original.empty()) remember_original(svg_, one, tolerances[i], original);
+    if (!original.empty()) remember_original(svg_, one, meshes[i].second, tolerances[i], original);
   }
   list_meshes(written);
   mark_changed();

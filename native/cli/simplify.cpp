@@ -51,6 +51,8 @@ void print_results(const std::vector<MeshReport>& reports, const RunOptions& opt
     if (refused) continue;
     std::printf("%s: %d of %d handles, %d of %d patches left, ", id.c_str(), r.handles_after,
                 r.handles_before, r.patches_after, r.patches_before);
+    if (const int kept = r.mesh.fixed_face_count())
+      std::printf("%d %s protected, ", kept, kept == 1 ? "patch" : "patches");
     if (r.objects > 1) std::printf("%d objects, ", r.objects);
     std::printf("%s %.5f, ", label(options.metric), r.error);
     if (options.max_local_error) std::printf("in small parts up to %.5f, ", r.local_error);

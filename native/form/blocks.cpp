@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "form/block_outline.h"
+#include "form/handles.h"
+#include "form/rounding.h"
 
 namespace gradmesh {
 namespace {
@@ -277,6 +279,61 @@ class BlockFinder {
   int search_ = 0;
 };
 
+/// Returns true if the side of a patch is one of a patch that must stay as it is.
+bool is_beside_fixed(const Mesh& mesh, Halfedge side) {
+  if (mesh.is_fixed(mesh.face(side))) return true;
+  const Halfedge other = mesh.other_side(side);
+  return other.valid() && std::ranges::any_of(mesh.leaves(other), [&](Halfedge leaf) {
+           return mesh.is_fixed(mesh.face(leaf));
+         });
+}
+
+/// Returns the coordinates with which the patches that must stay as they are are written.
+std::vector<double> fixed_coordinates(const Mesh& mesh, const Affine& to_written, double exact) {
+  std::vector<double> coordinates;
+  const auto add = [&](glm::dvec2 p) { coordinates.insert(coordinates.end(), {p.x, p.y}); };
+  for (const Face f : mesh.faces()) {
+    if (!mesh.is_fixed(f)) continue;
+    const Patch patch = mesh.patch(f);
+    for (int k = 0; k < 4; ++k) {
+      const Cubic<Value> side = patch.side(k);
+      add(to_written.point(side.p0.position));
+      if (is_straight(side, exact)) continue;
+      add(to_written.point(side.bezier1().position));
+      add(to_written.point(side.bezier2().position));
+    }
+    if (!needs_tensor(patch, exact)) continue;
+    const BezierNet net = bezier_net(patch);
+    for (const int i : {1, 2})
+      for (const int j : {1, 2})
+        add(to_written.vector(net[i][j].position - net[i == 1 ? 0 : 3][j == 1 ? 0 : 3].position));
+  }
+  return coordinates;
+}
+
+/// Returns the precision with a step of which the coordinates of what must stay as it is are
+/// multiples; without one if they are of none.
+Precision keeping_fixed(const Mesh& mesh, Precision precision) {
+  if (!mesh.has_fixed_faces()) return precision;
+  precision.last_bits = last_bits_of(mesh);
+  if (precision.step == 0) return precision;
+  const std::vector<double> coordinates =
+      fixed_coordinates(mesh, precision.to_written, precision.last_bits);
+  double largest = 0;
+  for (const double x : coordinates) largest = std::max(largest, std::abs(x));
+  const double exact = share_of_last_bits * largest;
+  const auto is_kept = [&](double step) {
+    return std::ranges::all_of(
+        coordinates, [&](double x) { return std::abs(x - round_to_step(x, step)) <= exact; });
+  };
+  // Of a step that is not much more than the last bits any number is a multiple.
+  for (int decimals = int(std::lround(-std::log10(precision.step)));; ++decimals) {
+    precision.step = decimal_step(power_of_ten(-decimals));
+    if (precision.step < 10 * exact) precision.step = 0;
+    if (precision.step == 0 || is_kept(precision.step)) return precision;
+  }
+}
+
 bool is_opaque(double opacity) { return std::round(255 * opacity) == 255; }
 
 /// Returns true if the side of a patch is opaque from end to end, or fully transparent.
@@ -320,7 +377,7 @@ BlockForm block_form(const Mesh& mesh, double coons_tolerance,
   BlockForm form;
   form.blocks = order.sorted(BlockFinder(mesh, order).run());
   constexpr double share = 0.1;
-  form.precision = precision_for(coons_tolerance, share);
+  form.precision = keeping_fixed(mesh, precision_for(coons_tolerance, share));
   form.masks_opacity = needs_mask(mesh, form.blocks, overlaps);
   return form;
 }
@@ -342,7 +399,23 @@ Precision gradient_precision(double coons_tolerance, const Affine& to_gradient) 
 }
 
 BlockForm gradient_form(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient) {
-  return {{find_grid(mesh).value()}, gradient_precision(coons_tolerance, to_gradient)};
+  return {{find_grid(mesh).value()},
+          keeping_fixed(mesh, gradient_precision(coons_tolerance, to_gradient))};
+}
+
+PatchTolerance patch_tolerance(const Mesh& mesh, Halfedge top, const Precision& precision) {
+  PatchTolerance tolerance = patch_tolerance(precision);
+  if (precision.last_bits == 0) return tolerance;
+  if (mesh.is_fixed(mesh.face(top))) tolerance.coons = precision.last_bits;
+  const auto sides = mesh.sides(top);
+  for (std::size_t k = 0; k < 4; ++k)
+    if (is_beside_fixed(mesh, sides[k])) tolerance.straight[k] = precision.last_bits;
+  return tolerance;
+}
+
+Patch written_patch(const Mesh& mesh, Halfedge top, const BlockForm& form) {
+  return written_patch(mesh.patch(top), form.precision, patch_tolerance(mesh, top, form.precision),
+                       form.masks_opacity);
 }
 
 MeshParts block_parts(const Mesh& mesh, const BlockForm& form) {
@@ -353,7 +426,7 @@ MeshParts block_parts(const Mesh& mesh, const BlockForm& form) {
     for (const Halfedge top : block.tops) {
       for (int side = 0; side < 4; ++side)
         numbers[mesh.sides(top)[side]] = 4 * int(parts.patches.size()) + side;
-      parts.patches.push_back(written_patch(mesh.patch(top), form.precision, form.masks_opacity));
+      parts.patches.push_back(written_patch(mesh, top, form));
     }
   const auto side_parts = [&](Halfedge side) {
     CurveSide result;

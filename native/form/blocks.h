@@ -25,7 +25,8 @@ struct BlockForm {
 /// where blocks lie over one another both are seen: so opacities are in a mask unless no such place
 /// is translucent. Coordinates have a step that moves no point by more than a tenth of
 /// `coons_tolerance`: how a curve runs that has T-junctions is read from its parts, which are off
-/// by several times as much.
+/// by several times as much. They have a finer one, or none, where that keeps what must stay as it
+/// is (Mesh::is_fixed) to the last digit.
 BlockForm block_form(const Mesh& mesh, double coons_tolerance,
                      const std::vector<Overlap>& overlaps = {});
 
@@ -37,10 +38,17 @@ inline constexpr double rounding_of_colors = 1.001 / 255;
 bool has_one_color_at_each_point(const Mesh& mesh, double tolerance = rounding_of_colors);
 
 /// Returns the form of a grid (find_grid) as one mesh gradient, in the coordinates to which
-/// `to_gradient` maps. They have a step that moves no point by more than `coons_tolerance`.
+/// `to_gradient` maps. They have a step that moves no point by more than `coons_tolerance`, and a
+/// finer one, or none, as block_form() says.
 BlockForm gradient_form(const Mesh& mesh, double coons_tolerance, const Affine& to_gradient);
-/// Returns the precision of that form.
+/// Returns the precision of that form where nothing must stay as it is.
 Precision gradient_precision(double coons_tolerance, const Affine& to_gradient);
+
+/// Returns the tolerance of the patch with this top: the last bits for the patch where it must stay
+/// as it is, and for a side that is one of such a patch as well.
+PatchTolerance patch_tolerance(const Mesh& mesh, Halfedge top, const Precision& precision);
+/// Returns the patch with this top as a reader finds it.
+Patch written_patch(const Mesh& mesh, Halfedge top, const BlockForm& form);
 
 /// Returns the mesh as a reader finds it that is written in this form, in its own coordinates:
 /// patches as they will be written, in the order in which they will be painted, and all curves.

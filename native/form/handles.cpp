@@ -1,9 +1,11 @@
 #include "form/handles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "form/rounding.h"
 #include "form/written_patch.h"
 #include "geom/box.h"
 
@@ -25,6 +27,14 @@ double rounding_of(const Box& box) {
 }  // namespace
 
 double rounding_of(const Mesh& mesh) { return rounding_of(box_of(mesh)); }
+
+double last_bits_of(const Mesh& mesh) {
+  double largest = 0;
+  for (const Point p : mesh.points())
+    for (const double x : {mesh.position(p).x, mesh.position(p).y})
+      largest = std::max(largest, std::abs(x));
+  return share_of_last_bits * largest;
+}
 
 bool is_straight(const Cubic<Value>& curve, double tolerance) {
   const glm::dvec2 chord = curve.p1.position - curve.p0.position;

@@ -14,6 +14,10 @@ int count_handles(const Mesh& surface);
 /// a mesh are roundings.
 double rounding_of(const Mesh& mesh);
 
+/// Returns the distance below which positions of a mesh differ by the last bits of numbers alone:
+/// what must stay as it is (Mesh::is_fixed) may differ by no more.
+double last_bits_of(const Mesh& mesh);
+
 /// Returns true if a curve has its inner control points at the thirds of its chord, to within
 /// `tolerance` in the unit of the positions: it can then be written as a line, which has no
 /// handles.

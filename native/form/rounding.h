@@ -17,11 +17,14 @@ inline double decimal_step(double most) {
   return most < least ? 0 : power_of_ten(clamped_int(std::floor(std::log10(most) + 1e-9), -400, 0));
 }
 
+/// The share of the largest coordinate by which computed coordinates may be off.
+inline constexpr double share_of_last_bits = 1e-12;
+
 /// Returns the multiple of a decimal step that is nearest; upwards where two are, up to the last
 /// bits of the number: patches that share a point may differ in these.
 inline double round_to_step(double value, double step) {
-  constexpr double last_bits = 1e-4;
-  return std::floor(value / step + 0.5 + last_bits) * step;
+  constexpr double upwards = 1e-4;
+  return std::floor(value / step + 0.5 + upwards) * step;
 }
 inline glm::dvec2 round_to_step(glm::dvec2 p, double step) {
   return {round_to_step(p.x, step), round_to_step(p.y, step)};

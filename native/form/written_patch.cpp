@@ -28,8 +28,7 @@ double distance_from_coons(const BezierNet& net) {
 }
 
 /// Returns the patch with all coordinates rounded to the step, straight sides as lines.
-Patch rounded(const Patch& patch, const Precision& precision) {
-  const double tolerance = precision.coons_tolerance;
+Patch rounded(const Patch& patch, const Precision& precision, const PatchTolerance& tolerance) {
   const Affine& to_written = precision.to_written;
   const auto round = [&](glm::dvec2 p) { return round_to_step(p, precision.step); };
   std::array<Cubic<Value>, 4> sides;
@@ -41,13 +40,13 @@ Patch rounded(const Patch& patch, const Precision& precision) {
     written.p0.position = from;
     written.p1.position = to;
     written.m0.position = written.m1.position = to - from;
-    if (is_straight(side, straight_tolerance(tolerance))) continue;
+    if (is_straight(side, tolerance.straight[std::size_t(k)])) continue;
     written.m0.position = 3.0 * (round(to_written.point(side.bezier1().position)) - from);
     written.m1.position = 3.0 * (to - round(to_written.point(side.bezier2().position)));
   }
   Patch result = patch_from_sides(sides, {});
   make_coons(result);
-  if (needs_tensor(patch, tolerance)) {
+  if (needs_tensor(patch, tolerance.coons)) {
     Patch placed = patch;
     transform(placed, to_written);
     const BezierNet wanted = bezier_net(placed);
@@ -121,12 +120,19 @@ Precision precision_for(double coons_tolerance, double share, const Affine& to_w
   const glm::dmat2 back = to_written.inverse().linear;
   const double most = 2 * share * coons_tolerance;
   return {coons_tolerance, to_written,
-          decimal_step(most / std::hypot(glm::length(back[0]), glm::length(back[1])))};
+          decimal_step(most / std::hypot(glm::length(back[0]), glm::length(back[1]))), 0};
 }
 
-Patch written_patch(const Patch& patch, const Precision& precision, bool masked_opacity) {
-  const Patch written = as_written(patch, precision.coons_tolerance, masked_opacity);
-  return precision.step > 0 ? rounded(written, precision) : written;
+PatchTolerance patch_tolerance(const Precision& precision) {
+  PatchTolerance tolerance{precision.coons_tolerance};
+  tolerance.straight.fill(straight_tolerance(precision.coons_tolerance));
+  return tolerance;
+}
+
+Patch written_patch(const Patch& patch, const Precision& precision, const PatchTolerance& tolerance,
+                    bool masked_opacity) {
+  const Patch written = as_written(patch, tolerance.coons, masked_opacity);
+  return precision.step > 0 ? rounded(written, precision, tolerance) : written;
 }
 
 }  // namespace gradmesh

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "geom/patch.h"
 
 namespace gradmesh {
@@ -28,15 +30,33 @@ struct Precision {
   /// The decimal step of which the coordinates that are written are multiples (form/rounding.h); 0
   /// where significant digits are shorter.
   double step = 0;
+  /// How far what must stay as it is (Mesh::is_fixed) may be from what is written, in the unit of
+  /// the mesh's positions (form/handles.h); 0 where nothing must.
+  double last_bits = 0;
 };
 
 /// Returns the precision with the largest step that moves no point of the mesh by more than `share`
 /// of the tolerance.
 Precision precision_for(double coons_tolerance, double share, const Affine& to_written = {});
 
+/// How far a patch may be from what is written in its place, in the unit of the mesh's positions.
+struct PatchTolerance {
+  /// As Precision::coons_tolerance.
+  double coons = 0;
+  /// As straight_tolerance(), for each side.
+  std::array<double, 4> straight = {};
+};
+/// Returns the tolerance of a patch of which nothing must stay as it is.
+PatchTolerance patch_tolerance(const Precision& precision);
+
 /// Returns the patch as a reader finds it where it is written as of as_written() and with this
 /// precision: straight sides as lines, and `tensor` as offsets from corners.
-Patch written_patch(const Patch& patch, const Precision& precision, bool masked_opacity = false);
+Patch written_patch(const Patch& patch, const Precision& precision, const PatchTolerance& tolerance,
+                    bool masked_opacity = false);
+inline Patch written_patch(const Patch& patch, const Precision& precision,
+                           bool masked_opacity = false) {
+  return written_patch(patch, precision, patch_tolerance(precision), masked_opacity);
+}
 
 /// Returns the colour of 8 bits a channel whose luminance in a mask is nearest to an opacity, and
 /// of those the nearest to grey. Steps of a single channel are finer than those of greys, so the

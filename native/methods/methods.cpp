@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "fit/plainness.h"
+#include "form/handles.h"
+#include "form/written_patch.h"
 #include "mesh/rectangle.h"
 #include "methods/best.h"
 #include "methods/gqe.h"
@@ -69,9 +70,9 @@ std::optional<Message> needs_plain_grid(const Mesh& mesh) {
     return Message("its colours are bicubic, which a plain mesh gradient cannot hold.");
   if (!find_grid(mesh)) return Message("it is not one rectangle of patches without T-junctions.");
   if (mesh.has_fixed_faces()) {
-    const Plainness plain(mesh);
+    const double exact = last_bits_of(mesh);
     for (const Face f : mesh.faces())
-      if (mesh.is_fixed(f) && !plain.is_coons(f))
+      if (mesh.is_fixed(f) && needs_tensor(mesh.patch(f), exact))
         return Message(
             "a protected patch has handles inside, which a plain mesh gradient cannot hold.");
   }

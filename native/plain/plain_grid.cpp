@@ -52,19 +52,26 @@ PlainGrid::PlainGrid(const Mesh& mesh) : has_smooth_colors_(mesh.is_smooth()) {
   knots_.resize(std::size_t((rows_ + 1) * (columns_ + 1)));
   for (auto& bends : bends_) bends.resize(knots_.size());
   fixed_.assign(knots_.size(), false);
+  for (int i = 0; i < rows_; ++i)
+    for (int j = 0; j < columns_; ++j)
+      fixed_[index(i, j)] = mesh.is_fixed(mesh.face(grid.top(i, j)));
+  // The sides of what must stay as it is keep handles that are all but on a line.
+  const double exact = last_bits_of(mesh);
+  const auto within = [&](Along along, int i, int j) {
+    return is_fixed_side(along, i, j) ? exact : rounding;
+  };
   for (int i = rows_; i-- > 0;)
     for (int j = columns_; j-- > 0;) {
       const Halfedge top = grid.top(i, j);
-      fixed_[index(i, j)] = mesh.is_fixed(mesh.face(top));
       std::array<Cubic<Value>, 4> sides;
       for (int k = 0; k < 4; ++k) sides[k] = mesh.side_of(mesh.sides(top)[k]);
       const int row[] = {i, i, i + 1, i + 1}, column[] = {j, j + 1, j + 1, j};
       for (int k = 0; k < 4; ++k)
         knot(row[k], column[k]) = {sides[k].p0.position, sides[k].p0.color};
-      bend(Along::rows, i, j) = bend_of(sides[0], rounding);
-      bend(Along::columns, i, j + 1) = bend_of(sides[1], rounding);
-      bend(Along::rows, i + 1, j) = bend_of(sides[2].reversed(), rounding);
-      bend(Along::columns, i, j) = bend_of(sides[3].reversed(), rounding);
+      bend(Along::rows, i, j) = bend_of(sides[0], within(Along::rows, i, j));
+      bend(Along::columns, i, j + 1) = bend_of(sides[1], within(Along::columns, i, j + 1));
+      bend(Along::rows, i + 1, j) = bend_of(sides[2].reversed(), within(Along::rows, i + 1, j));
+      bend(Along::columns, i, j) = bend_of(sides[3].reversed(), within(Along::columns, i, j));
     }
   for (const Along along : {Along::rows, Along::columns}) {
     smooth_[int(along)].assign(knots_.size(), false);

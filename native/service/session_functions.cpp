@@ -41,17 +41,15 @@ Affine to_pixels(const Call& call) {
          Affine::translation(-middle) * editing(call).view;
 }
 
-/// Returns the patch of that number; an invalid one where there is none.
-Face face_of(int number, const Mesh& mesh) {
-  const bool is_there = number >= 0 && std::size_t(number) < mesh.face_slots();
-  return is_there && mesh[Face{number}].alive ? Face{number} : Face{};
+/// Returns the patches of the mesh that is shown whose numbers are an argument.
+std::vector<Face> faces(const Call& call, const std::string& name) {
+  return session(call).faces_numbered(call.get<std::vector<int>>(name, {}));
 }
 
-std::vector<Face> faces(const Call& call, const std::string& name, const Mesh& mesh) {
-  std::vector<Face> faces;
-  for (const int number : call.get<std::vector<int>>(name, {}))
-    if (const Face face = face_of(number, mesh); face.valid()) faces.push_back(face);
-  return faces;
+/// Returns the patch whose number is the argument `patch`; an invalid one if there is no argument.
+Face one_face(const Call& call) {
+  const auto number = call.get<std::optional<int>>("patch");
+  return number ? session(call).faces_numbered({*number}).front() : Face{};
 }
 
 /// Returns the places of a closed line, whose argument is x, y, x, y, ... in pixels.
@@ -136,9 +134,8 @@ Json parts_json(const Analysis& analysis) {
   return {{"parts", analysis.parts.parts.size()}, {"limit", analysis.limit}};
 }
 
-Json regions_json(const Analysis& analysis, const Call& call, const Mesh& mesh) {
+Json regions_json(const Analysis& analysis, const Call& call, Face patch) {
   Json json{{"regions", 0}, {"region", nullptr}};
-  const Face patch = face_of(call.get("patch", -1), mesh);
   if (!patch.valid()) return json;
   const std::vector<RegionPrice> regions = largest_regions(analysis, patch);
   const int number = call.get("region", 0);
@@ -231,13 +228,13 @@ Json make_edit(const Call& call) {
 Json merge_marked(const Call& call) {
   Session& s = session(call);
   s.set_fits(call.get("fits", true));
-  s.merge(faces(call, "patches", s.now().mesh));
+  s.merge(faces(call, "patches"));
   return status_json(editing(call));
 }
 
 Json protect_marked(const Call& call) {
   Session& s = session(call);
-  const std::vector<Face> patches = faces(call, "patches", s.now().mesh);
+  const std::vector<Face> patches = faces(call, "patches");
   if (call.get("others", false))
     s.protect_others(patches);
   else
@@ -258,6 +255,7 @@ Json find_out(const Call& call) {
   Session& s = session(call);
   s.set_fits(call.get("fits", true));
   const AnalysisKind kind = analysis_named(call.get<std::string>("kind"));
+  const Face patch = one_face(call);
   s.analyses().want(kind);
   if (call.get("wait", false)) s.analyses().wait();
   const std::shared_ptr<const Analysis> found = s.analysis(kind);
@@ -266,7 +264,7 @@ Json find_out(const Call& call) {
   if (!found) return json;
   if (kind == AnalysisKind::prices) json.update(prices_json(*found));
   if (kind == AnalysisKind::parts) json.update(parts_json(*found));
-  if (kind == AnalysisKind::regions) json.update(regions_json(*found, call, s.now().mesh));
+  if (kind == AnalysisKind::regions) json.update(regions_json(*found, call, patch));
   return json;
 }
 
@@ -291,12 +289,12 @@ Json paint_session(const Call& call) {
   view.split = call.get("split", view.split);
   if (const auto known = call.get<std::string>("known", ""); !known.empty())
     view.analysis = analysis_named(known);
-  view.patch = face_of(call.get("patch", -1), s.now().mesh);
+  view.patch = one_face(call);
   view.region = call.get("region", view.region);
   view.lines = call.get("lines", view.lines);
   view.handles = call.get("handles", view.handles);
   view.proposal = call.get("proposal", view.proposal);
-  view.marked = faces(call, "marked", s.now().mesh);
+  view.marked = faces(call, "marked");
   view.lasso = lasso(call);
   const Image image = paint(s, view);
   return {{"width", image.width},

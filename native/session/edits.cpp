@@ -10,6 +10,8 @@
 #include "mesh/build.h"
 #include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
+#include "methods/method.h"
+#include "methods/plain.h"
 #include "ops/merge/merge_faces.h"
 #include "ops/split/split_line.h"
 #include "ops/split/split_patch.h"
@@ -70,6 +72,12 @@ std::vector<Halfedge> curves_along(const Mesh& mesh, const Rectangle& grid, Alon
   return curves;
 }
 
+/// Throws InputError if the mesh is more than a grid of points and handles holds.
+PlainGrid plain_grid(const Mesh& mesh) {
+  if (const auto why = method_named(plain_method).why_not(mesh)) throw InputError(*why);
+  return PlainGrid(mesh);
+}
+
 /// Returns the curves of a mesh that is split further which the mesh before does not have.
 std::vector<Halfedge> new_curves(const Mesh& before, const Mesh& after) {
   std::vector<Cubic<Value>> known;
@@ -100,6 +108,13 @@ HandEdit hand_edit_named(const std::string& name) {
   throw std::invalid_argument("edits are merge, rows, columns and both, not '" + name + "'.");
 }
 
+void check_has_own_colors(const Mesh& mesh) {
+  if (mesh.is_smooth())
+    throw InputError(
+        "the colours of this mesh follow those of the neighbours (type=\"bicubic\"), so that only "
+        "whole lines can be taken out.");
+}
+
 std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh) {
   const Rectangle grid = find_grid(mesh).value();
   std::vector<std::vector<Halfedge>> lines;
@@ -114,13 +129,14 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
   const Rectangle grid = find_grid(mesh).value();
   if (edit == HandEdit::merge) {
     const Step step = step_without(mesh, grid, edge_of(pointed));
-    PlainGrid plain(mesh);
+    PlainGrid plain = plain_grid(mesh);
     if (!plain.may_take_out(step.along, step.line))
       throw InputError("a patch beside this line is protected.");
     make(step, plain);
     if (fits) fit_grid_and_colors(plain, *problem.reference(), fit_steps, points_near(step, plain));
     return {build_derived_mesh(plain.parts()), curves_along(mesh, grid, step.along, step.line), {}};
   }
+  check_has_own_colors(mesh);
   const GridPlace place = place_of(mesh, grid, pointed.face);
   Mesh cut = mesh;
   Journal journal(cut);
@@ -146,6 +162,7 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
 }
 
 MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
+  check_has_own_colors(mesh);
   if (edit == HandEdit::merge) {
     const Halfedge side = mesh.curve_side(edge_of(pointed));
     std::vector<Face> faces;
@@ -169,6 +186,7 @@ MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
 }
 
 MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
+  check_has_own_colors(mesh);
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (faces.size() < 2) throw InputError("that is one patch already; choose two or more.");
@@ -197,7 +215,7 @@ MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
 Mesh fitted(const Mesh& mesh, bool is_gradient, const std::vector<Face>& faces,
             const Problem& problem) {
   if (is_gradient) {
-    PlainGrid grid(mesh);
+    PlainGrid grid = plain_grid(mesh);
     fit_grid_and_colors(grid, *problem.reference(), steps_of_the_whole, GridPoints::all(grid));
     return build_derived_mesh(grid.parts());
   }

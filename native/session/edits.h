@@ -26,22 +26,27 @@ struct MadeEdit {
   Face merged = {};
 };
 
+/// Throws InputError if the mesh is smooth: the colours of its patches follow from those around.
+void check_has_own_colors(const Mesh& mesh);
+
 /// Returns for each line of points inside a mesh that is one grid the curves along it, those along
 /// rows first.
 std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh);
 
 /// Returns the mesh, which is one grid, without the line of points through an edge, or with lines
 /// more through a place. If `fits` is true, the points around a line that is gone are fitted to the
-/// picture of the problem. Throws InputError if there is no edge where there has to be one.
+/// picture of the problem. Throws InputError if there is no edge where there has to be one, and if
+/// lines were to come in a smooth mesh.
 MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, bool fits,
                     const Problem& problem);
 
 /// Returns the mesh with the two patches beside an edge merged, or with the patch at a place split.
-/// Throws InputError if there is no edge where there has to be one, or if the patches cannot be
-/// merged.
+/// Throws InputError if there is no edge where there has to be one, if the patches cannot be
+/// merged, and if the mesh is smooth.
 MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit);
 
-/// Returns the mesh with these patches merged to one. Throws InputError if they cannot be.
+/// Returns the mesh with these patches merged to one. Throws InputError if they cannot be, as in a
+/// smooth mesh.
 MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces);
 
 /// Returns the mesh fitted to the picture of the problem as far as its points, handles and colours

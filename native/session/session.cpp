@@ -46,7 +46,9 @@ Session::Session(const Problem& problem)
     : problem_(prepared(problem)),
       kinds_(curve_kinds(problem_)),
       curves_(std::make_unique<CurveSearch>(problem_)) {
-  const CurveKind form = kinds_.empty() ? CurveKind::blocks : kinds_.front();
+  const CurveKind otherwise =
+      problem_.mesh().is_smooth() ? CurveKind::one_gradient : CurveKind::blocks;
+  const CurveKind form = kinds_.empty() ? otherwise : kinds_.front();
   start_ = now_ = measured(problem_.mesh(), form);
   place_ = kept_place_ = {form, 0, std::make_shared<const Mesh>(problem_.mesh())};
   kept_ = now_.mesh;
@@ -115,6 +117,7 @@ void Session::show(CurveKind kind, int state, bool moves_on) {
 
 void Session::set_form(CurveKind form) {
   if (form == place_.form) return;
+  if (form == CurveKind::blocks) check_has_own_colors(now_.mesh);
   if (form == CurveKind::one_gradient && (!problem_.gradient_rules || !find_grid(now_.mesh)))
     throw InputError(
         "the mesh is no grid of whole rows and columns, so it cannot be one gradient.");
@@ -242,6 +245,18 @@ std::vector<Face> Session::protected_faces() const {
   std::vector<Face> faces;
   for (const Face face : now_.mesh.faces())
     if (now_.mesh.is_fixed(face)) faces.push_back(face);
+  return faces;
+}
+
+std::vector<Face> Session::faces_numbered(const std::vector<int>& numbers) const {
+  const Mesh& mesh = now_.mesh;
+  std::vector<Face> faces;
+  for (const int number : numbers) {
+    const bool is_there =
+        number >= 0 && std::size_t(number) < mesh.face_slots() && mesh[Face{number}].alive;
+    if (!is_there) throw InputError("there is no patch {0} in the mesh that is shown.", number);
+    faces.push_back(Face{number});
+  }
   return faces;
 }
 

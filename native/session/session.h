@@ -46,6 +46,9 @@ class Session {
   bool is_unchanged() const;
   /// Returns at most that many places where details differ most, in mesh units (worst_places).
   std::vector<WorstPlace> worst_places(int most) const;
+  /// Returns the patches of the mesh that is shown with these numbers. Throws InputError if one has
+  /// none.
+  std::vector<Face> faces_numbered(const std::vector<int>& numbers) const;
 
   /// Returns the search for what can be found out about the mesh that is shown. All that it has
   /// found is forgotten as soon as another mesh is shown.
@@ -64,7 +67,7 @@ class Session {
   /// Sets whether edits are followed by fits.
   void set_fits(bool fits) { fits_ = fits; }
   /// Makes what edits are about lines of one gradient, or patches. Throws InputError if the mesh is
-  /// to be one gradient and is none.
+  /// to be one gradient and is none, or is smooth and is to be blocks.
   void set_form(CurveKind form);
 
   /// An edit that is shown before it is made.

@@ -57,6 +57,7 @@ class Result:
     patches_before: int
     patches_after: int
     objects: int  #: that it becomes: 1, or the blocks of a group
+    protected_patches: int  #: of those after, how many are as they were because they were protected
     changed: bool  #: whether it became simpler
     error: float  #: of what is written, against the mesh as it was, 0 to 1
     local_error: float  #: the largest mean of the same in any window of 32 x 32 pixels

@@ -75,7 +75,7 @@ class Session:
 
     def set_form(self, form: str) -> dict:
         """Makes edits those of "one gradient", whose lines go as a whole, or of "blocks". Raises
-        InputError where the mesh is no grid."""
+        InputError where the mesh is no grid, and where it is smooth and is to be blocks."""
         return self._change("set_session_form", form=form)
 
     def point(
@@ -96,12 +96,13 @@ class Session:
         return self._change("make_edit")
 
     def merge(self, patches: Iterable[int], fits: bool = True) -> dict:
-        """Merges patches, by their numbers, to one. Raises InputError where that cannot be."""
+        """Merges patches, by their numbers, to one. Raises InputError where that cannot be, as in a smooth
+        mesh, and where there is no such patch."""
         return self._change("merge_marked", patches=list(patches), fits=fits)
 
     def protect(self, patches: Iterable[int], protect: bool = True) -> dict:
         """Lets patches, by their numbers, stay as they are whatever is done, or no longer. The curves are
-        then looked for anew."""
+        then looked for anew. Raises InputError where there is no such patch."""
         return self._change("protect_marked", patches=list(patches), protect=protect)
 
     def protect_others(self, patches: Iterable[int]) -> dict:

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <string>
 
 #include "form/rounding.h"
@@ -39,6 +40,9 @@ struct Rounding {
   /// Coordinates smaller than this are written as 0: they are left over from roundings of 0.
   double zero = 0;
 };
+
+/// Keeps all digits that survive being read and computed with: those after are last bits.
+inline constexpr Rounding no_rounding{std::numeric_limits<double>::digits10, 0};
 
 /// Returns the rounding for a mesh; `box` is the box around it.
 inline Rounding rounding_within(const Box& box) {

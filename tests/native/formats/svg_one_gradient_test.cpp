@@ -180,7 +180,7 @@ TEST(OneGradient, remembers_what_it_is_told_until_it_is_edited) {
   const Mesh mesh = one_patch(read(document, object));
   const MeshObject after = write_mesh_gradient(document, object, mesh, tolerance);
   EXPECT_FALSE(is_as_written(document, after));
-  remember_original(document, after, tolerance, "memory");
+  remember_original(document, after, mesh, tolerance, "memory");
   xmlNode* written = after.gradient;
   EXPECT_EQ(own_attribute(after.node, "fill-original"), "memory");
   EXPECT_TRUE(is_as_written(document, after));

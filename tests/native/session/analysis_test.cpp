@@ -30,7 +30,7 @@ Analysis analysis(Session& session, AnalysisKind kind) {
 }
 
 TEST(Analysis, prices_of_lines_are_what_clicks_on_them_cost) {
-  Session session(problem_for(mesh_for(2)));
+  Session session(problem_for(calm_mesh(2)));
   session.protect({{0}}, true);
   const std::vector<CurvePrice> prices = analysis(session, AnalysisKind::prices).prices;
   ASSERT_EQ(prices.size(), 40u);

@@ -67,6 +67,17 @@ TEST(Curve, is_the_same_for_any_number_of_threads) {
     EXPECT_EQ(*one.states[i].mesh, *three.states[i].mesh);
 }
 
+TEST(Session, changes_no_lines_where_a_protected_patch_is_no_coons_patch) {
+  Session session(problem_for(mesh_for(2)));
+  session.protect({{0}}, true);
+  const Mesh before = session.now().mesh;
+  const Halfedge far = before.sides(Face{18})[1];
+  EXPECT_THROW(session.propose(Pointed{.face = Face{18}, .edge = far}, HandEdit::merge),
+               InputError);
+  EXPECT_THROW(session.fit(), InputError);
+  EXPECT_EQ(session.now().mesh, before);
+}
+
 TEST(Session, shows_the_states_of_its_curve) {
   Session session(problem_for(mesh_for(1)));
   EXPECT_TRUE(session.is_unchanged());

@@ -169,6 +169,40 @@ def test_what_cannot_be_is_refused():
     assert not any(mesh.simplified for mesh in document.meshes)
 
 
+@pytest.mark.parametrize(
+    "edit",
+    [
+        lambda session: session.set_form("blocks"),
+        lambda session: session.merge([0, 1]),
+        lambda session: session.protect([9999]),
+        lambda session: session.protect_others([-1]),
+        lambda session: session.merge([0, 9999]),
+        lambda session: session.find_out("regions", patch=9999),
+        lambda session: session.paint(VIEW, marked=[9999]),
+    ],
+)
+def test_what_a_smooth_mesh_or_no_mesh_allows_is_refused(edit):
+    _document, session = opened(SAMPLES / "smooth.svg")
+    before = dict(session.status)
+    with pytest.raises(gradmesh.InputError, match="follow those of the neighbours|no patch (9999|-1)") as why:
+        edit(session)
+    assert str(why.value).count(". ") == 0 and str(why.value).endswith(".")
+    now = session.refresh()
+    assert {name: now[name] for name in before} == before
+    assert before["unchanged"] and before["form"] == "one gradient"
+
+
+def test_lines_of_a_smooth_mesh_only_go():
+    _document, session = opened(SAMPLES / "smooth.svg")
+    left, top, right, bottom = session.box
+    view = gradmesh.View(200, 200, (left + right) / 2, (top + bottom) / 2, 150 / max(right - left, bottom - top))
+    for edit in ("rows", "columns", "both"):
+        assert "follow those of the neighbours" in str(session.point(view, 100, 100, edit).why_not)
+    lines = session.status["patches"]
+    assert session.point(view, 100, 100, "merge", reach=100).patches < lines
+    assert session.make()["patches"] < lines and session.undo()["unchanged"]
+
+
 SHAPE = '<{} id="eye" fill="none"/>'
 
 
@@ -183,14 +217,16 @@ def test_shapes_protect_what_they_cover(tmp_path):
     report = tmp_path / "report.json"
     handles = {}
     for protect in ((), ("--protect", "eye")):
-        printed("simplify", svg, "-o", out, "--report", report, "--resolution", 64, *protect)
+        said = printed("simplify", svg, "-o", out, "--report", report, "--resolution", 64, *protect)
         (pear,) = json.loads(report.read_text())["meshes"]
-        assert bool(pear["protected_patches"]) == bool(protect)
+        assert bool(pear["protected_patches"]) == bool(protect) == (" protected, " in said)
         handles[protect] = pear["handles_after"]
     assert handles[()] < handles["--protect", "eye"] < pear["handles_before"]
 
     document = gradmesh.load(svg)
     (result,) = gradmesh.simplify(document, resolution=64, protect=["eye"])
+    assert f", {result.protected_patches} patches protected, " in said
+    assert result.protected_patches == pear["protected_patches"] > 1
     assert result.handles_after == pear["handles_after"] and document.to_bytes() == out.read_bytes()
     assert gradmesh.Session(gradmesh.load(svg), "pear", protect=["eye"]).status["protected"]
 

@@ -243,8 +243,10 @@ MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Me
              {.precision = form.precision,
               .in_style = !tree.styles().is_empty(),
               .is_important = tree.styles().has_important(),
-              .rounding = rounding_within(bounding_box(mesh, form.precision.to_written)),
-              .is_relative = form.precision.step > 0});
+              .rounding = form.precision.last_bits > 0
+                              ? no_rounding
+                              : rounding_within(bounding_box(mesh, form.precision.to_written)),
+              .is_relative = form.precision.step > 0 && form.precision.last_bits == 0});
   forget_original(object);
   const char* property = paint_name(object.role);
   const std::string old = attribute(object.gradient, "id").value_or("");

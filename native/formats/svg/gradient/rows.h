@@ -39,7 +39,7 @@ struct GradientFormat {
   bool is_important = false;
   Rounding rounding = {};
   /// True if coordinates are multiples of a step, and relative to where the side starts, as they
-  /// need not equal those of another gradient.
+  /// need not equal those of another gradient, nor what they were to the last bit.
   bool is_relative = false;
 };
 

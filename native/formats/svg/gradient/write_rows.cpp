@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -14,12 +15,7 @@ namespace {
 class RowsWriter {
  public:
   RowsWriter(const Mesh& mesh, const Rectangle& block, const GradientFormat& format)
-      : mesh_(mesh),
-        block_(block),
-        format_(format),
-        step_(format.precision.step),
-        straight_within_(step_ > 0 ? straight_tolerance(format.precision.coons_tolerance)
-                                   : rounding_share * format.precision.coons_tolerance) {}
+      : mesh_(mesh), block_(block), format_(format), step_(format.precision.step) {}
 
   void write(xmlNode* gradient) {
     const Halfedge first = block_.top(0, 0);
@@ -40,24 +36,26 @@ class RowsWriter {
   void write_patch(xmlNode* node, int row, int column) {
     const Halfedge top = block_.top(row, column);
     const Patch patch = mesh_.patch(top);
+    const PatchTolerance tolerance = patch_tolerance(mesh_, top, format_.precision);
     for (int side = row == 0 ? 0 : 1; side < (column == 0 ? 4 : 3); ++side) {
       xmlNode* stop = add_child(node, "stop");
       const Cubic<Value> curve = mesh_.side_of(mesh_.sides(top)[side]);
-      set_attribute(stop, "path", path(curve));
+      set_attribute(stop, "path", path(curve, tolerance.straight[std::size_t(side)]));
       const bool given = (side == 0 && column > 0) || (side == 1 && row > 0);
       if (!given) write_color(stop, curve.p0.color);
     }
-    if (needs_tensor(patch, format_.precision.coons_tolerance)) write_tensor(node, patch);
+    if (needs_tensor(patch, tolerance.coons)) write_tensor(node, patch);
   }
 
   /// Returns the path data of a side from its start on. A line shows no handles in the mesh tool.
-  std::string path(const Cubic<Value>& curve) const {
+  std::string path(const Cubic<Value>& curve, double straight_within) const {
     const auto to = [&](const Value& v) {
       const glm::dvec2 start = format_.is_relative ? placed(curve.p0.position) : glm::dvec2(0.0);
       return pair(placed(v.position) - start);
     };
     const std::string end = to(curve.p1);
-    if (is_straight(curve, straight_within_)) return (format_.is_relative ? 'l' : 'L') + end;
+    if (is_straight(curve, step_ > 0 ? straight_within : least_of(straight_within)))
+      return (format_.is_relative ? 'l' : 'L') + end;
     return (format_.is_relative ? 'c' : 'C') + to(curve.bezier1()) + " " + to(curve.bezier2()) +
            " " + end;
   }
@@ -89,6 +87,13 @@ class RowsWriter {
     }
   }
 
+  /// Returns the tolerance for lines where no coordinate is rounded, and nothing was measured with
+  /// the rounding.
+  double least_of(double straight_within) const {
+    constexpr double rounding_share = 1e-3;
+    return std::min(straight_within, rounding_share * format_.precision.coons_tolerance);
+  }
+
   /// Returns a point of the mesh where it is written.
   glm::dvec2 placed(glm::dvec2 p) const {
     const glm::dvec2 there = format_.precision.to_written.point(p);
@@ -104,11 +109,7 @@ class RowsWriter {
   const Mesh& mesh_;
   const Rectangle& block_;
   const GradientFormat& format_;
-  /// What counts as a rounding of absolute coordinates, as a share of the tolerance.
-  static constexpr double rounding_share = 1e-3;
   const double step_;
-  /// In the unit of the mesh's positions.
-  const double straight_within_;
 };
 
 }  // namespace

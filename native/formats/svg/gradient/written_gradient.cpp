@@ -70,9 +70,13 @@ bool is_as_written(const SvgTree& tree, const MeshObject& object) {
   return gradient_fingerprint(tree, object.gradient, power_of_ten(exponent)) == *written;
 }
 
-void remember_original(SvgTree& tree, const MeshObject& object, double coons_tolerance,
-                       const std::string& original) {
-  const double step = gradient_precision(coons_tolerance, mesh_to_gradient(tree, object)).step;
+void remember_original(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
+                       double coons_tolerance, const std::string& original) {
+  const Affine to_gradient = mesh_to_gradient(tree, object);
+  double step = gradient_form(mesh, coons_tolerance, to_gradient).precision.step;
+  // Coordinates that are kept to the last bit are multiples of none: another program that rounds
+  // them may make the mesh count as edited.
+  if (step == 0) step = gradient_precision(coons_tolerance, to_gradient).step;
   if (step == 0) return;
   set_own_attribute(object.node, original_name(object.role).c_str(), original);
   set_own_attribute(object.node, fingerprint_name(object.role).c_str(),

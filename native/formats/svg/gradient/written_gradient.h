@@ -5,6 +5,7 @@
 
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/svg_tree.h"
+#include "mesh/mesh.h"
 
 namespace gradmesh {
 
@@ -25,10 +26,10 @@ std::optional<std::string> original_of(const MeshObject& object);
 /// made of. Throws InputError as gradient_patches does.
 bool is_as_written(const SvgTree& tree, const MeshObject& object);
 
-/// Makes an object whose gradient was just written by write_mesh_gradient() with this tolerance
-/// remember `original`. Does nothing if the coordinates are too fine for a step.
-void remember_original(SvgTree& tree, const MeshObject& object, double coons_tolerance,
-                       const std::string& original);
+/// Makes an object whose gradient was just written by write_mesh_gradient() with this mesh and this
+/// tolerance remember `original`. Does nothing if the coordinates are too fine for a step.
+void remember_original(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
+                       double coons_tolerance, const std::string& original);
 /// Removes both attributes.
 void forget_original(const MeshObject& object);
 

@@ -132,9 +132,7 @@ std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps) {
 }
 
 std::string remember_blocks(const Mesh& mesh, const BlockForm& form) {
-  const auto patch = [&](Halfedge top) {
-    return written_patch(mesh.patch(top), form.precision, form.masks_opacity);
-  };
+  const auto patch = [&](Halfedge top) { return written_patch(mesh, top, form); };
   return packed({.grids = grids_of(form.blocks, patch)});
 }
 

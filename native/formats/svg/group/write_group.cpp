@@ -149,7 +149,9 @@ class GroupWriter {
                                 .channel = channel,
                                 .in_style = !tree_.styles().is_empty(),
                                 .is_important = tree_.styles().has_important(),
-                                .rounding = rounding_within(mesh_box)};
+                                .rounding = written_.form.precision.last_bits > 0
+                                                ? no_rounding
+                                                : rounding_within(mesh_box)};
     const double margin = seam_margin();
     // A tenth of what an outline is grown by, which need not be exact.
     const double step = decimal_step(0.1 * margin);
