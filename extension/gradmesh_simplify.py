@@ -195,13 +195,22 @@ class Simplify(GradmeshEffect):
         stopped = {result.stopped for result in results}
         ends = [end for end in ("budget", "cancelled") if end in stopped]
         ends.append("target" if self.amount in COUNTED else "amount" if self.amount in AMOUNTS else "epsilon")
-        return (NO_HANDLE_WENT if are_plain else NOTHING_WAS_MERGED)[ends[0]].format(
+        why = (NO_HANDLE_WENT if are_plain else NOTHING_WAS_MERGED)[ends[0]].format(
             meshes=", ".join(self.called(result.id) for result in results),
             amount=AMOUNTS.get(self.amount),
             handles=sum(result.handles_after for result in results),
             seconds=self.options.time_budget,
             epsilon=results[0].run["epsilon"],
         )
+        return " ".join([why, *self.what_was_protected(results)])
+
+    def what_was_protected(self, results):
+        """The sentence, if there is one, that says why so much was kept."""
+        count = sum(result.protected_patches for result in results)
+        if count and all(result.objects == 1 for result in results):
+            yield _("{count} patches are protected, and lines that cross them stay.").format(count=count)
+        elif count:
+            yield _("{count} patches are protected.").format(count=count)
 
     def what_became(self, results):
         """The sentences that a person is told after a run."""
@@ -219,6 +228,7 @@ class Simplify(GradmeshEffect):
         else:
             text = _("{count} gradient meshes: {handles} of {before} handles are left, {metric} up to {error:.3f}.")
             yield text.format(**numbers)
+        yield from self.what_was_protected(results)
         if self.amount in COUNTED and numbers["error"] > STRONG[changed[0].run["metric"]]:
             yield MORE_THAN_STRONG
         if any(result.stopped == "cancelled" for result in results):

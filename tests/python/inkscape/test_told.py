@@ -1,5 +1,6 @@
 """What a person is told after Simplify and Save a Copy, and what these leave alone."""
 
+import re
 import subprocess
 import time
 
@@ -41,6 +42,17 @@ def test_the_result_is_told_without_a_dialog(run, tmp_path):
 def test_more_than_strong_allows_is_said(run, tmp_path):
     run(TWO, SMALL, "--id=cap", "--amount=handles", "--handles=40", **ATTENDED)
     assert "That is more than Strong allows: it will be seen." in log(tmp_path)
+
+
+def test_what_protection_keeps_is_said(run, tmp_path):
+    shape = '<rect id="{}" x="{}" y="230" width="12" height="12"/></svg>'
+    text = TWO.read_text()
+    some = text.replace("</svg>", shape.format("spot", 150))
+    run(some, SMALL, "--id=cap", "--id=spot", "--protect_selected=true", **ATTENDED)
+    assert re.search(r"[1-9]\d* patches are protected, and lines that cross them stay\.", log(tmp_path))
+    every = text.replace("</svg>", '<rect id="all" x="-999" y="-999" width="3000" height="3000"/></svg>')
+    done = run(every, SMALL, "--id=cap", "--id=all", "--protect_selected=true")
+    assert "280 patches are protected" in refused(done)
 
 
 @pytest.mark.parametrize("attribute", ['sodipodi:insensitive="true"', 'display="none"'])
