@@ -53,10 +53,12 @@ std::vector<MeshReport> write_states(Document& document, std::vector<TakenState>
     metric = problem.metric();
     SimplifyResult result = result_of(problem, method_of(kind), std::move(candidate));
     const MeshCounts before{result.handles_before, result.patches_before};
-    if (result.changed)
+    if (result.changed) {
       changed.push_back({entry, result, before, problem.frame(), problem.original()});
-    else
+    } else {
       result.stopped = Stopped::nothing_to_merge;
+      result.objects = document.objects(entry);
+    }
     reports.push_back({entry.id, std::move(result)});
   }
   if (!changed.empty()) document.write(changed, metric, writing);

@@ -151,7 +151,9 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
     StopWatch watch = watch_of(options, i, entries.size());
     SimplifyResult result = document.naming(entry, [&] { return runs.result_of(problem, watch); });
     check_start(document, entry, result, options);
-    if (result.changed)
+    if (!result.changed)
+      result.objects = document.objects(entry);
+    else
       all.changed.push_back({entry,
                              result,
                              {result.handles_before, result.patches_before},

@@ -187,4 +187,14 @@ Mesh painted_mesh(const Mesh& mesh) {
   return build_derived_mesh(parts);
 }
 
+std::vector<Face> faces_of_painted_mesh(const Mesh& mesh) {
+  const Rectangle grid = find_grid(mesh).value();
+  std::vector<Face> faces;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int i = 0; i < parts_per_side; ++i)
+      for (int column = 0; column < grid.columns; ++column)
+        faces.insert(faces.end(), parts_per_side, mesh.face(grid.top(row, column)));
+  return faces;
+}
+
 }  // namespace gradmesh

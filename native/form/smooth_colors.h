@@ -42,4 +42,7 @@ MeshParts with_smooth_colors(const Mesh& mesh);
 /// those of stops, which have 8 bits, so they are held in the model `bicubic`.
 Mesh painted_mesh(const Mesh& mesh);
 
+/// Returns for each face of the painted_mesh the face of the mesh of which it is a part.
+std::vector<Face> faces_of_painted_mesh(const Mesh& mesh);
+
 }  // namespace gradmesh

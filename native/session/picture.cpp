@@ -7,6 +7,7 @@
 #include "base/clamped_int.h"
 #include "base/limits.h"
 #include "draw/heat_scale.h"
+#include "form/smooth_colors.h"
 #include "raster/hidden.h"
 #include "raster/painting.h"
 #include "session/canvas.h"
@@ -62,6 +63,17 @@ class PicturePainter {
   }
 
   Image painted(const Mesh& mesh) const { return paint_whole(mesh, frame_).image; }
+  /// Returns the faces of the mesh as it is now that are seen at the pixels, as of Painting::top.
+  Raster<std::uint32_t, 1> top_faces() const {
+    const Mesh& mesh = session_.now().mesh;
+    Raster<std::uint32_t, 1> top = paint_whole(mesh, frame_).top;
+    if (!mesh.is_smooth()) return top;
+    const std::vector<Face> faces = faces_of_painted_mesh(mesh);
+    for (std::uint32_t& sample : top.samples)
+      if (const Face part = TopFace(sample).face(); part.valid())
+        sample = TopFace().with(faces[std::size_t(part.value)]).sample();
+    return top;
+  }
   const Mesh& shown() const {
     const Session::Proposal* const proposal = view_.proposal ? session_.proposal() : nullptr;
     return (proposal ? proposal->written : session_.now()).surface();
@@ -155,7 +167,7 @@ class PicturePainter {
 
   void draw_known(Canvas& canvas, const Analysis& known) const {
     const Mesh& mesh = session_.now().mesh;
-    const Raster<std::uint32_t, 1> top = paint_whole(mesh, frame_).top;
+    const Raster<std::uint32_t, 1> top = top_faces();
     Overlay overlay(canvas, mesh, view_.to_pixels, top);
     switch (*view_.analysis) {
       case AnalysisKind::prices:
@@ -173,7 +185,7 @@ class PicturePainter {
   void draw_hatched(Canvas& canvas) const {
     const std::vector<Face> fixed = session_.protected_faces();
     if (fixed.empty() && view_.marked.empty()) return;
-    const Raster<std::uint32_t, 1> top = paint_whole(session_.now().mesh, frame_).top;
+    const Raster<std::uint32_t, 1> top = top_faces();
     hatch(canvas, top, fixed, fixed_ink, 10);
     hatch(canvas, top, view_.marked, mark_ink, 8);
   }

@@ -13,6 +13,22 @@
 namespace gradmesh {
 namespace {
 
+/// Throws InputError if all points of a patch coincide, as readers refuse that: a line that is put
+/// in again and again beside another may come to lie on it as it is written.
+void check_sizes(const Mesh& written) {
+  for (const Face face : written.faces()) {
+    const Patch patch = written.patch(face);
+    bool has_size = false;
+    for (int side = 0; side < 4; ++side) {
+      const Cubic<Value> line = patch.side(side);
+      for (const glm::dvec2 way :
+           {line.p1.position - line.p0.position, line.m0.position, line.m1.position})
+        has_size = has_size || way != glm::dvec2(0);
+    }
+    if (!has_size) throw InputError("a patch would be too small to be written.");
+  }
+}
+
 /// Returns the problem with everything painted that searches and edits share.
 Problem prepared(Problem problem) {
   problem.bounds = {1};
@@ -78,7 +94,9 @@ Candidate Session::as_it_is() const {
 Candidate Session::measured(const Mesh& mesh, CurveKind form) const {
   if (is_as_it_is(mesh, form)) return as_it_is();
   const bool is_near = now_.measured && place_.form == form;
-  return problem_as(form).measure(mesh, is_near ? &now_ : nullptr);
+  Candidate found = problem_as(form).measure(mesh, is_near ? &now_ : nullptr);
+  check_sizes(found.surface());
+  return found;
 }
 
 AnalysisSearch& Session::analyses() {

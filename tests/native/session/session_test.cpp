@@ -275,6 +275,50 @@ TEST(Session, pictures_show_what_they_are_asked_for) {
   EXPECT_THROW(paint(session, view), std::invalid_argument);
 }
 
+TEST(Session, patches_are_split_as_long_as_they_have_a_size_as_written) {
+  Session session(problem_for(mesh_for(2)));
+  session.set_fits(false);
+  const auto put_in = [&] {
+    for (int i = 0; i < 60; ++i) {
+      session.propose(point(session, {100, 100}, 0), HandEdit::split_both);
+      session.make();
+    }
+  };
+  EXPECT_THROW(put_in(), InputError);
+  EXPECT_GT(session.now().surface().face_count(), 8 * 8);
+  for (const Face face : session.now().surface().faces()) {
+    const Patch patch = session.now().surface().patch(face);
+    double longest = 0;
+    for (int k = 0; k < 4; ++k)
+      longest =
+          std::max(longest, glm::length(patch.side(k).p1.position - patch.side(k).p0.position));
+    EXPECT_GT(longest, 0);
+  }
+}
+
+TEST(Session, marks_of_smooth_meshes_lie_on_their_patches) {
+  Mesh mesh = mesh_for(3);
+  MeshParts parts{{}, grid_curves(5, 5)};
+  for (const Face face : mesh.faces()) parts.patches.push_back(mesh.patch(face));
+  parts.smooth = true;
+  mesh = build_mesh(parts);
+  Session session(problem_for(mesh));
+  SessionView view = view_of(session);
+  const Image without = paint(session, view);
+  for (const int number : {0, 7, 24}) {
+    view.marked = session.faces_numbered({number});
+    const Image with = paint(session, view);
+    EXPECT_NE(with, without);
+    const Window patch =
+        pixel_bounds(mesh.patch(view.marked.front()),
+                     {.width = view.width, .height = view.height, .to_pixels = view.to_pixels});
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x)
+        if (x < patch.x0 || x >= patch.x1 || y < patch.y0 || y >= patch.y1)
+          ASSERT_EQ(with.pixel(x, y), without.pixel(x, y));
+  }
+}
+
 TEST(Session, the_first_state_is_the_mesh_as_it_is) {
   Session session(problem_for(mesh_for(1)));
   const MeshCounts as_it_is = counts_of(session.problem().mesh());

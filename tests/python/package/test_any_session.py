@@ -1,0 +1,175 @@
+"""Whatever a person does by eye, in whatever order: sound meshes, exact undo and redo, and a document that
+reads back as it was shown. What cannot be done says why in one sentence and changes nothing."""
+
+import functools
+
+import pytest
+
+pytest.importorskip("hypothesis", reason="Debian package python3-hypothesis is absent")
+from hypothesis import Phase, settings, strategies as st  # noqa: E402
+from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule  # noqa: E402
+
+from built import SAMPLES  # noqa: E402
+
+import gradmesh  # noqa: E402
+
+pytestmark = pytest.mark.once
+
+SIZE = 60  # pixels of pictures, along each side
+#: Grids, smooth colours, tensors, and T-junctions of blocks that were simplified before.
+DRAWINGS = [
+    ("two.svg", "stalk", False),
+    ("smooth.svg", "vase", False),
+    ("tensor.svg", "silk", False),
+    ("transformed.svg", "leaf", True),
+]
+MOST_PATCHES = 200  # beyond which nothing is split, as each step would take seconds
+FRACTIONS = st.floats(0, 1)
+#: What a step of the machine looks at of a status.
+SHOWN = ("handles", "patches", "objects", "error", "local_error", "protected", "form", "unchanged")
+
+
+@functools.lru_cache(maxsize=None)
+def drawing(name, mesh, is_merged):
+    document = gradmesh.load(SAMPLES / name)
+    if is_merged:
+        gradmesh.simplify(document, mesh, method="best", resolution=100, epsilon=0.02)
+    return document.to_bytes()
+
+
+class AnySession(RuleBasedStateMachine):
+    @initialize(drawn=st.sampled_from(DRAWINGS))
+    def open(self, drawn):
+        self.document = gradmesh.loads(drawing(*drawn), drawn[0])
+        self.session = gradmesh.Session(self.document, drawn[1], resolution=40)
+        left, top, right, bottom = self.session.box
+        scale = 0.9 * SIZE / max(right - left, bottom - top)
+        self.view = gradmesh.View(SIZE, SIZE, (left + right) / 2, (top + bottom) / 2, scale)
+        self.first = self.seen()
+
+    def seen(self):
+        status = self.session.refresh()
+        return {name: status[name] for name in SHOWN}, self.session.paint(self.view, lines=True)[2]
+
+    def attempt(self, deed):
+        """Does something, or sees that its refusal is a sentence and that nothing has changed."""
+        before = self.seen()
+        try:
+            deed()
+        except gradmesh.InputError as error:
+            text = str(error)
+            assert text.endswith(".") and "\n" not in text and "std::" not in text
+            assert self.seen() == before
+
+    def patches_around(self, x, y, size):
+        """Patches in a rectangle, by shares of the picture."""
+        left, top = SIZE * x, SIZE * y
+        right, bottom = left + SIZE * size, top + SIZE * size
+        return self.session.patches_in(self.view, [(left, top), (right, top), (right, bottom), (left, bottom)])
+
+    @rule(shares=st.lists(FRACTIONS, min_size=1, max_size=3))
+    def pulls_the_slider(self, shares):
+        kind = "one gradient"
+        states = self.session.refresh(wait=True)["curves"].get(kind, {}).get("states", [])
+        if not states:
+            return
+        *passed, last = (round(share * (len(states) - 1)) for share in shares)
+        for state in passed:
+            self.session.show(kind, state, moving=True)
+        self.session.show(kind, last)
+
+    @rule(x=FRACTIONS, y=FRACTIONS, edit=st.sampled_from(["merge", "rows", "columns", "both"]), fits=st.booleans())
+    def clicks(self, x, y, edit, fits):
+        if self.session.status["patches"] > MOST_PATCHES:
+            edit = "merge"
+
+        def click():
+            if self.session.point(self.view, SIZE * x, SIZE * y, edit, fits):
+                self.session.make()
+
+        self.attempt(click)
+
+    @rule(x=FRACTIONS, y=FRACTIONS, size=st.floats(0.1, 0.6), fits=st.booleans())
+    def merges_a_set(self, x, y, size, fits):
+        patches = self.patches_around(x, y, size)
+        self.attempt(lambda: self.session.merge(patches, fits))
+
+    @rule(x=FRACTIONS, y=FRACTIONS, size=st.floats(0.1, 0.6), protect=st.booleans())
+    def protects(self, x, y, size, protect):
+        patches = self.patches_around(x, y, size)
+        self.attempt(lambda: self.session.protect(patches, protect))
+
+    @rule(x=FRACTIONS, y=FRACTIONS, size=st.floats(0.3, 1))
+    def protects_others(self, x, y, size):
+        patches = self.patches_around(x, y, size)
+        self.attempt(lambda: self.session.protect_others(patches))
+
+    @rule(form=st.sampled_from(["one gradient", "blocks"]))
+    def changes_the_form(self, form):
+        self.attempt(lambda: self.session.set_form(form))
+
+    @rule()
+    def fits(self):
+        self.attempt(self.session.fit)
+
+    @rule()
+    def undoes(self):
+        self.session.undo()
+
+    @rule()
+    def redoes(self):
+        self.session.redo()
+
+    @precondition(lambda self: self.session.status["can_undo"])
+    @rule()
+    def goes_back_and_forth(self):
+        now = self.seen()
+        self.session.undo()
+        before = self.seen()
+        assert self.session.status["can_redo"]
+        self.session.redo()
+        assert self.seen() == now
+        self.session.undo()
+        assert self.seen() == before
+
+    @invariant()
+    def patches_have_numbers(self):
+        status = self.session.status
+        assert 0 <= len(status["protected"]) <= status["patches"] and status["handles"] >= 4
+
+    def teardown(self):
+        if not hasattr(self, "first"):
+            return
+        while self.session.status["can_undo"]:
+            self.session.undo()
+        assert self.seen() == self.first
+        while self.session.status["can_redo"]:
+            self.session.redo()
+        status = self.session.refresh()
+        result = self.session.write()
+        assert (result.handles_after, result.objects) == (status["handles"], status["objects"])
+        read = {mesh.id: mesh for mesh in gradmesh.loads(self.document.to_bytes()).meshes}
+        mesh = read[self.session.id]
+        assert (mesh.handles, mesh.patches) == (status["handles"], status["patches"])
+
+
+def so_many(examples, steps):
+    # To make an example of seconds smaller takes more minutes than it saves.
+    return settings(
+        max_examples=examples,
+        stateful_step_count=steps,
+        deadline=None,
+        derandomize=True,
+        phases=[Phase.generate],
+    )
+
+
+AnySession.TestCase.settings = so_many(12, 25)
+TestAnySession = AnySession.TestCase
+
+
+@pytest.mark.long
+def test_many_sessions():
+    from hypothesis.stateful import run_state_machine_as_test
+
+    run_state_machine_as_test(AnySession, settings=so_many(2000, 50))
