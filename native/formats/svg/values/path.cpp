@@ -41,7 +41,8 @@ struct CenterArc {
   }
 };
 
-/// Returns the arc by its centre (SVG 2 appendix B.2); nothing if the arc is a line.
+/// Returns the arc by its centre (SVG 2 appendix B.2); nothing if the arc is a line, or has a chord
+/// so short that it is one but for rounding.
 std::optional<CenterArc> center_arc(const EndArc& arc) {
   glm::dvec2 r = glm::abs(arc.radii);
   if (arc.from == arc.to || r.x == 0 || r.y == 0) return std::nullopt;
@@ -59,6 +60,8 @@ std::optional<CenterArc> center_arc(const EndArc& arc) {
   if (arc.large == arc.sweep) off = -off;
   const glm::dvec2 center = off * glm::dvec2(unit.y, -unit.x);
   const glm::dvec2 first = unit - center, last = -unit - center;
+  constexpr double short_chord = 1e-9;
+  if (first == last || (!arc.large && square < short_chord * short_chord)) return std::nullopt;
 
   CenterArc result{{0, 0}, r, cs, sn, std::atan2(first.y, first.x), 0, arc.sweep};
   const glm::dvec2 scaled = center * r;
