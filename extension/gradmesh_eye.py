@@ -331,6 +331,16 @@ class Eye:
             return self.region_shown["patches"]
         return self.marked
 
+    @property
+    def price_of_marked(self):
+        """What merging the patches that are marked would do, as of gradmesh.Session.propose_merge(); worked
+        out once for the same patches of the same mesh."""
+        asked = (tuple(self.marked), self.fits)
+        if self._price_asked != asked:
+            self._price_asked, self._price = asked, self.session.propose_merge(self.marked, self.fits)
+            self.leave()
+        return self._price
+
     def merge_marked(self):
         self.session.merge(self.to_merge, self.fits)
         self._forget()
@@ -368,6 +378,7 @@ class Eye:
         self.pointed = self._patch = None
         self.found = {}
         self.region, self._regions_of = 0, None
+        self._price_asked = self._price = None
         self._has_changed = True
 
     def worst_places(self):

@@ -7,7 +7,7 @@ import json
 from gi.repository import Gtk
 
 from gradmesh_eye import AMOUNTS, BLOCKS, EDITS, GRADIENT, GROUNDS, KNOWN, WORST
-from gradmesh_eye_words import legend, summary
+from gradmesh_eye_words import legend, redo_tip, summary, undo_tip
 from gradmesh_text import _
 from gradmesh_widgets import button, choices, is_dark, linked, section, show_samples
 
@@ -185,8 +185,8 @@ class Panel:
         self.fits.connect("toggled", self._fits_toggled)
         column.add(self.fits)
         row = Gtk.Box(spacing=6, homogeneous=True)
-        self.undo = button(_("Undo"), _("Take the last change back (Ctrl+Z)"), lambda: self._do(self.eye.undo))
-        self.redo = button(_("Redo"), _("Make it again (Ctrl+Shift+Z)"), lambda: self._do(self.eye.redo))
+        self.undo = button(_("Undo"), None, lambda: self._do(self.eye.undo))
+        self.redo = button(_("Redo"), None, lambda: self._do(self.eye.redo))
         fit = button(
             _("Fit all"),
             _("Move all points and handles so that the picture is closest"),
@@ -247,8 +247,10 @@ class Panel:
         self._told = now
         self.summary.set_text(summary(eye))
         self._is_setting = True
-        self.undo.set_sensitive(status["can_undo"])
-        self.redo.set_sensitive(status["can_redo"])
+        self.undo.set_sensitive(status["undo"] is not None)
+        self.redo.set_sensitive(status["redo"] is not None)
+        self.undo.set_tooltip_text(undo_tip(eye))
+        self.redo.set_tooltip_text(redo_tip(eye))
         self.apply.set_sensitive(not eye.is_unchanged)
         self.slider.set_range(0, max(len(eye.states) - 1, 1))
         if status["state"] >= 0:

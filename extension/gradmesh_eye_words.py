@@ -5,7 +5,7 @@ import math
 from xml.sax.saxutils import escape
 
 from gradmesh_eye import GRADIENT
-from gradmesh_text import _, translated
+from gradmesh_text import _, sentence, translated
 
 
 def summary(eye):
@@ -39,12 +39,28 @@ def hint(eye):
     if len(eye.marked) == 1:
         return _("One patch is marked. P protects it, or releases it.")
     if eye.marked:
-        return _("Marked patches: {count}. P protects them, Enter makes them one.").format(count=len(eye.marked))
+        return _of_marked(eye)
     if eye.brushes:
         return _("The brush marks every patch that it touches.")
     if eye.status["protected"] and eye.has_forms and eye.status["form"] == GRADIENT:
         return _("Lines through protected patches stay; blocks may have fewer handles.")
     return _("Point at a line to see what taking it out costs.")
+
+
+def undo_tip(eye):
+    """What Undo takes back."""
+    name = eye.status["undo"]
+    if name is None:
+        return _("Nothing to take back")
+    return _("Take back: {change} (Ctrl+Z)").format(change=translated(name))
+
+
+def redo_tip(eye):
+    """What Redo makes again."""
+    name = eye.status["redo"]
+    if name is None:
+        return _("Nothing to make again")
+    return _("Make again: {change} (Ctrl+Shift+Z)").format(change=translated(name))
 
 
 def legend(eye):
@@ -57,6 +73,17 @@ def legend(eye):
         return escape(eye.found["failure"])
     words = {"prices": _of_prices, "regions": _of_regions, "parts": _of_parts}
     return words[eye.known](eye)
+
+
+def _of_marked(eye):
+    price = eye.price_of_marked
+    if price.why_not is not None:
+        return _("Marked patches: {count}. P protects them. {reason}").format(
+            count=len(eye.marked), reason=sentence(translated(price.why_not.message))
+        )
+    change = price.error - eye.status["error"]
+    said = _("Marked patches: {count}. P protects them, Enter makes them one: error {error:.4f} ({change:+.4f})")
+    return said.format(count=len(eye.marked), error=price.error, change=change)
 
 
 def _of_prices(eye):

@@ -21,6 +21,8 @@ class Damping {
   void raise(std::size_t unknown, bool again = false) {
     values_[unknown] = std::min(most_, values_[unknown] * (again ? rises_again_by : rises_by));
   }
+  /// Lets the unknown stay where it is.
+  void hold(std::size_t unknown) { values_[unknown] = 1e12; }
 
  private:
   static constexpr double first = 1e-3, least = 1e-4;

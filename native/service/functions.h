@@ -40,6 +40,7 @@ Json show_state(const Call& call);
 Json set_session_form(const Call& call);
 Json point_at(const Call& call);
 Json make_edit(const Call& call);
+Json propose_merge(const Call& call);
 Json merge_marked(const Call& call);
 Json protect_marked(const Call& call);
 Json fit_session(const Call& call);

@@ -45,6 +45,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"set_session_form", set_session_form},
       {"point_at", point_at},
       {"make_edit", make_edit},
+      {"propose_merge", propose_merge},
       {"merge_marked", merge_marked},
       {"protect_marked", protect_marked},
       {"fit_session", fit_session},

@@ -1,50 +1,17 @@
 #include <cmath>
-#include <stdexcept>
 
 #include "app/curves.h"
-#include "app/editing.h"
 #include "draw/heat_scale.h"
 #include "geom/box.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"
 #include "service/options.h"
 #include "service/results.h"
+#include "service/sessions.h"
 #include "session/picture.h"
 
 namespace gradmesh {
 namespace {
-
-Editing& editing(const Call& call) {
-  const auto id = call.get<std::string>("id");
-  const auto found = call.sessions().find(id);
-  if (found == call.sessions().end())
-    throw std::invalid_argument("there is no session over '" + id + "'.");
-  return *found->second;
-}
-
-Session& session(const Call& call) { return editing(call).session; }
-
-CurveKind kind_named(const std::string& wanted) {
-  for (const CurveKind kind : {CurveKind::one_gradient, CurveKind::blocks})
-    if (wanted == name(kind)) return kind;
-  throw std::invalid_argument("a mesh is one gradient or blocks, not '" + wanted + "'.");
-}
-
-/// Returns the map from mesh units to the pixels of a picture, which shows the place (x, y) of what
-/// a person sees in its middle.
-Affine to_pixels(const Call& call) {
-  const double scale = call.get<double>("scale");
-  const glm::dvec2 middle(call.get<double>("x"), call.get<double>("y"));
-  const glm::dvec2 half = glm::dvec2(call.get<int>("width"), call.get<int>("height")) / 2.0;
-  if (!(scale > 0) || !std::isfinite(scale)) throw std::invalid_argument("a scale is above 0.");
-  return Affine::translation(half) * Affine::scaling(glm::dvec2(scale)) *
-         Affine::translation(-middle) * editing(call).view;
-}
-
-/// Returns the patches of the mesh that is shown whose numbers are an argument.
-std::vector<Face> faces(const Call& call, const std::string& name) {
-  return session(call).faces_numbered(call.get<std::vector<int>>(name, {}));
-}
 
 /// Returns the patch whose number is the argument `patch`; an invalid one if there is no argument.
 Face one_face(const Call& call) {
@@ -61,21 +28,6 @@ std::vector<glm::dvec2> lasso(const Call& call) {
   return places;
 }
 
-Json numbers(const std::vector<Face>& faces) {
-  Json list = Json::array();
-  for (const Face face : faces) list.push_back(face.value);
-  return list;
-}
-
-Json counts_json(const Candidate& shown, int objects) {
-  const MeshCounts counts = shown.counts();
-  return {{"handles", counts.handles},
-          {"patches", counts.patches},
-          {"objects", objects},
-          {"error", shown.error},
-          {"local_error", shown.local_error}};
-}
-
 Json curves_json(const Editing& editing) {
   const Session& session = editing.session;
   Json all = Json::object();
@@ -89,19 +41,6 @@ Json curves_json(const Editing& editing) {
     json["failure"] = found && found->failure ? message_json(*found->failure) : Json();
   }
   return all;
-}
-
-Json status_json(const Editing& editing) {
-  const Session& session = editing.session;
-  Json json = counts_json(session.now(), editing.objects());
-  json["before"] = counts_json(session.start(), editing.objects_before);
-  json["form"] = name(session.form());
-  json["state"] = session.state();
-  json["unchanged"] = session.is_unchanged();
-  json["can_undo"] = session.can_undo();
-  json["can_redo"] = session.can_redo();
-  json["protected"] = numbers(session.protected_faces());
-  return json;
 }
 
 /// Returns colours of a scale with the errors that they mean, from the lowest on.
@@ -124,10 +63,19 @@ Json region_json(const RegionPrice& region) {
           {"error", region.error}};
 }
 
-Json prices_json(const Analysis& analysis) {
-  const auto is_known = [](const CurvePrice& price) { return std::isfinite(price.error); };
-  const bool has_scale = std::ranges::any_of(analysis.prices, is_known);
-  return {{"scale", has_scale ? scale_json(scale_of(analysis.prices)) : Json::array()}};
+Json prices_json(const Analysis& analysis, const Editing& editing) {
+  const Mesh& mesh = editing.session.now().mesh;
+  bool has_scale = false;
+  Json prices = Json::array();
+  for (const auto& [curve, error] : analysis.prices) {
+    const glm::dvec2 middle = editing.view.point(mesh.curve_of(curve).at(0.5).position);
+    const bool is_known = std::isfinite(error);
+    has_scale = has_scale || is_known;
+    prices.push_back(
+        {{"x", middle.x}, {"y", middle.y}, {"error", is_known ? Json(error) : Json()}});
+  }
+  return {{"scale", has_scale ? scale_json(scale_of(analysis.prices)) : Json::array()},
+          {"prices", std::move(prices)}};
 }
 
 Json parts_json(const Analysis& analysis) {
@@ -199,39 +147,6 @@ Json set_session_form(const Call& call) {
   return status_json(editing(call));
 }
 
-Json point_at(const Call& call) {
-  Session& s = session(call);
-  s.set_fits(call.get("fits", true));
-  s.forget_proposal();
-  const glm::dvec2 place(call.get<double>("pixel_x"), call.get<double>("pixel_y"));
-  const HandEdit edit = hand_edit_named(call.get<std::string>("edit"));
-  const auto pointed =
-      pointed_at(s.now().mesh, to_pixels(call), place, call.get<double>("reach", 8.0));
-  if (!pointed) return nullptr;
-  if (edit == HandEdit::merge && !pointed->edge.valid()) return {{"face", pointed->face.value}};
-  try {
-    const Session::Proposal* const proposal = s.propose(pointed, edit);
-    Json json = counts_json(proposal->written, proposal->written.form.object_count());
-    json["face"] = pointed->face.value;
-    return json;
-  } catch (const InputError& why_not) {
-    return {{"face", pointed->face.value}, {"why_not", message_json(why_not.message())}};
-  }
-}
-
-Json make_edit(const Call& call) {
-  Session& s = session(call);
-  s.make();
-  return status_json(editing(call));
-}
-
-Json merge_marked(const Call& call) {
-  Session& s = session(call);
-  s.set_fits(call.get("fits", true));
-  s.merge(faces(call, "patches"));
-  return status_json(editing(call));
-}
-
 Json protect_marked(const Call& call) {
   Session& s = session(call);
   const std::vector<Face> patches = faces(call, "patches");
@@ -262,7 +177,7 @@ Json find_out(const Call& call) {
   Json json{{"complete", found != nullptr},
             {"failure", found && found->failure ? message_json(*found->failure) : Json()}};
   if (!found) return json;
-  if (kind == AnalysisKind::prices) json.update(prices_json(*found));
+  if (kind == AnalysisKind::prices) json.update(prices_json(*found, editing(call)));
   if (kind == AnalysisKind::parts) json.update(parts_json(*found));
   if (kind == AnalysisKind::regions) json.update(regions_json(*found, call, patch));
   return json;

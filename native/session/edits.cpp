@@ -31,17 +31,22 @@ Halfedge edge_of(const Pointed& pointed) {
   return pointed.edge;
 }
 
-/// Returns the line of a grid that an edge inside it is a part of.
-Step step_without(const Mesh& mesh, const Rectangle& grid, Halfedge edge) {
+/// Returns the side of a grid that a side of one of its patches is.
+Side side_of_grid(const Mesh& mesh, const Rectangle& grid, Halfedge side) {
   for (int i = 0; i < grid.rows; ++i)
     for (int j = 0; j < grid.columns; ++j) {
       const auto sides = mesh.sides(grid.top(i, j));
-      const int k = int(std::ranges::find(sides, edge) - sides.begin());
+      const int k = int(std::ranges::find(sides, side) - sides.begin());
       if (k == 4) continue;
-      const bool is_row = k % 2 == 0;
-      return {{}, is_row ? Along::rows : Along::columns, is_row ? i + k / 2 : j + (k == 1)};
+      return {k % 2 == 0 ? Along::rows : Along::columns, i + (k == 2), j + (k == 1)};
     }
-  throw std::logic_error("an edge of a grid is a side of one of its patches");
+  throw std::logic_error("a side of a patch of a grid is a side of the grid");
+}
+
+/// Returns the step without the line of a grid that an edge inside it is a part of.
+Step step_without(const Mesh& mesh, const Rectangle& grid, Halfedge edge) {
+  const auto [along, row, column] = side_of_grid(mesh, grid, edge);
+  return {{}, along, along == Along::rows ? row : column};
 }
 
 /// The row and the column of a patch in a grid, and which of the patch's own sides is the grid's
@@ -100,19 +105,17 @@ double inner_place(double t) { return std::clamp(t, 0.05, 0.95); }
 
 }  // namespace
 
-HandEdit hand_edit_named(const std::string& name) {
-  if (name == "merge") return HandEdit::merge;
-  if (name == "rows") return HandEdit::split_rows;
-  if (name == "columns") return HandEdit::split_columns;
-  if (name == "both") return HandEdit::split_both;
-  throw std::invalid_argument("edits are merge, rows, columns and both, not '" + name + "'.");
-}
-
 void check_has_own_colors(const Mesh& mesh) {
   if (mesh.is_smooth())
     throw InputError(
         "the colours of this mesh follow those of the neighbours (type=\"bicubic\"), so that only "
         "whole lines can be taken out.");
+}
+
+void check_protected(const Mesh& before, const Mesh& after) {
+  for (const Face face : before.faces())
+    if (before.is_fixed(face) && before.patch(face) != after.patch(face))
+      throw InputError("a patch that would change is protected.");
 }
 
 std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh) {
@@ -134,7 +137,8 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
       throw InputError("a patch beside this line is protected.");
     make(step, plain);
     if (fits) fit_grid_and_colors(plain, *problem.reference(), fit_steps, points_near(step, plain));
-    return {build_derived_mesh(plain.parts()), curves_along(mesh, grid, step.along, step.line), {}};
+    return {build_derived_mesh(plain.parts()), Message("Take out a line"),
+            curves_along(mesh, grid, step.along, step.line)};
   }
   check_has_own_colors(mesh);
   const GridPlace place = place_of(mesh, grid, pointed.face);
@@ -145,9 +149,10 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
     split_line_across(journal, mesh.sides(pointed.face)[1], inner_place(pointed.along_left));
   if (edit != HandEdit::split_rows)
     split_line_across(journal, cut.sides(pointed.face)[0], inner_place(pointed.along_top));
-  MadeEdit made{build_mesh(subdivided(cut, 1))};
-  if (made.mesh.fixed_face_count() != mesh.fixed_face_count())
-    throw InputError("a patch through which the line goes is protected.");
+  check_protected(mesh, journal.mesh());
+  MadeEdit made{build_mesh(subdivided(cut, 1)), edit == HandEdit::split_both
+                                                    ? Message("Put in two lines")
+                                                    : Message("Put in a line")};
   const Rectangle finer = find_grid(made.mesh).value();
   const auto add = [&](Along along, int line) {
     for (const Halfedge curve : curves_along(made.mesh, finer, along, line))
@@ -173,7 +178,7 @@ MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
     return made;
   }
   if (mesh.is_fixed(pointed.face)) throw InputError("this patch is protected.");
-  MadeEdit made{mesh};
+  MadeEdit made{mesh, Message("Split a patch")};
   Journal journal(made.mesh);
   std::optional<double> row, column;
   if (edit != HandEdit::split_columns) row = inner_place(pointed.along_left);
@@ -190,7 +195,7 @@ MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (faces.size() < 2) throw InputError("that is one patch already; choose two or more.");
-  MadeEdit made{mesh};
+  MadeEdit made{mesh, Message("Merge {0} patches", faces.size())};
   const Plainness plain(made.mesh);
   Journal journal(made.mesh);
   const MergedFaces merged = merge_faces(journal, faces);
@@ -214,15 +219,15 @@ MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
 
 Mesh fitted(const Mesh& mesh, bool is_gradient, const std::vector<Face>& faces,
             const Problem& problem) {
-  if (is_gradient) {
-    PlainGrid grid = plain_grid(mesh);
-    fit_grid_and_colors(grid, *problem.reference(), steps_of_the_whole, GridPoints::all(grid));
-    return build_derived_mesh(grid.parts());
+  if (!is_gradient) {
+    const bool masks = problem.rules && problem.rules->may_mask_opacity();
+    FitTrial::Fork fork(mesh, EditError(problem.reference(), mesh, masks), true);
+    fork.trial.improve(faces, steps_of_the_whole);
+    return fork.mesh;
   }
-  const bool masks = problem.rules && problem.rules->may_mask_opacity();
-  FitTrial::Fork fork(mesh, EditError(problem.reference(), mesh, masks), true);
-  fork.trial.improve(faces, steps_of_the_whole);
-  return fork.mesh;
+  PlainGrid grid = plain_grid(mesh);
+  fit_grid_and_colors(grid, *problem.reference(), steps_of_the_whole, GridPoints::all(grid));
+  return build_derived_mesh(grid.parts());
 }
 
 }  // namespace gradmesh

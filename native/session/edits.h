@@ -1,25 +1,23 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "mesh/mesh.h"
 #include "problem/problem.h"
 #include "session/pointing.h"
 
 namespace gradmesh {
 
-/// What a person does to a mesh by hand. In a mesh that is one gradient and stays one, whole lines
-/// go and come; otherwise single patches are merged and split.
+/// What a person takes out of a mesh or puts into it by hand. In a mesh that is one gradient and
+/// stays one, whole lines go and come; otherwise single patches are merged and split.
 enum class HandEdit { merge, split_rows, split_columns, split_both };
-
-/// Returns the edit of that name: "merge", "rows", "columns" or "both". Throws
-/// std::invalid_argument with all names if there is none.
-HandEdit hand_edit_named(const std::string& name);
 
 /// An edit that can be made.
 struct MadeEdit {
   Mesh mesh = {};
+  /// What a menu calls it.
+  Message name;
   /// The curves of the mesh before that go, and those of the mesh after that come.
   std::vector<Halfedge> gone = {}, come = {};
   /// The patch that others were merged to; invalid if there is none.
@@ -28,6 +26,10 @@ struct MadeEdit {
 
 /// Throws InputError if the mesh is smooth: the colours of its patches follow from those around.
 void check_has_own_colors(const Mesh& mesh);
+
+/// Throws InputError if a patch that is protected differs after an edit that has left all faces
+/// where they were.
+void check_protected(const Mesh& before, const Mesh& after);
 
 /// Returns for each line of points inside a mesh that is one grid the curves along it, those along
 /// rows first.

@@ -15,6 +15,21 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// The element that is closest of those within reach; of several that are as close the last.
+template <class Element>
+struct Nearest {
+  explicit Nearest(double reach) : distance(reach) {}
+
+  void take(Element element, double its_distance) {
+    if (its_distance > distance) return;
+    distance = its_distance;
+    found = element;
+  }
+
+  double distance;
+  Element found{};
+};
+
 double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
   const glm::dvec2 along = b - a;
   const double square = glm::dot(along, along);
@@ -115,15 +130,37 @@ std::optional<Pointed> pointed_at(const Mesh& mesh, const Affine& to_pixels, glm
     found = Pointed{face, c.along_top, c.along_left, {}};
   }
   if (!found) return std::nullopt;
-  double closest = reach;
-  for (const Halfedge side : mesh.sides(found->face)) {
-    if (!mesh.other_side(side).valid()) continue;
-    const double d = distance_to_curve(place, points_along(mesh.side_of(side), to_pixels));
-    if (d > closest) continue;
-    closest = d;
-    found->edge = side;
+  Nearest<Halfedge> side(reach), edge(reach), corner(reach);
+  for (const Halfedge each : mesh.sides(found->face)) {
+    const double d = distance_to_curve(place, points_along(mesh.side_of(each), to_pixels));
+    side.take(each, d);
+    if (mesh.other_side(each).valid()) edge.take(each, d);
+    const glm::dvec2 start = to_pixels.point(mesh.position(mesh.origin(each)));
+    corner.take(each, glm::distance(start, place));
   }
+  found->side = side.found;
+  found->edge = edge.found;
+  found->corner = corner.found;
   return found;
+}
+
+std::optional<Grip> grip_at(const Mesh& mesh, const Affine& to_pixels, glm::dvec2 place,
+                            double reach) {
+  const auto distance = [&](glm::dvec2 p) { return glm::distance(to_pixels.point(p), place); };
+  Nearest<Point> point(reach);
+  for (const Point each : mesh.points())
+    if (!mesh[each].is_junction()) point.take(each, distance(mesh.position(each)));
+  Nearest<Halfedge> start(point.found.valid() ? std::nextafter(point.distance, 0.0) : reach);
+  Nearest<Halfedge> end = start;
+  for (const Halfedge curve : mesh.curves()) {
+    const Cubic<Value> c = mesh.curve_of(curve);
+    start.take(curve, distance(c.bezier1().position));
+    end.take(curve, distance(c.bezier2().position));
+  }
+  if (end.found.valid() && end.distance < start.distance) return Grip{{}, end.found, true};
+  if (start.found.valid()) return Grip{{}, start.found, false};
+  if (point.found.valid()) return Grip{point.found, {}, false};
+  return std::nullopt;
 }
 
 std::vector<Face> faces_covered(const Mesh& mesh, const Affine& to_pixels,

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "form/blocks.h"
 #include "mesh/face_outline.h"
 #include "mesh/faces_under.h"
 #include "mesh/rectangle.h"
 #include "ops/fix.h"
+#include "session/shape_edits.h"
 
 namespace gradmesh {
 namespace {
@@ -130,7 +132,7 @@ void Session::show(CurveKind kind, int state, bool moves_on) {
   set_now(measured(mesh, kind));
   place_.form = kind;
   place_.state = state;
-  if (!moves_on) take_down();
+  if (!moves_on) take_down(Message("Move along the curve"));
 }
 
 void Session::set_form(CurveKind form) {
@@ -139,63 +141,91 @@ void Session::set_form(CurveKind form) {
   if (form == CurveKind::one_gradient && (!problem_.gradient_rules || !find_grid(now_.mesh)))
     throw InputError(
         "the mesh is no grid of whole rows and columns, so it cannot be one gradient.");
-  become(measured(now_.mesh, form), {form, now_.mesh == *place_.start ? 0 : -1, place_.start});
+  if (form == CurveKind::one_gradient && !has_one_color_at_each_point(now_.mesh))
+    throw InputError("colours are sharp at a point, so the mesh cannot be one gradient.");
+  become(measured(now_.mesh, form), {form, now_.mesh == *place_.start ? 0 : -1, place_.start},
+         form == CurveKind::blocks ? Message("Make it blocks") : Message("Make it one gradient"));
 }
 
-const Session::Proposal* Session::propose(const std::optional<Pointed>& pointed, HandEdit edit) {
-  proposal_.reset();
-  if (!pointed) return nullptr;
-  const bool is_gradient = place_.form == CurveKind::one_gradient;
-  MadeEdit made = is_gradient ? edit_lines(now_.mesh, *pointed, edit, fits_, problem_)
-                              : edit_patches(now_.mesh, *pointed, edit);
-  Candidate written = measured(made.mesh, place_.form);
-  proposal_ = Proposal{std::move(made), std::move(written)};
-  return &*proposal_;
+const Session::Proposal& Session::propose(MadeEdit made, CurveKind form) {
+  Candidate written = measured(made.mesh, form);
+  return proposal_.emplace(std::move(made), std::move(written), form);
+}
+
+const Session::Proposal& Session::propose(const Pointed& pointed, HandEdit edit) {
+  forget_proposal();
+  return propose(is_gradient() ? edit_lines(now_.mesh, pointed, edit, fits_, problem_)
+                               : edit_patches(now_.mesh, pointed, edit));
+}
+
+const Session::Proposal& Session::propose_straight(const Pointed& pointed) {
+  forget_proposal();
+  return propose(straightened(now_.mesh, pointed));
+}
+
+const Session::Proposal& Session::propose_curve(const Pointed& pointed) {
+  forget_proposal();
+  const Proposal& proposal = propose(bent(now_.mesh, pointed, *problem_.reference()));
+  if (proposal.written.error < now_.error) return proposal;
+  forget_proposal();
+  throw InputError("as a curve this side would not be closer to the picture.");
+}
+
+const Session::Proposal& Session::propose_move(const Grip& grip, glm::dvec2 to) {
+  forget_proposal();
+  return propose(moved(now_.mesh, grip, to, problem_));
+}
+
+const Session::Proposal& Session::propose_color(const Pointed& pointed, const glm::dvec3& color,
+                                                bool is_sharp) {
+  forget_proposal();
+  if (is_sharp && is_gradient())
+    throw InputError("one gradient has one colour at each point; make it blocks first.");
+  return propose(recolored(now_.mesh, pointed, color, is_sharp));
+}
+
+const Session::Proposal& Session::propose_joined(const Pointed& pointed) {
+  forget_proposal();
+  return propose(joined(now_.mesh, pointed));
+}
+
+const Session::Proposal& Session::propose_merge(const std::vector<Face>& faces) {
+  forget_proposal();
+  return propose(merged_patches(now_.mesh, faces), CurveKind::blocks);
 }
 
 bool Session::make() {
   if (!proposal_) return false;
-  carry_out(*std::exchange(proposal_, std::nullopt));
-  return true;
-}
-
-void Session::merge(const std::vector<Face>& faces) {
-  MadeEdit made = merged_patches(now_.mesh, faces);
-  Candidate written = measured(made.mesh, CurveKind::blocks);
-  place_.form = CurveKind::blocks;
-  carry_out({std::move(made), std::move(written)});
-}
-
-void Session::carry_out(Proposal proposal) {
-  Candidate& written = proposal.written;
-  if (const Face merged = proposal.made.merged; fits_ && merged.valid()) {
-    Candidate better = measured(fitted(written.mesh, false, {merged}, problem_), place_.form);
+  auto [made, written, form] = *std::exchange(proposal_, std::nullopt);
+  if (fits_ && made.merged.valid()) {
+    Candidate better = measured(fitted(written.mesh, false, {made.merged}, problem_), form);
     if (better.error < written.error) written = std::move(better);
   }
-  become(std::move(written), {place_.form, -1, place_.start});
+  become(std::move(written), {form, -1, place_.start}, made.name);
+  return true;
 }
 
 void Session::fit() {
   std::vector<Face> faces;
   for (const Face face : now_.mesh.faces()) faces.push_back(face);
-  const bool is_gradient = place_.form == CurveKind::one_gradient;
-  Candidate found = measured(fitted(now_.mesh, is_gradient, faces, problem_), place_.form);
-  if (found.error < now_.error) become(std::move(found), {place_.form, -1, place_.start});
+  Candidate found = measured(fitted(now_.mesh, is_gradient(), faces, problem_), place_.form);
+  if (found.error < now_.error)
+    become(std::move(found), {place_.form, -1, place_.start}, Message("Fit to the picture"));
 }
 
-void Session::become(Candidate written, Place place) {
+void Session::become(Candidate written, Place place, const Message& name) {
   set_now(std::move(written));
   place_ = place;
-  take_down();
+  take_down(name);
 }
 
-void Session::take_down() {
+void Session::take_down(const Message& name) {
   if (kept_ == now_.mesh && kept_place_.form == place_.form && kept_place_.start == place_.start) {
     kept_place_ = place_;
     return;
   }
   history_.erase(history_.begin() + std::ptrdiff_t(done_), history_.end());
-  history_.push_back({MeshDifference(kept_, now_.mesh), kept_place_, place_});
+  history_.push_back({name, MeshDifference(kept_, now_.mesh), kept_place_, place_});
   done_ = history_.size();
   kept_ = now_.mesh;
   kept_place_ = place_;
@@ -233,17 +263,21 @@ void Session::start_from(const std::shared_ptr<const Mesh>& start) {
 }
 
 void Session::protect(const std::vector<Face>& faces, bool is_protected) {
-  is_protected ? set_protected(faces, {}) : set_protected({}, faces);
+  if (is_protected)
+    set_protected(faces, {}, Message("Protect patches"));
+  else
+    set_protected({}, faces, Message("Protect patches no longer"));
 }
 
 void Session::protect_others(const std::vector<Face>& faces) {
   std::vector<Face> others;
   for (const Face face : now_.mesh.faces())
     if (std::ranges::find(faces, face) == faces.end()) others.push_back(face);
-  set_protected(others, faces);
+  set_protected(others, faces, Message("Protect all other patches"));
 }
 
-void Session::set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released) {
+void Session::set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released,
+                            const Message& name) {
   Mesh mesh = now_.mesh, start = *place_.start;
   const std::vector<Face> fixed_there = faces_there(mesh, fixed, start);
   const std::vector<Face> released_there = faces_there(mesh, released, start);
@@ -256,7 +290,7 @@ void Session::set_protected(const std::vector<Face>& fixed, const std::vector<Fa
   const bool was_start = now_.mesh == *place_.start;
   const auto from = std::make_shared<const Mesh>(std::move(start));
   start_from(from);
-  become(measured(mesh, place_.form), {place_.form, was_start ? 0 : -1, from});
+  become(measured(mesh, place_.form), {place_.form, was_start ? 0 : -1, from}, name);
 }
 
 std::vector<Face> Session::protected_faces() const {

@@ -2,7 +2,7 @@
 
 #include <memory>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "metric/worst_places.h"
@@ -11,6 +11,7 @@
 #include "session/analysis.h"
 #include "session/background.h"
 #include "session/edits.h"
+#include "session/pointing.h"
 
 namespace gradmesh {
 
@@ -75,16 +76,25 @@ class Session {
     MadeEdit made;
     /// The mesh after it, measured. Where a patch was merged, making it may fit the patch as well.
     Candidate written;
+    /// What the mesh then is.
+    CurveKind form;
   };
-  /// Works out what a click would do. Returns null beside the mesh. Throws InputError where it
-  /// cannot be done, with the reason.
-  const Proposal* propose(const std::optional<Pointed>& pointed, HandEdit edit);
+  /// Work out an edit at a place. Throw InputError where it cannot be done, with the reason;
+  /// nothing is then proposed.
+  const Proposal& propose(const Pointed& pointed, HandEdit edit);
+  const Proposal& propose_straight(const Pointed& pointed);
+  /// Throws InputError as well if the picture is no closer then.
+  const Proposal& propose_curve(const Pointed& pointed);
+  const Proposal& propose_move(const Grip& grip, glm::dvec2 to);
+  /// In a mesh that is one gradient a colour is not sharp, or InputError is thrown.
+  const Proposal& propose_color(const Pointed& pointed, const glm::dvec3& color, bool is_sharp);
+  const Proposal& propose_joined(const Pointed& pointed);
+  /// Works out patches merged to one; the mesh is blocks then.
+  const Proposal& propose_merge(const std::vector<Face>& faces);
   const Proposal* proposal() const { return proposal_ ? &*proposal_ : nullptr; }
   void forget_proposal() { proposal_.reset(); }
   /// Makes what was proposed. Returns false if nothing is.
   bool make();
-  /// Merges patches to one. Throws InputError where that cannot be.
-  void merge(const std::vector<Face>& faces);
   /// Fits the mesh to the picture.
   void fit();
 
@@ -101,6 +111,10 @@ class Session {
   // --- history ---
   bool can_undo() const { return done_ > 0; }
   bool can_redo() const { return done_ < history_.size(); }
+  /// Return what a menu calls that which undo() takes back, and that which redo() does again; null
+  /// if there is nothing.
+  const Message* undo_name() const { return can_undo() ? &history_[done_ - 1].name : nullptr; }
+  const Message* redo_name() const { return can_redo() ? &history_[done_].name : nullptr; }
   void undo();
   void redo();
   /// Returns about how many bytes the history takes.
@@ -115,6 +129,7 @@ class Session {
     std::shared_ptr<const Mesh> start;
   };
   struct Change {
+    Message name;
     MeshDifference mesh;
     Place before, after;
   };
@@ -127,13 +142,16 @@ class Session {
   Candidate as_it_is() const;
   bool is_as_it_is(const Mesh& mesh, CurveKind form) const;
   void set_now(Candidate written);
-  void carry_out(Proposal proposal);
+  bool is_gradient() const { return place_.form == CurveKind::one_gradient; }
+  const Proposal& propose(MadeEdit made, CurveKind form);
+  const Proposal& propose(MadeEdit made) { return propose(std::move(made), place_.form); }
   /// Shows a mesh, and takes it down.
-  void become(Candidate written, Place place);
+  void become(Candidate written, Place place, const Message& name);
   /// Takes down how what is shown differs from what was taken down last.
-  void take_down();
+  void take_down(const Message& name);
   void show_kept();
-  void set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released);
+  void set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released,
+                     const Message& name);
   /// Looks for curves of that mesh from now on.
   void start_from(const std::shared_ptr<const Mesh>& start);
 

@@ -7,7 +7,7 @@ from typing import Any, Iterable, Optional, Sequence, Tuple
 
 from .api import Document, Result, _result
 from .core import refusal
-from .errors import InputError
+from .errors import InputError, Message, said
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class View:
 class Pointed:
     """What a click would do at a place."""
 
-    face: int  #: the patch there, by its number
+    face: Optional[int] = None  #: the patch there, by its number; None for what is moved
     why_not: Optional[InputError] = None  #: why nothing can be done there
     handles: Optional[int] = None  #: after the click; None where nothing would be done
     patches: Optional[int] = None
@@ -79,17 +79,34 @@ class Session:
         return self._change("set_session_form", form=form)
 
     def point(
-        self, view: View, x: float, y: float, edit: str = "merge", fits: bool = True, reach: float = 8
+        self,
+        view: View,
+        x: float,
+        y: float,
+        edit: str = "merge",
+        fits: bool = True,
+        reach: float = 8,
+        **how: Any,
     ) -> Optional[Pointed]:
-        """Returns what a click at a pixel would do, which make() then does; None beside the mesh.
+        """Returns what an edit at a pixel would do, which make() then does; None beside the mesh.
 
-        edit: "merge", or "rows", "columns" or "both" to split; fits: whether what is around is fitted
-        to the picture; reach: within how many pixels a line is meant.
+        edit: "merge", or "rows", "columns" or "both" to split; "straight" or "curve" for a side of a
+        patch; "color" for a point, or "join" to give it one colour again; "move" for a point or a handle.
+        fits: whether what is around is fitted to the picture, for which lines and merged patches are;
+        a side that becomes a curve always is, and what else is set by hand stays as it is.
+        reach: within how many pixels a line or a point is meant.
+        how: for "color" the `color`, as SVG writes it, and `sharp`, whether it is that of the patch there
+        alone; for "move" `to`, the pixel where it goes.
         """
-        found = self._call("point_at", pixel_x=x, pixel_y=y, edit=edit, fits=fits, reach=reach, **vars(view))
-        if found is None:
-            return None
-        return Pointed(**{**found, "why_not": refusal(found.get("why_not"))})
+        if "to" in how:
+            how["to_x"], how["to_y"] = how.pop("to")
+        arguments = {"pixel_x": x, "pixel_y": y, "edit": edit, "fits": fits, "reach": reach, **how}
+        return _pointed(self._call("point_at", **arguments, **vars(view)))
+
+    def propose_merge(self, patches: Iterable[int], fits: bool = True) -> Pointed:
+        """Returns what merging patches, by their numbers, to one would do, which make() then does. The error
+        is that before the fit. Raises InputError where there is no such patch."""
+        return _pointed(self._call("propose_merge", patches=list(patches), fits=fits))
 
     def make(self) -> dict:
         """Does what was pointed at."""
@@ -119,6 +136,16 @@ class Session:
     def redo(self) -> dict:
         return self._change("redo_edit")
 
+    @property
+    def undo_name(self) -> Optional[str]:
+        """What undo() takes back, such as "Merge 2 patches"; None if there is nothing."""
+        return _name(self.status["undo"])
+
+    @property
+    def redo_name(self) -> Optional[str]:
+        """What redo() does again; None if there is nothing."""
+        return _name(self.status["redo"])
+
     def patches_in(
         self, view: View, lasso: Sequence[Tuple[float, float]], touched: bool = False
     ) -> list[int]:
@@ -136,7 +163,9 @@ class Session:
         (those of a patch that can be merged within the error of Balanced, the largest being 0) or "parts"
         (those of the motorcycle graph). wait: until it is found out.
         The dictionary has `complete`, `failure` (an InputError, or None) and, once it is complete, for prices
-        the `scale`, for parts `parts` and `limit`, for regions how many `regions` there are and the `region`.
+        the `scale` and `prices`, a list of {"x", "y", "error"}: the middle of each side inside the mesh, in
+        the units of the page, and by how much the error rises, None where nothing can be done; for parts
+        `parts` and `limit`, for regions how many `regions` there are and the `region`.
         """
         found = self._call("find_out", kind=kind, patch=patch, region=region, fits=fits, wait=wait)
         return {**found, "failure": refusal(found["failure"])}
@@ -164,6 +193,14 @@ class Session:
         session."""
         written = self._call("write_session", remember_original=remember_original, keep_original=keep_original)
         return _result(written)
+
+
+def _pointed(found: Optional[dict]) -> Optional[Pointed]:
+    return None if found is None else Pointed(**{**found, "why_not": refusal(found.get("why_not"))})
+
+
+def _name(message: Optional[Message]) -> Optional[str]:
+    return None if message is None else said(message)
 
 
 def _flat(places: Sequence[Tuple[float, float]]) -> list[float]:

@@ -40,8 +40,8 @@ TEST(Analysis, prices_of_lines_are_what_clicks_on_them_cost) {
     const Mesh& mesh = session.now().mesh;
     const Pointed pointed{.face = mesh.face(price.curve), .edge = price.curve};
     try {
-      const Session::Proposal* const proposal = session.propose(pointed, HandEdit::merge);
-      EXPECT_NEAR(price.error, proposal->written.error - before, 1e-9);
+      const double error = session.propose(pointed, HandEdit::merge).written.error;
+      EXPECT_NEAR(price.error, error - before, 1e-9);
     } catch (const InputError&) {
       EXPECT_EQ(price.error, std::numeric_limits<double>::infinity());
       ++stay;
@@ -71,7 +71,7 @@ TEST(Analysis, what_is_found_out_is_forgotten_as_soon_as_the_mesh_is_another) {
     analysis(session, kind);
     EXPECT_TRUE(session.analysis(kind));
   }
-  session.propose(pointed_at(session.now().mesh, view_of(session).to_pixels, {100, 100}, 1000),
+  session.propose(*pointed_at(session.now().mesh, view_of(session).to_pixels, {100, 100}, 1000),
                   HandEdit::merge);
   EXPECT_TRUE(session.analysis(AnalysisKind::prices)) << "it is only shown";
   session.make();

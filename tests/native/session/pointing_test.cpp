@@ -56,8 +56,12 @@ TEST(Pointing, patches_in_a_lasso_can_be_merged) {
   const Affine to_pixels = view_of(session).to_pixels;
   const Box box = bounding_box(session.now().mesh, to_pixels);
   const glm::dvec2 low = box.low() + 0.2 * box.size(), high = box.low() + 0.6 * box.size();
-  session.merge(
+  session.propose_merge(
       faces_covered(session.now().mesh, to_pixels, rectangle(low.x, low.y, high.x, high.y)));
+  EXPECT_EQ(session.proposal()->written.surface().face_count(), 22);
+  EXPECT_EQ(session.now().mesh.face_count(), 25) << "it is only shown";
+  session.make();
+  EXPECT_EQ(session.undo_name()->english(), "Merge 4 patches");
   EXPECT_EQ(session.now().mesh.face_count(), 22);
   EXPECT_EQ(session.form(), CurveKind::blocks);
 }

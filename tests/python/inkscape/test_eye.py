@@ -12,7 +12,7 @@ import gradmesh
 sys.path.append(str(ROOT / "extension"))  # after the tests' own modules
 
 import gradmesh_eye  # noqa: E402
-from gradmesh_eye_words import hint, legend, summary  # noqa: E402
+from gradmesh_eye_words import hint, legend, redo_tip, summary, undo_tip  # noqa: E402
 
 SIZE = (300, 360)
 
@@ -112,7 +112,7 @@ def test_what_is_marked_is_merged_protected_and_released(eye):
     eye.lasso = everywhere()
     eye.mark()
     assert len(eye.marked) == 36 and not eye.lasso
-    assert "Marked patches: 36" in hint(eye)
+    assert "Marked patches: 36" in hint(eye) and "makes them one: error 0.3" in hint(eye)
     x, y = line_at(eye)
     eye.mark_patch(x, y + 12)  # a line is met from outside, too
     assert len(eye.marked) == 35
@@ -135,6 +135,7 @@ def test_what_is_marked_is_merged_protected_and_released(eye):
     eye.mark()
     eye.merge_marked()
     assert eye.status["patches"] == 1
+    assert undo_tip(eye) == "Take back: Merge 36 patches (Ctrl+Z)" and redo_tip(eye) == "Nothing to make again"
 
 
 def test_a_straight_drag_spans_a_rectangle(eye):

@@ -89,6 +89,30 @@ class AnySession(RuleBasedStateMachine):
 
         self.attempt(click)
 
+    def point_and_make(self, x, y, edit, **how):
+        def click():
+            pointed = self.session.point(self.view, SIZE * x, SIZE * y, edit, reach=SIZE / 4, **how)
+            if pointed and pointed.why_not:
+                raise pointed.why_not
+            if pointed and pointed.handles is not None:
+                self.session.make()
+                status = self.session.status
+                assert (status["handles"], status["error"]) == (pointed.handles, pointed.error)
+
+        self.attempt(click)
+
+    @rule(x=FRACTIONS, y=FRACTIONS, edit=st.sampled_from(["straight", "curve", "join"]))
+    def changes_a_side_or_joins(self, x, y, edit):
+        self.point_and_make(x, y, edit)
+
+    @rule(x=FRACTIONS, y=FRACTIONS, color=st.sampled_from(["#e04020", "navy"]), sharp=st.booleans())
+    def sets_a_colour(self, x, y, color, sharp):
+        self.point_and_make(x, y, "color", color=color, sharp=sharp)
+
+    @rule(x=FRACTIONS, y=FRACTIONS, dx=st.floats(-0.1, 0.1), dy=st.floats(-0.1, 0.1))
+    def moves_a_point_or_handle(self, x, y, dx, dy):
+        self.point_and_make(x, y, "move", to=(SIZE * (x + dx), SIZE * (y + dy)))
+
     @rule(x=FRACTIONS, y=FRACTIONS, size=st.floats(0.1, 0.6), fits=st.booleans())
     def merges_a_set(self, x, y, size, fits):
         patches = self.patches_around(x, y, size)
@@ -120,13 +144,13 @@ class AnySession(RuleBasedStateMachine):
     def redoes(self):
         self.session.redo()
 
-    @precondition(lambda self: self.session.status["can_undo"])
+    @precondition(lambda self: self.session.status["undo"])
     @rule()
     def goes_back_and_forth(self):
-        now = self.seen()
+        now, name = self.seen(), self.session.undo_name
         self.session.undo()
         before = self.seen()
-        assert self.session.status["can_redo"]
+        assert self.session.redo_name == name and "{" not in name
         self.session.redo()
         assert self.seen() == now
         self.session.undo()
@@ -140,10 +164,10 @@ class AnySession(RuleBasedStateMachine):
     def teardown(self):
         if not hasattr(self, "first"):
             return
-        while self.session.status["can_undo"]:
+        while self.session.status["undo"]:
             self.session.undo()
         assert self.seen() == self.first
-        while self.session.status["can_redo"]:
+        while self.session.status["redo"]:
             self.session.redo()
         status = self.session.refresh()
         result = self.session.write()

@@ -72,10 +72,68 @@ def test_an_edit_is_shown_before_it_is_made_and_taken_back():
     assert samples(session, proposal=True) != before == samples(session, proposal=False)
     status = session.make()
     assert (status["handles"], status["patches"]) == (pointed.handles, pointed.patches)
-    assert status["error"] == pointed.error and not status["unchanged"] and status["can_undo"]
+    assert status["error"] == pointed.error and not status["unchanged"] and status["undo"]
     assert samples(session) != before
     assert session.undo()["unchanged"] and samples(session) == before
     assert session.redo()["handles"] == pointed.handles
+
+
+def at_the_first(session, edit, **how):
+    """Where the first edit of that kind is that can be made, row by row, and what it does."""
+    for y in range(60, 200, 4):
+        for x in range(40, 160, 6):
+            found = session.point(VIEW, x, y, edit, reach=4, **how)
+            if found and found.handles is not None:
+                return x, y, found
+    raise AssertionError(f"{edit} is possible nowhere")
+
+
+def test_what_is_set_by_hand_has_a_price_and_a_name():
+    _document, session = opened()
+    handles = session.status["handles"]
+    x, y, found = at_the_first(session, "straight")
+    assert found.handles == handles - 2 and found.face is not None
+    assert session.make()["error"] == found.error and session.undo_name == "Make a side straight"
+    assert "straight already" in str(session.point(VIEW, x, y, "straight", reach=4).why_not)
+    session.undo()
+    assert session.redo_name == "Make a side straight" and session.undo_name is None
+
+    _x, _y, found = at_the_first(session, "move", to=(103, 130))
+    assert found.face is None and found.error > 0
+    session.make()
+    assert session.undo_name in ("Move a point", "Move a handle")
+    away = session.point(VIEW, 100, 150, "move", reach=100, to=(-9e9, 0)).why_not
+    assert "no error is measured" in str(away)
+    session.undo()
+
+    sharp = session.point(VIEW, 100, 130, "color", reach=100, color="red", sharp=True)
+    assert "blocks" in str(sharp.why_not)
+    before = samples(session, lines=False)
+    session.set_form("blocks")
+    session.point(VIEW, 100, 130, "color", reach=100, color="red", sharp=True)
+    session.make()
+    assert samples(session, lines=False) != before and session.undo_name == "Set the colour of a corner"
+    with pytest.raises(gradmesh.InputError, match="colours are sharp"):
+        session.set_form("one gradient")
+    session.point(VIEW, 100, 130, "join", reach=100)
+    session.make()
+    assert session.set_form("one gradient")["form"] == "one gradient"
+    with pytest.raises(ValueError, match="no colour"):
+        session.point(VIEW, 100, 130, "color", reach=100, color="reddish")
+    with pytest.raises(ValueError, match="edits are merge, .* and move"):
+        session.point(VIEW, 100, 130, "bend")
+
+
+def test_merging_a_set_has_a_price():
+    _document, session = opened()
+    patches = session.patches_in(VIEW, [(60, 100), (140, 100), (140, 180), (60, 180)])[:2]
+    price = session.propose_merge(patches)
+    assert price.patches == session.status["patches"] - len(patches) + 1 and price.error > 0
+    assert session.status["unchanged"]
+    status = session.make()
+    assert status["patches"] == price.patches and status["error"] <= price.error
+    assert session.undo_name == f"Merge {len(patches)} patches"
+    assert "two or more" in str(session.propose_merge(session.status["protected"]).why_not)
 
 
 def test_protected_patches_stay():
@@ -86,7 +144,7 @@ def test_protected_patches_stay():
     free = session.refresh(wait=True)["curves"]["one gradient"]["states"]
     before = samples(session)
     status = session.protect(upper)
-    assert status["protected"] == upper and status["can_undo"]
+    assert status["protected"] == upper and status["undo"]
     assert samples(session) != before, "they are hatched"
     held = session.refresh(wait=True)["curves"]["one gradient"]["states"]
     assert held[-1]["handles"] > free[-1]["handles"]
@@ -122,6 +180,10 @@ def test_what_is_known_is_found_out_and_forgotten():
     prices = session.find_out("prices", wait=True)
     errors = [step["error"] for step in prices["scale"]]
     assert errors == sorted(errors) and prices["failure"] is None
+    costs = [price["error"] for price in prices["prices"]]
+    assert errors[-1] == max(cost for cost in costs if cost is not None)
+    left, top, right, bottom = session.box
+    assert all(left <= p["x"] <= right and top <= p["y"] <= bottom for p in prices["prices"])
     assert samples(session, known="prices") != before == samples(session)
     assert samples(session, known="prices", density=2) != samples(session, known="prices")
 
