@@ -90,7 +90,7 @@ void Document::check_color_model(ColorModel model) const {
 }
 
 std::vector<FilledOutline> Document::covered(const std::vector<std::string>&) const {
-  throw InputError("{0}: shapes that protect what they cover are known in SVG documents only.",
+  throw InputError("{0}: shapes that cover parts of a mesh are known in SVG documents only.",
                    name());
 }
 

@@ -33,6 +33,12 @@ void append_text(const ordered_json& value, int depth, const std::string& indent
   out += "\n" + indent + (value.is_object() ? "}" : "]");
 }
 
+ordered_json weights_json(const std::vector<std::pair<std::string, double>>& weights) {
+  ordered_json list = ordered_json::array();
+  for (const auto& [id, factor] : weights) list.push_back({{"id", id}, {"factor", factor}});
+  return list;
+}
+
 }  // namespace
 
 ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
@@ -54,13 +60,13 @@ ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
 }
 
 ordered_json result_json(const Document& document, const MeshReport& report,
-                         const SimplifyOptions& options, const std::string& original) {
+                         const RunOptions& options, const std::string& original) {
   const SimplifyResult& result = report.result;
   const auto& seconds = result.seconds;
   const auto or_null = [](const auto& value) {
     return value ? ordered_json(*value) : ordered_json();
   };
-  return {
+  ordered_json json = {
       {"id", report.id},
       {"method", result.method},
       {"color_model", name(options.color_model.value_or(document.color_model()))},
@@ -87,6 +93,8 @@ ordered_json result_json(const Document& document, const MeshReport& report,
       {"seconds",
        {{"total", seconds.total}, {"rasterize", seconds.rasterize}, {"select", seconds.select}}},
       {"stopped", report.refused ? "refused" : name(result.stopped)}};
+  if (!options.weights.empty()) json["weights"] = weights_json(options.weights);
+  return json;
 }
 
 ordered_json edit_json(const EditReport& report) {

@@ -18,10 +18,10 @@ nlohmann::ordered_json mesh_json(const Document& document, const MeshEntry& entr
 /// "metric", "epsilon", "max_local_error" or null, "original" or null, "resolution", "seed",
 /// "omega", "kappa", "handles_before", "handles_after", "patches_before", "patches_after",
 /// "objects", "error", "local_error", "evaluations", "renderer", "seconds": {"total", "rasterize",
-/// "select"}, "stopped"}. `original` names the document that was measured against; empty
-/// if none was named.
+/// "select"}, "stopped"}, and "weights": [{"id", "factor"}] if there are any. `original` names the
+/// document that was measured against; empty if none was named.
 nlohmann::ordered_json result_json(const Document& document, const MeshReport& report,
-                                   const SimplifyOptions& options, const std::string& original);
+                                   const RunOptions& options, const std::string& original);
 
 /// Returns what is told of an edit: {"id", "handles_before", "handles_after", "patches_before",
 /// "patches_after", "objects", "error"}.

@@ -22,7 +22,8 @@ struct MeshReport {
 /// asked for, what it is measured against and how it will be written. It is measured against the
 /// first of these that there is: `options.original`, Document::original, and the mesh as it was
 /// before it was converted to another colour model. Prices are in one of `files`. Throws as
-/// problem_of() does, with InputErrors that name the mesh.
+/// problem_of() does, with InputErrors that name the mesh, as Document::covered does, and
+/// std::invalid_argument if a weight is out of range.
 Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& options,
                    AnalysisFiles& files);
 

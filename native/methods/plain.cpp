@@ -136,7 +136,8 @@ class Selection {
   }
 
   bool harms_details(const Outcome& outcome) const {
-    return outcome.written.detail_error > problem_.bounds.detail.value_or(1);
+    const std::optional<double> bound = problem_.bounds.detail;
+    return bound && outcome.written.detail_error > *bound;
   }
 
   void pass() {

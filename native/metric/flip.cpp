@@ -80,7 +80,8 @@ struct Scratch {
 
 }  // namespace
 
-Flip::Flip(Image image) : Metric(std::move(image), appearance_reach) {
+Flip::Flip(Image image, Weights weights)
+    : Metric(std::move(image), appearance_reach, std::move(weights)) {
   appearance_.reset(reference().window(), appearance_planes);
   for_each_strip(reference().window(), [&](Window strip) {
     AppearanceFilter& filter = per_thread<Scratch>().filter;

@@ -9,7 +9,7 @@ namespace gradmesh {
 /// per degree. Symmetric in its two images.
 class Flip final : public Metric {
  public:
-  explicit Flip(Image reference);
+  Flip(Image reference, Weights weights);
 
  private:
   void score(const Image& test, Window tile, Plane& map) const override;

@@ -15,12 +15,13 @@ inline constexpr int local_side = 32;
 /// Calls `body(x, y, mean)` for every window of 32 x 32 pixels inside the map, row by row; (x, y)
 /// is the window's top left pixel. Windows are as wide or high as the map where that is smaller.
 /// The map may be a part of the frame: the same windows have the same means. `map` holds values of
-/// at most 2.
+/// at most 8: those of SSIM, up to 2, times the largest weight.
 template <class Body>
 void for_each_local_mean(const Plane& map, const Body& body) {
   if (map.samples.empty()) return;
   const int width = std::min(local_side, map.width), height = std::min(local_side, map.height);
   // As whole multiples of 2^-40 all running sums are exact: they do not depend on where they began.
+  // A double holds such multiples up to 2^13, which is the sum of 32 x 32 values of 8.
   const auto rounded = [](double value) { return (value + 0x1p12) - 0x1p12; };
   std::vector<double> columns(std::size_t(map.width), 0.0);
   for (int y = map.y0; y < map.y0 + map.height; ++y) {

@@ -40,11 +40,23 @@ double sum(const float* row, int count) {
 }
 
 template <class Made>
-std::unique_ptr<Metric> make(Image reference) {
-  return std::make_unique<Made>(std::move(reference));
+std::unique_ptr<Metric> make(Image reference, Metric::Weights weights) {
+  return std::make_unique<Made>(std::move(reference), std::move(weights));
+}
+
+void multiply(const Plane& weights, Window window, Plane& map) {
+  for (int y = window.y0; y < window.y1; ++y)
+    std::transform(map.at(window.x0, y), map.at(window.x0, y) + window.width(),
+                   weights.at(window.x0, y), map.at(window.x0, y), std::multiplies<>());
 }
 
 }  // namespace
+
+Metric::Metric(Image reference, int reach, Weights weights)
+    : reference_(std::move(reference)), reach_(reach), weights_(std::move(weights)) {
+  if (weights_ && weights_->window() != reference_.window())
+    throw std::invalid_argument("The weights of a metric must have the size of its reference.");
+}
 
 void Metric::for_each_strip(Window window, const std::function<void(Window)>& body) {
   const int height = window.height(), count = (height + strip_height - 1) / strip_height;
@@ -62,7 +74,10 @@ void Metric::score_near_differences(const Image& test, Window window, Plane& map
                                 strip_height, tiles);
   const bool all = tiles.size() == 1 && tiles.front() == window;
   if (!all) fill(map, window, 0.0F);
-  for (const Window& tile : tiles) score(test, tile, map);
+  for (const Window& tile : tiles) {
+    score(test, tile, map);
+    if (weights_) multiply(*weights_, tile, map);
+  }
 }
 
 void Metric::fill_map(const Image& test, Window window, Plane& map) const {
@@ -130,8 +145,8 @@ MetricKind metric_named(const std::string& wanted) {
                               ".");
 }
 
-std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference) {
-  return metric_entry(kind).make(std::move(reference));
+std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference, Metric::Weights weights) {
+  return metric_entry(kind).make(std::move(reference), std::move(weights));
 }
 
 double sum(const Plane& map, Window window) {

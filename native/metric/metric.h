@@ -13,9 +13,15 @@ namespace gradmesh {
 
 enum class MetricKind { flip, ssim };
 
-/// Measures the distance of test images to one fixed reference image, per pixel. The distance of a
-/// pixel depends only on the pixels within `reach` of it, and is 0 where none of these differs from
-/// the reference: only pixels near a difference are scored, in tiles.
+/// How often the errors of a pixel may count. Below a quarter a part is as good as left out, which
+/// what is hidden does better; above 4 the errors elsewhere hardly count any more, and the sums of
+/// metric/local_mean.h would not be exact.
+inline constexpr double least_weight = 0.25, most_weight = 4;
+
+/// Measures the distance of test images to one fixed reference image, per pixel. Where pixels have
+/// weights, what all members give as the distance is the distance times the weight of the pixel.
+/// The distance of a pixel depends only on the pixels within `reach` of it, and is 0 where none of
+/// these differs from the reference: only pixels near a difference are scored, in tiles.
 ///
 /// SSIM is Wang et al. 2004 as `1 - SSIM` (mean of the three channels), up to 2 where the images
 /// are anti-correlated; FLIP is the LDR metric of Andersson et al. 2020, up to 1. Both treat a
@@ -23,6 +29,9 @@ enum class MetricKind { flip, ssim };
 /// computed once, by the constructor; the other members may be called concurrently.
 class Metric {
  public:
+  /// The weight of every pixel of the frame, least_weight to most_weight; null if all are 1.
+  using Weights = std::shared_ptr<const Plane>;
+
   virtual ~Metric() = default;
 
   /// Writes the distance of every pixel in `window` into `map`, which has the size of the
@@ -54,15 +63,16 @@ class Metric {
   }
 
  protected:
-  Metric(Image reference, int reach) : reference_(std::move(reference)), reach_(reach) {}
+  /// Throws std::invalid_argument if the weights are not of the size of the reference.
+  Metric(Image reference, int reach, Weights weights);
 
   /// Calls `body(strip)` in parallel for windows that share the rows of `window` between them, few
   /// enough in each for the filtered rows to stay in the cache.
   static void for_each_strip(Window window, const std::function<void(Window)>& body);
 
  private:
-  /// Writes the distances of the pixels of `tile`, which is not empty and lies inside the frame.
-  /// `test` covers all pixels of the frame within the reach of the tile.
+  /// Writes the distances, without weights, of the pixels of `tile`, which is not empty and lies
+  /// inside the frame. `test` covers all pixels of the frame within the reach of the tile.
   virtual void score(const Image& test, Window tile, Plane& map) const = 0;
 
   Window around(Window window, int by) const {
@@ -72,6 +82,7 @@ class Metric {
 
   Image reference_;
   int reach_;
+  Weights weights_;
 };
 
 /// A metric as the rest of the program knows it.
@@ -83,7 +94,7 @@ struct MetricEntry {
   const char* label;
   /// The metric's Metric::reach().
   int reach;
-  std::unique_ptr<Metric> (*make)(Image reference);
+  std::unique_ptr<Metric> (*make)(Image reference, Metric::Weights weights);
 };
 
 /// Returns all metrics, in the order in which lists show them.
@@ -100,8 +111,9 @@ inline int metric_reach(MetricKind kind) { return metric_entry(kind).reach; }
 MetricKind metric_named(const std::string& name);
 
 /// Makes the metric that measures against `reference`, which may have any size, also one smaller
-/// than the filters.
-std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference);
+/// than the filters. Throws std::invalid_argument if the weights are of another size.
+std::unique_ptr<Metric> make_metric(MetricKind kind, Image reference,
+                                    Metric::Weights weights = nullptr);
 
 /// Returns the sum of the map over a window, in double and in a fixed order.
 double sum(const Plane& map, Window window);

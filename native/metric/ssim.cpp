@@ -271,7 +271,7 @@ HWY_EXPORT(add_channels);
 
 }  // namespace
 
-Ssim::Ssim(Image image) : Metric(std::move(image), radius) {
+Ssim::Ssim(Image image, Weights weights) : Metric(std::move(image), radius, std::move(weights)) {
   moments_.reset(reference().window(), 2 * channels);
   for_each_strip(reference().window(), [&](Window strip) {
     HWY_DYNAMIC_DISPATCH(find_moments)(reference(), strip, per_thread<Scratch>(), moments_);

@@ -27,7 +27,7 @@ inline const Taps<float, ssim_radius>& ssim_taps() {
 /// covariance, K1 = 0.01, K2 = 0.03. 0 to 2; above 1 only where the images are anti-correlated.
 class Ssim final : public Metric {
  public:
-  explicit Ssim(Image reference);
+  Ssim(Image reference, Weights weights);
 
  private:
   void score(const Image& test, Window tile, Plane& map) const override;

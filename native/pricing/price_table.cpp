@@ -35,6 +35,10 @@ void add(Hash& hash, const HiddenPixels& hidden, int height) {
     }
 }
 
+void add(Hash& hash, const Plane& weights) {
+  for (const float weight : weights.samples) hash.add(double(weight));
+}
+
 }  // namespace
 
 PriceTableKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
@@ -45,6 +49,7 @@ PriceTableKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& 
   for (const glm::dvec2 p : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)})
     for (int i = 0; i < 2; ++i) content.add(frame.to_pixels.point(p)[i]);
   if (frame.hidden) add(content, *frame.hidden, frame.height);
+  if (frame.weights) add(content, *frame.weights);
   return {picture.value(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
 }
 

@@ -16,7 +16,8 @@ namespace gradmesh {
 struct PriceTableKey {
   /// Hash of the original mesh, whose picture counts.
   std::uint64_t original = 0;
-  /// Hash of the mesh that is merged, of where it lies in the frame, and of what is hidden there.
+  /// Hash of the mesh that is merged, of where it lies in the frame, of what is hidden
+  /// there and of the weights of its pixels.
   std::uint64_t content = 0;
   MetricKind metric = MetricKind::flip;
   /// Size of the frame in pixels.

@@ -110,8 +110,9 @@ std::unique_ptr<MergeTrial::Fork> Problem::trial() const {
 std::unique_ptr<MergeTrial::Fork> Problem::pricing_trial() const {
   auto fork = trial();
   Shared& s = *shared_;
-  // A device is asked for once; one that has failed is not tried again.
-  if (const auto choose = std::exchange(s.pricing.device, {})) s.device = choose();
+  // A device is asked for once; one that has failed is not tried again. None knows weights.
+  const auto choose = std::exchange(s.pricing.device, {});
+  if (choose && !s.frame.weights) s.device = choose();
   if (s.device && s.device->is_lost()) s.device = nullptr;
   if (s.device)
     fork->trial.use_device(s.device, [shared = shared_](const DeviceError& error) {
@@ -130,7 +131,8 @@ void Problem::take(const FrameError& error, Candidate& found) const {
   found.error = error.mean;
   found.local_error = error.local;
   found.detail_error = error.detail;
-  found.keeps = error.keeps_to(bounds.epsilon) && error.detail <= bounds.detail.value_or(1);
+  found.keeps =
+      error.keeps_to(bounds.epsilon) && (!bounds.detail || error.detail <= *bounds.detail);
 }
 
 Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const {

@@ -112,7 +112,7 @@ class Problem {
   /// Returns a copy of the mesh with a trial that merges in it. The first call paints the mesh, and
   /// throws InputError if it covers no pixel.
   std::unique_ptr<MergeTrial::Fork> trial() const;
-  /// Returns a trial that prices merges on the device if there is one.
+  /// Returns a trial that prices merges on the device if there is one and no pixel has a weight.
   std::unique_ptr<MergeTrial::Fork> pricing_trial() const;
 
   /// Measures a mesh as it will be written. May be called concurrently once trial() was called.

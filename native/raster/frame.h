@@ -23,6 +23,9 @@ struct Frame {
   std::uint8_t ground = 255;
   /// Pixels that stay of the ground whatever covers them (hidden.h); null: none.
   std::shared_ptr<const HiddenPixels> hidden = nullptr;
+  /// How often the error of each pixel counts (Metric::Weights); null: once. Nothing is painted
+  /// otherwise because of it.
+  std::shared_ptr<const Plane> weights = nullptr;
 
   Window window() const { return {0, 0, width, height}; }
 };

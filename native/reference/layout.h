@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/affine.h"
 #include "geom/outline.h"
 #include "mesh/mesh.h"
 #include "raster/frame.h"
+#include "reference/weights.h"
 
 namespace gradmesh {
 
@@ -17,6 +19,8 @@ struct Layout {
   /// The visible area of the mesh; nothing if all is visible. The rest does not count, as if it
   /// were not painted.
   std::optional<VisibleArea> visible = std::nullopt;
+  /// Where errors count more or less than once. Where areas overlap, the last one counts.
+  std::vector<WeightedArea> weighted = {};
 };
 
 /// Returns the frame of `resolution` pixels along the longer side in which the mesh lies as

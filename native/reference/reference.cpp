@@ -74,14 +74,15 @@ Reference::Reference(const Mesh& original, const Frame& frame, MetricKind metric
       outlines_(original, frame) {}
 
 const Metric& Reference::metric() const {
-  std::call_once(metric_is_made_, [&] { metric_ = make_metric(metric_kind_, painting_.image); });
+  std::call_once(metric_is_made_,
+                 [&] { metric_ = make_metric(metric_kind_, painting_.image, frame_.weights); });
   return *metric_;
 }
 
 const Metric* Reference::metric_on_black() const {
   if (on_black_.samples.empty()) return nullptr;
   std::call_once(metric_on_black_is_made_,
-                 [&] { metric_on_black_ = make_metric(metric_kind_, on_black_); });
+                 [&] { metric_on_black_ = make_metric(metric_kind_, on_black_, frame_.weights); });
   return metric_on_black_.get();
 }
 

@@ -29,7 +29,8 @@ class Reference {
   const Frame& frame() const { return frame_; }
   const Painting& painting() const { return painting_; }
   MetricKind metric_kind() const { return metric_kind_; }
-  /// Returns the metric that measures against the picture, which is made at the first call.
+  /// Returns the metric that measures against the picture, with the weights of the frame, which is
+  /// made at the first call.
   const Metric& metric() const;
   /// Returns the metric that measures against the original on black, which is made at the first
   /// call; null where the original is opaque. What of a translucent mesh is hardly seen on white

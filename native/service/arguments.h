@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gradmesh {
@@ -34,7 +35,7 @@ class Arguments {
   explicit Arguments(const Json& values);
 
   /// Returns an argument as a T: bool, int, std::uint64_t, double, std::string, Bytes, or a
-  /// std::optional, which is empty for null, or a std::vector of these.
+  /// std::optional, which is empty for null, or a std::vector or std::pair of these.
   template <class T>
   T get(const std::string& name) const {
     T value{};
@@ -60,6 +61,12 @@ class Arguments {
   static void read(const std::string& name, const Json& json, std::vector<T>& value) {
     if (!json.is_array()) throw WrongType(name + " must be a list.");
     for (const Json& member : json) read("a member of " + name, member, value.emplace_back());
+  }
+  template <class A, class B>
+  static void read(const std::string& name, const Json& json, std::pair<A, B>& value) {
+    if (!json.is_array() || json.size() != 2) throw WrongType(name + " must be a pair.");
+    read("the first of " + name, json[0], value.first);
+    read("the second of " + name, json[1], value.second);
   }
 
   /// Returns the argument; null if there is none of that name.

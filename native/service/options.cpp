@@ -42,6 +42,7 @@ RunOptions run_options(const Call& call) {
   for (const OptionEntry& option : all_options())
     std::visit(Reading{call, option.name, options}, option.value);
   options.protect = call.get<std::vector<std::string>>("protect", {});
+  options.weights = call.get<std::vector<std::pair<std::string, double>>>("weights", {});
   options.progress = call.progress();
   return options;
 }

@@ -33,7 +33,7 @@ Json meshes_json(const Document& document) {
 }
 
 Json results_json(const Document& document, const std::vector<MeshReport>& reports,
-                  const SimplifyOptions& options, const std::string& original) {
+                  const RunOptions& options, const std::string& original) {
   Json list = Json::array();
   for (const MeshReport& report : reports) {
     Json& result = list.emplace_back(result_json(document, report, options, original));

@@ -20,7 +20,7 @@ Json meshes_json(const Document& document);
 
 /// Returns what became of each mesh in a run; `original` as of result_json.
 Json results_json(const Document& document, const std::vector<MeshReport>& reports,
-                  const SimplifyOptions& options, const std::string& original);
+                  const RunOptions& options, const std::string& original);
 Json update_json(const UpdateReport& report);
 Json published_json(const PublishedMesh& mesh);
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/progress.h"
@@ -20,6 +21,9 @@ struct RunOptions : SimplifyOptions, Layout {
 
   /// The ids of shapes of the document: patches of which they cover something stay as they are.
   std::vector<std::string> protect;
+  /// In what these shapes of the document cover, errors count so many times, least_weight to
+  /// most_weight. Where shapes overlap, the last one counts.
+  std::vector<std::pair<std::string, double>> weights;
 
   /// The rules by which the mesh will be written (Problem).
   std::shared_ptr<const WritingRules> rules, gradient_rules;

@@ -59,7 +59,7 @@ class Result:
     objects: int  #: that it becomes: 1, or the blocks of a group
     protected_patches: int  #: of those after, how many are as they were because they were protected
     changed: bool  #: whether it became simpler
-    error: float  #: of what is written, against the mesh as it was, 0 to 1
+    error: float  #: of what is written, against the mesh as it was, 0 to 1, up to 4 with weights
     local_error: float  #: the largest mean of the same in any window of 32 x 32 pixels
     evaluations: int  #: merges that were painted and measured
     stopped: str  #: "done", "budget", "cancelled", "nothing to merge" or "refused"
@@ -206,6 +206,9 @@ def simplify(
     seed, omega, kappa, edges: as `method` says.
     threads: 0 for all cores; the result is the same.
     protect: ids of shapes of an SVG document; patches of which they cover something stay as they are.
+    weights: how many times errors count in what shapes of an SVG document cover, by their ids, 0.25 to 4, as in
+    {"eyes": 4}; 1 elsewhere, and where shapes overlap as the last of them says. All errors that are
+    bounded and told are then weighted, and merges are priced in software.
     renderer: where merges are priced: "software"; "egl", on the first device that EGL offers; or
     "auto", on a graphics processor where that is expected to be faster. Where a device fails, or there
     is none for "egl", `device_lost` is called with the reason, by default a RuntimeWarning, and it
@@ -252,6 +255,7 @@ def _result(told: dict[str, Any]) -> Result:
 #: Options of simplify() that are none of the run on a mesh.
 _OTHER_OPTIONS = {
     "protect",
+    "weights",
     "renderer",
     "remember_original",
     "keep_original",

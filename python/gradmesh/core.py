@@ -70,10 +70,13 @@ class CoreDocument:
         weakref.finalize(self, core.release, number).atexit = False
 
     def call(self, function: str, answers: Answers = {}, **arguments: Any) -> Any:
-        """Returns what a function of this document returns. Arguments may be documents, too."""
+        """Returns what a function of this document returns. Arguments may be documents, too, and mappings,
+        which become lists of pairs, as the objects of JSON have no order."""
         for name, value in arguments.items():
             if isinstance(value, CoreDocument):
                 arguments[name] = self._number_of(value)
+            elif isinstance(value, Mapping):
+                arguments[name] = list(value.items())
         if self.translate is not None:
             answers = {**answers, "translate": lambda question: self.translate(question["text"])}
         return self.core.call(function, answers, document=self.number, **arguments)

@@ -236,6 +236,14 @@ Raster<Sample, Channels> part(const Raster<Sample, Channels>& whole, Window wind
   return result;
 }
 
+/// Weights from a quarter to 4 in every other frame; null in the others.
+Metric::Weights some_weights(Random& random, Window frame) {
+  if (random.from(0, 1) == 0) return nullptr;
+  Plane weights(frame);
+  for (float& weight : weights.samples) weight = std::exp2(float(random.from(-8, 8)) / 4);
+  return std::make_shared<const Plane>(std::move(weights));
+}
+
 /// A frame before and after an edit, and their maps from scratch.
 struct Update {
   Update(Random& random, MetricKind kind, int width, int height)
@@ -243,7 +251,7 @@ struct Update {
         before(random.from(0, 1) == 0 ? reference : random.edited(reference)),
         test(before),
         changed(random.part_of(reference.window())),
-        metric(make_metric(kind, reference)),
+        metric(make_metric(kind, reference, some_weights(random, reference.window()))),
         map(metric->map(before)) {
     const Window inside = changed.clipped(reference.window());
     // A few scattered pixels, and in some frames a whole rectangle, of which some go back to the
@@ -280,6 +288,26 @@ TEST(Metric, an_updated_map_holds_the_bits_of_a_new_one) {
         update.metric->update_map(update.before, update.test, update.changed, update.map);
     EXPECT_NEAR(change, update.rise, 1e-9);
     expect_equal_bits(update.map, update.whole);
+  }
+}
+
+TEST(Metric, the_distance_of_a_pixel_is_multiplied_by_its_weight) {
+  Random random(21);
+  const Image reference = random.gradient(90, 70), test = random.edited(reference);
+  for (const MetricKind kind : all_kinds) {
+    const Plane plain = make_metric(kind, reference)->map(test);
+    Plane weights(90, 70);
+    for (float& weight : weights.samples) weight = float(random.from(1, 16)) / 4;
+    Plane product = plain;
+    for (std::size_t i = 0; i < product.samples.size(); ++i)
+      product.samples[i] *= weights.samples[i];
+    EXPECT_GT(sum(product, product.window()), 0);
+    const auto weighted = [&](const Plane& plane) {
+      return make_metric(kind, reference, std::make_shared<const Plane>(plane))->map(test);
+    };
+    expect_equal_bits(weighted(weights), product);
+    expect_equal_bits(weighted(Plane(90, 70, 1)), plain);
+    EXPECT_THROW(weighted(Plane(70, 90, 1)), std::invalid_argument);
   }
 }
 

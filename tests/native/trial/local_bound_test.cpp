@@ -59,7 +59,9 @@ TEST(LocalMean, of_every_window_once_whatever_the_size) {
 
 TEST(LocalMean, of_a_part_is_that_of_the_whole_to_the_last_bit) {
   std::mt19937 random(5);
-  const Plane map = random_map({0, 0, 150, 110}, random);
+  Plane map = random_map({0, 0, 150, 110}, random);
+  // Up to the largest value that weights make of a distance.
+  for (float& value : map.samples) value = std::min(8.0F, 32 * value);
   Raster<double, 1> means(map.window());
   for_each_local_mean(map, [&](int x, int y, double mean) { *means.at(x, y) = mean; });
   for (const Window window : {Window{3, 7, 60, 39}, {100, 20, 150, 110}, {17, 0, 49, 32}}) {

@@ -141,8 +141,7 @@ std::vector<FilledOutline> covered_area(const SvgTree& tree, const std::string& 
   Shapes shapes;
   add_shapes(tree, node, shapes);
   if (shapes.empty())
-    throw InputError("{0}: {1} is no shape, so it covers nothing that could be protected.",
-                     tree.name(), excerpt(id));
+    throw InputError("{0}: {1} is no shape, so it covers nothing.", tree.name(), excerpt(id));
   return shapes;
 }
 
