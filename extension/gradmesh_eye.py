@@ -360,6 +360,11 @@ class Eye:
         self.session.protect_others(self.marked)
         self._forget()
 
+    def weigh_marked(self, factor):
+        """Lets errors in what is marked count so many times."""
+        self.session.weigh(self.marked, factor)
+        self._forget()
+
     def fit(self):
         self.session.fit()
         self._forget()

@@ -45,6 +45,12 @@ DRAG_NAMES = {
 }
 PROTECT = _("Protect"), _("Let what is marked stay as it is, whatever is done (P)")
 RELEASE = _("Release"), _("Let what is marked change again (P)")
+#: How often errors in what is marked may count.
+WEIGHTS = {0.25: "¼×", 0.5: "½×", 1: "1×", 2: "2×", 4: "4×"}
+WEIGHT_TIP = _(
+    "How often errors in what is marked count, so that it stays more or less exact than the rest: blue lines "
+    "show where more, orange lines where less"
+)
 FORM_NAMES = {GRADIENT: _("One mesh gradient"), BLOCKS: _("Blocks")}
 
 
@@ -215,7 +221,20 @@ class Panel:
         for part in (self.merge, self.protect, self.only_here):
             row.add(part)
         column.add(row)
+        column.add(self._build_weights())
         return column
+
+    def _build_weights(self):
+        row = Gtk.Box(spacing=6)
+        row.add(Gtk.Label(label=_("Errors there count")))
+        buttons = linked()
+        self.weights = []
+        for factor, name in WEIGHTS.items():
+            made = button(name, WEIGHT_TIP, lambda factor=factor: self._do(self.eye.weigh_marked, factor))
+            self.weights.append(made)
+            buttons.add(made)
+        row.pack_end(buttons, False, False, 0)
+        return row
 
     def _build_worst(self):
         column = section(_("Where it differs most"))
@@ -270,7 +289,8 @@ class Panel:
         eye = self.eye
         self.merge.set_sensitive(len(eye.to_merge) > 1)
         self.protect.set_sensitive(bool(eye.marked))
-        self.only_here.set_sensitive(bool(eye.marked))
+        for part in (self.only_here, *self.weights):
+            part.set_sensitive(bool(eye.marked))
         text, tip = RELEASE if eye.is_release else PROTECT
         self.protect.set_label(text)
         self.protect.set_tooltip_text(tip)

@@ -5,7 +5,7 @@ import math
 from xml.sax.saxutils import escape
 
 from gradmesh_eye import GRADIENT
-from gradmesh_text import _, sentence, translated
+from gradmesh_text import _, translated
 
 
 def summary(eye):
@@ -78,8 +78,8 @@ def legend(eye):
 def _of_marked(eye):
     price = eye.price_of_marked
     if price.why_not is not None:
-        return _("Marked patches: {count}. P protects them. {reason}").format(
-            count=len(eye.marked), reason=sentence(translated(price.why_not.message))
+        return _("Marked patches: {count}. P protects them. Enter does nothing: {reason}").format(
+            count=len(eye.marked), reason=translated(price.why_not.message)
         )
     change = price.error - eye.status["error"]
     said = _("Marked patches: {count}. P protects them, Enter makes them one: error {error:.4f} ({change:+.4f})")

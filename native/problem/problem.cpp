@@ -84,6 +84,19 @@ Problem Problem::with_mesh(std::shared_ptr<const Mesh> mesh) const {
   return copy;
 }
 
+Problem Problem::weighted(std::vector<WeightedArea> areas) const {
+  Problem copy = *this;
+  const Shared& s = *shared_;
+  Layout layout = s.layout;
+  layout.weighted = std::move(areas);
+  Frame frame = s.frame;
+  frame.weights = weights_in(frame, layout.weighted);
+  copy.shared_ = std::make_shared<Shared>(Shared{s.mesh, s.original, std::move(layout),
+                                                 s.resolution, s.metric, frame, nullptr, nullptr});
+  copy.own_local_bound_ = nullptr;
+  return copy;
+}
+
 Problem Problem::within(const Bounds& other) const {
   Problem copy = *this;
   copy.bounds = other;

@@ -104,6 +104,9 @@ class Problem {
   /// Returns a problem with another mesh in the place of the mesh, such as one that has come of it
   /// or differs in what is fixed. It has prices of its own.
   Problem with_mesh(std::shared_ptr<const Mesh> mesh) const;
+  /// Returns a problem in whose picture the errors of some places count more or less, as of
+  /// Layout::weighted. It has prices of its own.
+  Problem weighted(std::vector<WeightedArea> areas) const;
   /// Returns how the picture is laid out.
   const Layout& layout() const { return shared_->layout; }
   /// Returns a copy of the problem with other bounds.

@@ -43,6 +43,7 @@ Json make_edit(const Call& call);
 Json propose_merge(const Call& call);
 Json merge_marked(const Call& call);
 Json protect_marked(const Call& call);
+Json weigh_marked(const Call& call);
 Json fit_session(const Call& call);
 Json undo_edit(const Call& call);
 Json redo_edit(const Call& call);

@@ -48,6 +48,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"propose_merge", propose_merge},
       {"merge_marked", merge_marked},
       {"protect_marked", protect_marked},
+      {"weigh_marked", weigh_marked},
       {"fit_session", fit_session},
       {"undo_edit", undo_edit},
       {"redo_edit", redo_edit},

@@ -157,6 +157,11 @@ Json protect_marked(const Call& call) {
   return status_json(editing(call));
 }
 
+Json weigh_marked(const Call& call) {
+  session(call).weigh(faces(call, "patches"), call.get<double>("factor"));
+  return status_json(editing(call));
+}
+
 Json fit_session(const Call& call) { return done(call, &Session::fit); }
 Json undo_edit(const Call& call) { return done(call, &Session::undo); }
 Json redo_edit(const Call& call) { return done(call, &Session::redo); }

@@ -66,6 +66,7 @@ Json status_json(const Editing& editing) {
   json["unchanged"] = session.is_unchanged();
   json["undo"] = name_json(session.undo_name());
   json["redo"] = name_json(session.redo_name());
+  json["weighted"] = session.problem().frame().weights != nullptr;
   json["protected"] = numbers(session.protected_faces());
   return json;
 }

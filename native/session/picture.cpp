@@ -10,6 +10,7 @@
 #include "form/smooth_colors.h"
 #include "raster/hidden.h"
 #include "raster/painting.h"
+#include "reference/weights.h"
 #include "session/canvas.h"
 #include "session/mesh_lines.h"
 #include "session/overlay.h"
@@ -23,6 +24,8 @@ using Ground = SessionView::Ground;
 const Ink gone_ink{glm::dvec3(0.90, 0.35, 0.0), 1.0, 3.2},
     come_ink{glm::dvec3(0.0, 0.6, 1.0), 1.0, 2.4};
 const Ink fixed_ink{glm::dvec3(0.1), 0.45, 1.4};
+const Ink more_ink{glm::dvec3(0.0, 0.35, 0.85), 0.6, 1.2},
+    less_ink{glm::dvec3(0.85, 0.45, 0.0), 0.6, 1.2};
 const Ink mark_ink{glm::dvec3(0.34, 0.70, 0.91), 0.9, 2.0};
 
 class PicturePainter {
@@ -37,6 +40,7 @@ class PicturePainter {
     if (known) Overlay::fade(image);
     Canvas canvas(image, view_.density);
     draw_hatched(canvas);
+    draw_weights(canvas);
     if (known) draw_known(canvas, *known);
     if (view_.lines && !known) draw_lines(canvas, shown(), view_.to_pixels);
     if (view_.handles) draw_handles(canvas);
@@ -188,6 +192,13 @@ class PicturePainter {
     const Raster<std::uint32_t, 1> top = top_faces();
     hatch(canvas, top, fixed, fixed_ink, 10);
     hatch(canvas, top, view_.marked, mark_ink, 8);
+  }
+
+  void draw_weights(Canvas& canvas) const {
+    const auto weights = weights_in(frame_, session_.problem().layout().weighted);
+    if (!weights) return;
+    canvas.hatch(14, more_ink, [&](int x, int y) { return *weights->at(x, y) > 1; });
+    canvas.hatch(14, less_ink, [&](int x, int y) { return *weights->at(x, y) < 1; });
   }
 
   void hatch(Canvas& canvas, const Raster<std::uint32_t, 1>& top, const std::vector<Face>& faces,

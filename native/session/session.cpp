@@ -68,7 +68,9 @@ Session::Session(const Problem& problem)
       problem_.mesh().is_smooth() ? CurveKind::one_gradient : CurveKind::blocks;
   const CurveKind form = kinds_.empty() ? otherwise : kinds_.front();
   start_ = now_ = measured(problem_.mesh(), form);
-  place_ = kept_place_ = {form, 0, std::make_shared<const Mesh>(problem_.mesh())};
+  place_ =
+      kept_place_ = {form, 0, std::make_shared<const Mesh>(problem_.mesh()),
+                     std::make_shared<const std::vector<WeightedArea>>(problem_.layout().weighted)};
   kept_ = now_.mesh;
   if (!kinds_.empty()) curves_->want(form);
 }
@@ -143,7 +145,7 @@ void Session::set_form(CurveKind form) {
         "the mesh is no grid of whole rows and columns, so it cannot be one gradient.");
   if (form == CurveKind::one_gradient && !has_one_color_at_each_point(now_.mesh))
     throw InputError("colours are sharp at a point, so the mesh cannot be one gradient.");
-  become(measured(now_.mesh, form), {form, now_.mesh == *place_.start ? 0 : -1, place_.start},
+  become(measured(now_.mesh, form), place_as(form, now_.mesh == *place_.start ? 0 : -1),
          form == CurveKind::blocks ? Message("Make it blocks") : Message("Make it one gradient"));
 }
 
@@ -201,7 +203,7 @@ bool Session::make() {
     Candidate better = measured(fitted(written.mesh, false, {made.merged}, problem_), form);
     if (better.error < written.error) written = std::move(better);
   }
-  become(std::move(written), {form, -1, place_.start}, made.name);
+  become(std::move(written), place_as(form, -1), made.name);
   return true;
 }
 
@@ -210,7 +212,7 @@ void Session::fit() {
   for (const Face face : now_.mesh.faces()) faces.push_back(face);
   Candidate found = measured(fitted(now_.mesh, is_gradient(), faces, problem_), place_.form);
   if (found.error < now_.error)
-    become(std::move(found), {place_.form, -1, place_.start}, Message("Fit to the picture"));
+    become(std::move(found), place_as(place_.form, -1), Message("Fit to the picture"));
 }
 
 void Session::become(Candidate written, Place place, const Message& name) {
@@ -220,7 +222,8 @@ void Session::become(Candidate written, Place place, const Message& name) {
 }
 
 void Session::take_down(const Message& name) {
-  if (kept_ == now_.mesh && kept_place_.form == place_.form && kept_place_.start == place_.start) {
+  if (kept_ == now_.mesh && kept_place_.form == place_.form && kept_place_.start == place_.start &&
+      kept_place_.weighted == place_.weighted) {
     kept_place_ = place_;
     return;
   }
@@ -248,18 +251,24 @@ void Session::redo() {
 }
 
 void Session::show_kept() {
-  start_from(kept_place_.start);
+  start_from(kept_place_);
   set_now(measured(kept_, kept_place_.form));
   place_ = kept_place_;
 }
 
-void Session::start_from(const std::shared_ptr<const Mesh>& start) {
-  if (*start == problem_.mesh()) return;
+void Session::start_from(const Place& place) {
+  const bool has_other_weights = place.weighted != place_.weighted;
+  if (*place.start == problem_.mesh() && !has_other_weights) return;
   retire(curves_, old_curves_);
-  problem_ = prepared(problem_.with_mesh(start));
+  if (has_other_weights) problem_ = problem_.weighted(*place.weighted);
+  problem_ = prepared(problem_.with_mesh(place.start));
   kinds_ = curve_kinds(problem_);
   curves_ = std::make_unique<CurveSearch>(problem_);
   if (std::ranges::find(kinds_, place_.form) != kinds_.end()) curves_->want(place_.form);
+  if (!has_other_weights) return;
+  start_ = as_it_is();
+  // It was measured by other weights.
+  now_.measured = nullptr;
 }
 
 void Session::protect(const std::vector<Face>& faces, bool is_protected) {
@@ -288,9 +297,24 @@ void Session::set_protected(const std::vector<Face>& fixed, const std::vector<Fa
   set_fixed(journal_there, released_there, false);
   set_fixed(journal_there, fixed_there, true);
   const bool was_start = now_.mesh == *place_.start;
-  const auto from = std::make_shared<const Mesh>(std::move(start));
-  start_from(from);
-  become(measured(mesh, place_.form), {place_.form, was_start ? 0 : -1, from}, name);
+  Place place = place_as(place_.form, was_start ? 0 : -1);
+  place.start = std::make_shared<const Mesh>(std::move(start));
+  start_from(place);
+  become(measured(mesh, place.form), place, name);
+}
+
+void Session::weigh(const std::vector<Face>& faces, double factor) {
+  if (!(factor >= least_weight && factor <= most_weight))
+    throw InputError("errors may count a quarter to four times.");
+  if (faces.empty())
+    throw InputError("there are no patches in which errors could count otherwise.");
+  std::vector<WeightedArea> areas = *place_.weighted;
+  areas.push_back({{}, factor});
+  for (const Face face : faces) areas.back().shapes.push_back(face_outline(now_.mesh, face));
+  Place place = place_;
+  place.weighted = std::make_shared<const std::vector<WeightedArea>>(std::move(areas));
+  start_from(place);
+  become(measured(now_.mesh, place.form), place, Message("Let errors count otherwise"));
 }
 
 std::vector<Face> Session::protected_faces() const {

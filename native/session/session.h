@@ -107,6 +107,10 @@ class Session {
   void protect_others(const std::vector<Face>& faces);
   /// Returns the patches of the mesh that is shown that are protected.
   std::vector<Face> protected_faces() const;
+  /// Lets errors in what these patches cover count so many times, whatever patches lie there later.
+  /// Curves are then looked for anew. Throws InputError if the factor is not least_weight to
+  /// most_weight, or there are no patches.
+  void weigh(const std::vector<Face>& faces, double factor);
 
   // --- history ---
   bool can_undo() const { return done_ > 0; }
@@ -127,6 +131,8 @@ class Session {
     int state;
     /// The mesh as it was at first, with what is protected of it.
     std::shared_ptr<const Mesh> start;
+    /// Where errors count more or less.
+    std::shared_ptr<const std::vector<WeightedArea>> weighted;
   };
   struct Change {
     Message name;
@@ -136,6 +142,9 @@ class Session {
 
   Problem problem_as(CurveKind form) const {
     return form == CurveKind::blocks ? problem_ : problem_.as_gradient();
+  }
+  Place place_as(CurveKind form, int state) const {
+    return {form, state, place_.start, place_.weighted};
   }
   Candidate measured(const Mesh& mesh, CurveKind form) const;
   /// Returns the mesh as it is in its document, which need not be written anew.
@@ -152,8 +161,8 @@ class Session {
   void show_kept();
   void set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released,
                      const Message& name);
-  /// Looks for curves of that mesh from now on.
-  void start_from(const std::shared_ptr<const Mesh>& start);
+  /// Looks for curves of the mesh and by the weights of that place from now on.
+  void start_from(const Place& place);
 
   Problem problem_;
   std::vector<CurveKind> kinds_;

@@ -41,8 +41,8 @@ class Session:
     """
 
     def __init__(self, document: Document, id: Optional[str] = None, **options: Any):
-        """id: the object, needed where there are several; options: `metric`, `resolution`, `visible_only`
-        and `protect`, as of simplify(). Raises InputError and ValueError."""
+        """id: the object, needed where there are several; options: `metric`, `resolution`, `visible_only`,
+        `protect` and `weights`, as of simplify(). Raises InputError and ValueError."""
         self._core = document._core
         self.status = self._core.call("open_session", id=id, **options)
         self.id: str = self.status["id"]
@@ -125,6 +125,12 @@ class Session:
     def protect_others(self, patches: Iterable[int]) -> dict:
         """Lets only these patches change: protects all others, and releases these."""
         return self._change("protect_marked", patches=list(patches), others=True)
+
+    def weigh(self, patches: Iterable[int], factor: float) -> dict:
+        """Lets errors in what patches, by their numbers, cover count so many times, 0.25 to 4, whatever
+        patches lie there later; 1: as elsewhere. The curves are then looked for anew. Raises InputError
+        where the factor is another, and where there is no such patch."""
+        return self._change("weigh_marked", patches=list(patches), factor=factor)
 
     def fit(self) -> dict:
         """Fits all points and handles to the picture."""

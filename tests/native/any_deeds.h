@@ -99,6 +99,10 @@ class AnyDeeds {
         changes_protection_ = true;
         return byte_() % 4 ? session_.protect(faces(), byte_() % 2)
                            : session_.protect_others(faces());
+      case 10: {
+        constexpr double factors[] = {0.25, 1, 4};
+        return session_.weigh(faces(), factors[byte_() % 3]);
+      }
       case 6:
         session_.propose_merge(faces());
         break;

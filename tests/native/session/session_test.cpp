@@ -176,6 +176,41 @@ TEST(Session, any_sequence_ends_in_sound_meshes_and_can_be_taken_back) {
   }
 }
 
+TEST(Session, errors_count_more_where_a_person_says_so) {
+  Session session(problem_for(mesh_for(2)));
+  const Curve& curve = found(session, CurveKind::one_gradient);
+  const int state = int(curve.states.size()) - 1;
+  session.show(CurveKind::one_gradient, state, false);
+  const double error = session.now().error;
+  const std::vector<Face> all(session.now().mesh.faces().begin(), session.now().mesh.faces().end());
+  EXPECT_THROW(session.weigh(all, 5), InputError);
+  EXPECT_THROW(session.weigh({}, 2), InputError);
+  session.weigh(all, 4);
+  EXPECT_GT(session.now().error, 3 * error);
+  EXPECT_LE(session.now().error, 4 * error);
+  EXPECT_EQ(session.start().error, 0);
+  session.weigh(all, 0.25);
+  EXPECT_LT(session.now().error, error / 3) << "the last weights count";
+  EXPECT_EQ(session.undo_name()->english(), "Let errors count otherwise");
+  session.undo();
+  session.undo();
+  EXPECT_EQ(session.now().error, error);
+  EXPECT_EQ(session.problem().frame().weights, nullptr);
+  session.redo();
+  EXPECT_GT(session.now().error, 3 * error);
+}
+
+TEST(Session, curves_keep_more_where_errors_count_more) {
+  const auto handles_at_balanced = [](double factor) {
+    Session session(problem_for(mesh_for(2)));
+    const Mesh& mesh = session.now().mesh;
+    session.weigh({mesh.faces().begin(), mesh.faces().end()}, factor);
+    const Curve& curve = found(session, CurveKind::one_gradient);
+    return curve.states[std::size_t(curve.marks[1].state)].counts.handles;
+  };
+  EXPECT_GT(handles_at_balanced(4), handles_at_balanced(0.25));
+}
+
 TEST(Session, a_history_of_small_edits_is_small) {
   Session session(
       problem_for(test::grid_mesh({.rows = 12, .columns = 12, .color_noise = 0.05}, 1)));

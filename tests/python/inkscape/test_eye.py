@@ -138,6 +138,17 @@ def test_what_is_marked_is_merged_protected_and_released(eye):
     assert undo_tip(eye) == "Take back: Merge 36 patches (Ctrl+Z)" and redo_tip(eye) == "Nothing to make again"
 
 
+def test_errors_count_more_in_what_is_marked(eye):
+    eye.lasso = everywhere()
+    eye.mark()
+    before = eye.picture()
+    eye.weigh_marked(4)
+    assert eye.status["weighted"] and not eye.marked and eye.picture() != before
+    assert undo_tip(eye) == "Take back: Let errors count otherwise (Ctrl+Z)"
+    eye.undo()
+    assert not eye.status["weighted"]
+
+
 def test_a_straight_drag_spans_a_rectangle(eye):
     width, height = SIZE
     eye.lasso = [(0, 0), (width / 2, height / 2 + 8), (width, height)]

@@ -128,6 +128,11 @@ class AnySession(RuleBasedStateMachine):
         patches = self.patches_around(x, y, size)
         self.attempt(lambda: self.session.protect_others(patches))
 
+    @rule(x=FRACTIONS, y=FRACTIONS, size=st.floats(0.1, 0.6), factor=st.sampled_from([0.25, 1, 4]))
+    def weighs(self, x, y, size, factor):
+        patches = self.patches_around(x, y, size)
+        self.attempt(lambda: self.session.weigh(patches, factor))
+
     @rule(form=st.sampled_from(["one gradient", "blocks"]))
     def changes_the_form(self, form):
         self.attempt(lambda: self.session.set_form(form))

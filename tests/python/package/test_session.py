@@ -136,6 +136,23 @@ def test_merging_a_set_has_a_price():
     assert "two or more" in str(session.propose_merge(session.status["protected"]).why_not)
 
 
+def test_errors_count_more_in_some_patches():
+    document, session = opened()
+    patches = session.patches_in(VIEW, [(60, 60), (140, 60), (140, 180), (60, 180)])
+    session.refresh(wait=True)
+    session.show("one gradient", session.status["curves"]["one gradient"]["marks"]["strong"])
+    before, picture = session.status["error"], samples(session)
+    patches = session.patches_in(VIEW, [(60, 60), (140, 60), (140, 180), (60, 180)])
+    assert not session.status["weighted"]
+    status = session.weigh(patches, 4)
+    assert status["weighted"] and before < status["error"] < 4 * before and samples(session) != picture
+    assert session.undo_name == "Let errors count otherwise"
+    with pytest.raises(gradmesh.InputError, match="a quarter to four times"):
+        session.weigh(patches, 10)
+    session.undo()
+    assert session.status["error"] == before and samples(session) == picture
+
+
 def test_protected_patches_stay():
     _document, session = opened()
     everything = [(0, 0), (200, 0), (200, 260), (0, 260)]
