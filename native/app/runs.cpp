@@ -39,17 +39,22 @@ std::shared_ptr<const Mesh> in_color_model(const Mesh& mesh, ColorModel model) {
                                                      : as_bicubic(std::move(parts))));
 }
 
-/// Returns the mesh of an entry with the patches fixed of which the shapes cover something.
+/// Returns the mesh of an entry with the patches fixed of which what is protected covers something.
 std::shared_ptr<const Mesh> protecting(const Document& document, const MeshEntry& entry,
-                                       const Mesh& mesh, const std::vector<std::string>& ids) {
+                                       std::shared_ptr<const Mesh> mesh,
+                                       const RunOptions& options) {
+  std::vector<FilledOutline> areas = options.protect_areas;
+  if (!options.protect.empty())
+    for (FilledOutline& area : document.covered(options.protect)) areas.push_back(std::move(area));
+  if (areas.empty()) return mesh;
   const Affine to_mesh = document.view(entry).inverse();
   std::vector<Face> faces;
-  for (FilledOutline& area : document.covered(ids)) {
+  for (FilledOutline& area : areas) {
     area.outline = mapped(std::move(area.outline), to_mesh);
-    const std::vector<Face> under = faces_under(mesh, area);
+    const std::vector<Face> under = faces_under(*mesh, area);
     faces.insert(faces.end(), under.begin(), under.end());
   }
-  return std::make_shared<const Mesh>(with_fixed(mesh, faces));
+  return std::make_shared<const Mesh>(with_fixed(*mesh, faces));
 }
 
 /// Returns the areas of the shapes that have weights, in the units of the mesh of an entry.
@@ -202,7 +207,7 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   if (asked.color_model) document.check_color_model(model);
   if (!options.original) options.original = document.original(entry);
   std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
-  if (!asked.protect.empty()) mesh = protecting(document, entry, *mesh, asked.protect);
+  mesh = protecting(document, entry, std::move(mesh), asked);
   if (!options.original && model != read.color_model())
     options.original = std::make_shared<const Mesh>(read);
   static_cast<Layout&>(options) = document.layout(entry, asked.visible_only);

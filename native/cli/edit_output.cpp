@@ -25,12 +25,18 @@ void print_reports(const std::vector<EditReport>& reports, const EditArguments& 
                 objects == 1 ? "" : "s", label(a.measure.metric), error);
 }
 
-/// Throws InputError if several meshes were edited, as a picture shows one.
+/// Paints the mesh as it was and as it would become. Throws InputError if several meshes were
+/// edited, as a picture shows one.
 void write_preview(const Document& document, const std::vector<EditReport>& reports,
                    const EditArguments& a) {
   std::vector<std::string> ids;
   for (const EditReport& report : reports) ids.push_back(report.id);
-  write_png(picture_with_lines(document, one_mesh(document, ids), a.measure.resolution), a.preview);
+  const auto picture = [&](const Document& of, const MeshEntry& entry) {
+    return picture_with_lines(of, entry, a.measure.resolution);
+  };
+  const Image after = picture(document, one_mesh(document, ids));
+  const std::unique_ptr<Document> before = Document::read_file(a.in);
+  write_png(beside(picture(*before, one_mesh(*before, ids)), after), a.preview);
 }
 
 }  // namespace
@@ -39,8 +45,10 @@ void add_edit_arguments(CLI::App& command, EditArguments& a) {
   add_path(command, "IN", a.in, any_document())->required();
   CLI::App& output = *command.add_option_group("Output")->require_option(1);
   add_path(output, "-o,--output", a.out, "Where to write the document");
-  add_path(output, "--preview", a.preview,
-           "Write no document, only a PNG image of the mesh as it would become, with its lines");
+  add_path(
+      output, "--preview", a.preview,
+      "Write no document, only a PNG image of the mesh as it is and, right of that, as it would "
+      "become, with its lines");
   add_options(command, a.measure, {"metric", "resolution"});
   add_original_option(command, a.original);
   command.add_flag("--json", a.as_json, "Print JSON");

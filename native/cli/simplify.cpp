@@ -99,6 +99,10 @@ std::vector<MeshReport> take_state(Document& document, const SimplifyArguments& 
   const std::vector<MeshCurve> curves = find_curves(document, a.ids, a.options, files);
   if (!a.curve.empty()) write_bytes(a.curve, curves_json(curves).dump(2) + "\n");
   if (a.out.empty()) return {};
+  for (const MeshCurve& c : curves)
+    if (const int last = int(c.curve.states.size()) - 1; *a.state > last)
+      std::fprintf(stderr, "gradmesh: %s: its curve ends with state %d, which is written.\n",
+                   c.entry.id.c_str(), last);
   return write_states(document, curves, *a.state, a.writing);
 }
 

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "form/handles.h"
+#include "ops/fix.h"
 
 namespace gradmesh {
 namespace {
@@ -165,7 +166,7 @@ Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const
 
 Candidate Problem::unchanged() const {
   Candidate found{.mesh = mesh(), .error_added_up = start().error()};
-  if (original() == shared_->mesh) return found;
+  if (original() == shared_->mesh || are_same_but_for_fixed(*original(), mesh())) return found;
   take(start().whole_frame(mesh()), found);
   return found;
 }

@@ -1,5 +1,8 @@
 #include "service/options.h"
 
+#include <cmath>
+#include <stdexcept>
+
 #include "app/devices.h"
 #include "base/utf8_path.h"
 
@@ -22,6 +25,22 @@ struct Reading {
   }
 };
 
+/// Returns the polygons that an argument lists, each as x, y, x, y, ...
+std::vector<FilledOutline> polygons(const Call& call, const std::string& name) {
+  std::vector<FilledOutline> areas;
+  for (const auto& numbers : call.get<std::vector<std::vector<double>>>(name, {})) {
+    if (numbers.size() < 6 || numbers.size() % 2 != 0)
+      throw std::invalid_argument("a polygon has three points or more.");
+    areas.push_back({{{}}, FillRule::nonzero});
+    for (std::size_t i = 0; i < numbers.size(); i += 2) {
+      if (!std::isfinite(numbers[i]) || !std::isfinite(numbers[i + 1]))
+        throw std::invalid_argument("the points of a polygon are finite.");
+      areas.back().outline.front().emplace_back(numbers[i], numbers[i + 1]);
+    }
+  }
+  return areas;
+}
+
 void check_amount(const Call& call) {
   if (!call.has("amount")) return;
   for (const std::string& name : replaced_by_amount)
@@ -42,6 +61,7 @@ RunOptions run_options(const Call& call) {
   for (const OptionEntry& option : all_options())
     std::visit(Reading{call, option.name, options}, option.value);
   options.protect = call.get<std::vector<std::string>>("protect", {});
+  options.protect_areas = polygons(call, "protect_areas");
   options.weights = call.get<std::vector<std::pair<std::string, double>>>("weights", {});
   options.progress = call.progress();
   return options;

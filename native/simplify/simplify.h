@@ -21,6 +21,8 @@ struct RunOptions : SimplifyOptions, Layout {
 
   /// The ids of shapes of the document: patches of which they cover something stay as they are.
   std::vector<std::string> protect;
+  /// Areas of the page, as a person sees it, that do the same.
+  std::vector<FilledOutline> protect_areas;
   /// In what these shapes of the document cover, errors count so many times, least_weight to
   /// most_weight. Where shapes overlap, the last one counts.
   std::vector<std::pair<std::string, double>> weights;

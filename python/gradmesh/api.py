@@ -205,7 +205,8 @@ def simplify(
     of groups around it, does not count towards the error, as by default.
     seed, omega, kappa, edges: as `method` says.
     threads: 0 for all cores; the result is the same.
-    protect: ids of shapes of an SVG document; patches of which they cover something stay as they are.
+    protect: ids of shapes of an SVG document, or polygons, as lists of (x, y) in the units of the page;
+    patches of which they cover something stay as they are.
     weights: how many times errors count in what shapes of an SVG document cover, by their ids, 0.25 to 4, as in
     {"eyes": 4}; 1 elsewhere, and where shapes overlap as the last of them says. All errors that are
     bounded and told are then weighted, and merges are priced in software.
@@ -243,7 +244,7 @@ def simplify(
         time_budget=time_budget,
         preview=preview,
         original=original,
-        **_known(options),
+        **{**_known(options), **protecting(options)},
     )
     return [_result(told) for told in results]
 
@@ -277,6 +278,15 @@ def _known(given: Mapping[str, Any]) -> dict[str, Any]:
     if any(abs(edge) >= 2**31 for edge in edges):
         raise ValueError("the numbers of half-edges are below 2^31.")
     return {**given, "edges": edges}
+
+
+def protecting(given: Mapping[str, Any]) -> dict[str, Any]:
+    """What is protected, as the core takes it: ids, and polygons as lists of x, y, x, y, ..."""
+    each = _list(given.get("protect") or ())
+    return {
+        "protect": [one for one in each if isinstance(one, str)],
+        "protect_areas": [[c for point in one for c in point] for one in each if not isinstance(one, str)],
+    }
 
 
 def analyze(

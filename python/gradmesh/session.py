@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Iterable, Optional, Sequence, Tuple
 
-from .api import Document, Result, _result
+from .api import Document, Result, _result, protecting
 from .core import refusal
 from .errors import InputError, Message, said
 
@@ -44,7 +44,7 @@ class Session:
         """id: the object, needed where there are several; options: `metric`, `resolution`, `visible_only`,
         `protect` and `weights`, as of simplify(). Raises InputError and ValueError."""
         self._core = document._core
-        self.status = self._core.call("open_session", id=id, **options)
+        self.status = self._core.call("open_session", id=id, **{**options, **protecting(options)})
         self.id: str = self.status["id"]
         #: what the mesh takes up, as (left, top, right, bottom) in the units of the page
         self.box: Tuple[float, float, float, float] = tuple(self.status["box"])

@@ -96,6 +96,18 @@ DOCUMENTS = {
 }
 
 
+def test_a_polygon_protects_as_a_shape_does():
+    document = gradmesh.loads(DOCUMENTS["as it is"].encode(), "face.svg")
+    eye = [(170, 280), (250, 280), (250, 310), (170, 310)]
+    by_shape = gradmesh.Session(document, protect=["eye"], resolution=64).status["protected"]
+    by_polygon = gradmesh.Session(document, protect=[eye], resolution=64).status["protected"]
+    assert by_polygon == by_shape != []
+    (result,) = gradmesh.simplify(document, protect=[eye], resolution=64, preview=True)
+    assert result.protected_patches == len(by_shape)
+    with pytest.raises(ValueError, match="three points or more"):
+        gradmesh.Session(document, protect=[eye[:2]])
+
+
 @pytest.mark.parametrize("name", DOCUMENTS)
 @pytest.mark.parametrize("method", ["simplest", "plain", "lines"])
 def test_protected_patches_are_written_to_the_last_digit(tmp_path, name, method):

@@ -2,6 +2,7 @@
 reads back as it was shown. What cannot be done says why in one sentence and changes nothing."""
 
 import functools
+from random import Random
 
 import pytest
 
@@ -9,12 +10,13 @@ pytest.importorskip("hypothesis", reason="Debian package python3-hypothesis is a
 from hypothesis import Phase, settings, strategies as st  # noqa: E402
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule  # noqa: E402
 
-from built import SAMPLES  # noqa: E402
+from built import ROOT, SAMPLES  # noqa: E402
 
 import gradmesh  # noqa: E402
 
 pytestmark = pytest.mark.once
 
+SHARED = ROOT.parent / "shared"
 SIZE = 60  # pixels of pictures, along each side
 #: Grids, smooth colours, tensors, and T-junctions of blocks that were simplified before.
 DRAWINGS = [
@@ -40,8 +42,11 @@ def drawing(name, mesh, is_merged):
 class AnySession(RuleBasedStateMachine):
     @initialize(drawn=st.sampled_from(DRAWINGS))
     def open(self, drawn):
-        self.document = gradmesh.loads(drawing(*drawn), drawn[0])
-        self.session = gradmesh.Session(self.document, drawn[1], resolution=40)
+        self.begin(gradmesh.loads(drawing(*drawn), drawn[0]), drawn[1])
+
+    def begin(self, document, mesh):
+        self.document = document
+        self.session = gradmesh.Session(document, mesh, resolution=40)
         left, top, right, bottom = self.session.box
         scale = 0.9 * SIZE / max(right - left, bottom - top)
         self.view = gradmesh.View(SIZE, SIZE, (left + right) / 2, (top + bottom) / 2, scale)
@@ -180,6 +185,47 @@ class AnySession(RuleBasedStateMachine):
         read = {mesh.id: mesh for mesh in gradmesh.loads(self.document.to_bytes()).meshes}
         mesh = read[self.session.id]
         assert (mesh.handles, mesh.patches) == (status["handles"], status["patches"])
+
+
+def any_deed(machine, random):
+    """Does something, chosen and placed at random."""
+    x, y, size = random.random(), random.random(), random.uniform(0.1, 0.6)
+    is_so = random.random() < 0.5
+    deeds = {
+        "slider": lambda: machine.pulls_the_slider([random.random()]),
+        "click": lambda: machine.clicks(x, y, random.choice(["merge", "rows", "columns", "both"]), is_so),
+        "side": lambda: machine.changes_a_side_or_joins(x, y, random.choice(["straight", "curve", "join"])),
+        "colour": lambda: machine.sets_a_colour(x, y, "#e04020", is_so),
+        "move": lambda: machine.moves_a_point_or_handle(x, y, size / 10, -size / 10),
+        "merge": lambda: machine.merges_a_set(x, y, size, is_so),
+        "protect": lambda: machine.protects(x, y, size, is_so),
+        "weigh": lambda: machine.weighs(x, y, size, 4),
+        "form": lambda: machine.changes_the_form(random.choice(["one gradient", "blocks"])),
+        "fit": machine.fits,
+        "back": machine.undoes,
+        "again": machine.redoes,
+    }
+    deeds[random.choice(list(deeds))]()
+
+
+#: Documents that people have made, and the paper's duck.
+REAL = [*sorted((SHARED / "real").glob("*.svg")), *(SHARED / "meshes").glob("global_duck.hemesh")]
+
+
+@pytest.mark.skipif(not REAL, reason="the documents beside the project are absent")
+@pytest.mark.parametrize("file", REAL, ids=lambda file: file.stem)
+def test_any_session_over_real_documents(file):
+    document = gradmesh.load(file)
+    try:
+        session = gradmesh.Session(document, document.meshes[0].id, resolution=40)
+    except gradmesh.InputError as error:
+        pytest.skip(str(error).replace(str(file), file.name))
+    random = Random(len(file.name))
+    machine = AnySession()
+    machine.begin(document, session.id)
+    for _step in range(8):
+        any_deed(machine, random)
+    machine.teardown()
 
 
 def so_many(examples, steps):
