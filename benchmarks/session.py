@@ -85,6 +85,28 @@ def pointer(session):
     return times
 
 
+def by_hand(session):
+    """What a side, a point and a colour cost before they are set, over all of the picture."""
+    view = view_of(session)
+    session.show("one gradient", 0)
+    edits = {
+        "make a side straight": {"edit": "straight"},
+        "make a side a curve": {"edit": "curve"},
+        "move a point": {"edit": "move", "reach": 60},
+        "set a colour": {"edit": "color", "color": "#806040", "reach": 60},
+    }
+    times = {name: [] for name in edits}
+    for place in range(100, PIXELS, 30):
+        x, y = place, PIXELS - place
+        for name, how in edits.items():
+            more = {"to": (x + 5, y + 5)} if how["edit"] == "move" else {}
+            found = []
+            took = timed(lambda: found.append(session.point(view, x, y, **how, **more)))
+            if found[0] is not None and (found[0].handles is not None or found[0].why_not is not None):
+                times[name].append(took)
+    return times
+
+
 def main(document=SAMPLES / "fruit.svg", name="pear"):
     one = unit()
     session, times = curve_of(gradmesh.load(document), name)
@@ -95,7 +117,7 @@ def main(document=SAMPLES / "fruit.svg", name="pear"):
     for what in ("prices", "parts", "regions"):
         took = timed(lambda what=what: session.find_out(what, wait=True), time.process_time)
         print(f"{what}: {took:.0f} ms, {took / one:.2f} units")
-    for what, each in pointer(session).items():
+    for what, each in {**pointer(session), **by_hand(session)}.items():
         if each:
             print(f"{what}: {statistics.median(each):.0f} ms, at most {max(each):.0f} ms ({len(each)})")
 
