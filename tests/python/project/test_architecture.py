@@ -35,6 +35,7 @@ RANK = {
     "service": 14,
     "bindings": 15,
     "helper": 15,
+    "window": 15,
     "cli": 16,
 }
 
@@ -56,6 +57,7 @@ OWNERS = {
     r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
+    r"imgui": {"window"},
     r"nlohmann/": {"formats", "app", "report", "service", "cli"},
     r"tbb/": {"base"},
     r"Eigen/": {"fit"},

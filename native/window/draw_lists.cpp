@@ -1,0 +1,227 @@
+#include "window/draw_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/clamped_int.h"
+
+namespace gradmesh {
+namespace {
+
+/// Pixels [x0, x1) x [y0, y1).
+struct Clip {
+  int x0, y0, x1, y1;
+};
+
+/// Returns the first pixel whose centre is at or beyond a place.
+int first_pixel(float place) { return clamped_int(std::ceil(double(place) - 0.5), -1, 1 << 20); }
+
+/// A number that changes evenly over the plane.
+struct Slope {
+  float at_origin = 0, along_x = 0, along_y = 0;
+
+  float at(float x, float y) const { return at_origin + along_x * x + along_y * y; }
+};
+
+int channel(ImU32 color, int shift) { return int(color >> shift & 255); }
+
+std::uint32_t mixed(std::uint32_t below, std::array<int, 3> color, int opacity) {
+  if (opacity >= 255) return std::uint32_t(color[0] << 16 | color[1] << 8 | color[2]);
+  std::uint32_t result = 0;
+  for (int c = 0; c < 3; ++c) {
+    const int shift = 16 - 8 * c, was = int(below >> shift & 255);
+    // To the nearest, as of all whole numbers from 0 to 255 * 255.
+    const int sum = color[std::size_t(c)] * opacity + was * (255 - opacity) + 127;
+    result |= std::uint32_t(sum / 255) << shift;
+  }
+  return result;
+}
+
+class ListPainter {
+ public:
+  ListPainter(const Surface& surface, const Clip& clip, const Texture* texture)
+      : surface_(surface), clip_(clip), texture_(texture) {}
+
+  void triangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c);
+  /// Paints the rectangle between two corners that are opposite, whose colours are those of `a`.
+  void rectangle(const ImDrawVert& a, const ImDrawVert& c);
+
+ private:
+  struct Sample {
+    std::array<int, 3> color;
+    int opacity;
+  };
+
+  /// Changes a colour and its opacity to what the texture makes of them.
+  void take_texture(float u, float v, Sample& sample) const {
+    if (!texture_) return;
+    const int x = clamped_int(std::floor(double(u) * texture_->width), 0, texture_->width - 1);
+    const int y = clamped_int(std::floor(double(v) * texture_->height), 0, texture_->height - 1);
+    const std::size_t at = std::size_t(y) * std::size_t(texture_->width) + std::size_t(x);
+    if (texture_->opacity) {
+      sample.opacity = (sample.opacity * texture_->opacity[at] + 127) / 255;
+      return;
+    }
+    for (int c = 0; c < 3; ++c) {
+      int& of = sample.color[std::size_t(c)];
+      of = (of * int(texture_->colors[at] >> (16 - 8 * c) & 255) + 127) / 255;
+    }
+  }
+  void put(int x, int y, const Sample& sample) const {
+    if (sample.opacity <= 0) return;
+    std::uint32_t& pixel = surface_.pixels[std::ptrdiff_t(y) * surface_.stride + x];
+    pixel = mixed(pixel, sample.color, sample.opacity);
+  }
+
+  const Surface& surface_;
+  const Clip clip_;
+  const Texture* const texture_;
+};
+
+void ListPainter::rectangle(const ImDrawVert& a, const ImDrawVert& c) {
+  const int x0 = std::max(first_pixel(a.pos.x), clip_.x0);
+  const int y0 = std::max(first_pixel(a.pos.y), clip_.y0);
+  const int x1 = std::min(first_pixel(c.pos.x), clip_.x1);
+  const int y1 = std::min(first_pixel(c.pos.y), clip_.y1);
+  const float du = (c.uv.x - a.uv.x) / (c.pos.x - a.pos.x);
+  const float dv = (c.uv.y - a.uv.y) / (c.pos.y - a.pos.y);
+  const Sample whole{{channel(a.col, IM_COL32_R_SHIFT), channel(a.col, IM_COL32_G_SHIFT),
+                      channel(a.col, IM_COL32_B_SHIFT)},
+                     channel(a.col, IM_COL32_A_SHIFT)};
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) {
+      Sample sample = whole;
+      take_texture(a.uv.x + du * (float(x) + 0.5F - a.pos.x),
+                   a.uv.y + dv * (float(y) + 0.5F - a.pos.y), sample);
+      put(x, y, sample);
+    }
+}
+
+/// One side of a triangle whose corners come clockwise, y downwards: which pixels are inside of it.
+/// Places are in 256ths of a pixel, so that two triangles with the same side agree.
+class Edge {
+ public:
+  Edge(const std::array<std::int64_t, 2>& from, const std::array<std::int64_t, 2>& to)
+      : from_(from), dx_(to[0] - from[0]), dy_(to[1] - from[1]) {
+    const bool is_top = dy_ == 0 && dx_ > 0, is_left = dy_ < 0;
+    // A centre on a side is inside of the triangle right of it or below.
+    least_ = is_top || is_left ? 0 : 1;
+  }
+
+  bool has(std::int64_t x, std::int64_t y) const {
+    return dx_ * (y - from_[1]) - dy_ * (x - from_[0]) >= least_;
+  }
+
+ private:
+  const std::array<std::int64_t, 2> from_;
+  const std::int64_t dx_, dy_;
+  std::int64_t least_;
+};
+
+constexpr int parts = 256;
+
+std::array<std::int64_t, 2> in_parts(ImVec2 place) {
+  static constexpr double most = 1 << 20;
+  const auto whole = [](double value) {
+    return std::int64_t(std::llround(std::clamp(value, -most, most) * parts));
+  };
+  return {whole(double(place.x)), whole(double(place.y))};
+}
+
+void ListPainter::triangle(const ImDrawVert& first, const ImDrawVert& second,
+                           const ImDrawVert& third) {
+  std::array<const ImDrawVert*, 3> v{&first, &second, &third};
+  const auto doubled_area = [&] {
+    const ImVec2 a = v[0]->pos, b = v[1]->pos, c = v[2]->pos;
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  };
+  if (doubled_area() < 0) std::swap(v[1], v[2]);
+  const float area = doubled_area();
+  if (!(area > 0)) return;
+  const ImVec2 a = v[0]->pos, b = v[1]->pos, c = v[2]->pos;
+  const auto slope = [&](float of_a, float of_b, float of_c) {
+    Slope s;
+    s.along_x = ((of_b - of_a) * (c.y - a.y) - (of_c - of_a) * (b.y - a.y)) / area;
+    s.along_y = ((of_c - of_a) * (b.x - a.x) - (of_b - of_a) * (c.x - a.x)) / area;
+    s.at_origin = of_a - s.along_x * a.x - s.along_y * a.y;
+    return s;
+  };
+  const auto of_color = [&](int shift) {
+    return slope(float(channel(v[0]->col, shift)), float(channel(v[1]->col, shift)),
+                 float(channel(v[2]->col, shift)));
+  };
+  const std::array<Slope, 4> colors{of_color(IM_COL32_R_SHIFT), of_color(IM_COL32_G_SHIFT),
+                                    of_color(IM_COL32_B_SHIFT), of_color(IM_COL32_A_SHIFT)};
+  const Slope u = slope(v[0]->uv.x, v[1]->uv.x, v[2]->uv.x);
+  const Slope w = slope(v[0]->uv.y, v[1]->uv.y, v[2]->uv.y);
+  const auto pa = in_parts(a), pb = in_parts(b), pc = in_parts(c);
+  const std::array<Edge, 3> edges{Edge(pa, pb), Edge(pb, pc), Edge(pc, pa)};
+  const int x0 = std::max(first_pixel(std::min({a.x, b.x, c.x})) - 1, clip_.x0);
+  const int y0 = std::max(first_pixel(std::min({a.y, b.y, c.y})) - 1, clip_.y0);
+  const int x1 = std::min(first_pixel(std::max({a.x, b.x, c.x})) + 1, clip_.x1);
+  const int y1 = std::min(first_pixel(std::max({a.y, b.y, c.y})) + 1, clip_.y1);
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) {
+      const std::int64_t px = std::int64_t(x) * parts + parts / 2;
+      const std::int64_t py = std::int64_t(y) * parts + parts / 2;
+      if (!std::ranges::all_of(edges, [&](const Edge& edge) { return edge.has(px, py); })) continue;
+      const float fx = float(x) + 0.5F, fy = float(y) + 0.5F;
+      const auto level = [&](const Slope& s) {
+        return clamped_int(std::round(double(s.at(fx, fy))), 0, 255);
+      };
+      Sample sample{{level(colors[0]), level(colors[1]), level(colors[2])}, level(colors[3])};
+      take_texture(u.at(fx, fy), w.at(fx, fy), sample);
+      put(x, y, sample);
+    }
+}
+
+/// Returns true if four corners, in turn, are those of a rectangle along the axes from its top left
+/// corner on, in one colour and with a piece of the texture that lies likewise.
+bool is_rectangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c,
+                  const ImDrawVert& d) {
+  const auto is_one = [](ImVec2 p, ImVec2 q, ImVec2 r, ImVec2 s) {
+    return p.y == q.y && q.x == r.x && r.y == s.y && s.x == p.x;
+  };
+  return a.col == b.col && b.col == c.col && c.col == d.col && a.pos.x < c.pos.x &&
+         a.pos.y < c.pos.y && is_one(a.pos, b.pos, c.pos, d.pos) && is_one(a.uv, b.uv, c.uv, d.uv);
+}
+
+void paint(const ImDrawList& list, const ImDrawCmd& command, const ListPainter& shared) {
+  ListPainter painter = shared;
+  const ImDrawVert* const vertices = list.VtxBuffer.Data + command.VtxOffset;
+  const ImDrawIdx* const indices = list.IdxBuffer.Data + command.IdxOffset;
+  for (unsigned i = 0; i + 3 <= command.ElemCount; i += 3) {
+    const ImDrawIdx* const at = indices + i;
+    const ImDrawVert &a = vertices[at[0]], &b = vertices[at[1]], &c = vertices[at[2]];
+    // Two triangles a, b, c and a, c, d: most of what is drawn is such rectangles.
+    if (i + 6 <= command.ElemCount && at[3] == at[0] && at[4] == at[2] &&
+        is_rectangle(a, b, c, vertices[at[5]])) {
+      painter.rectangle(a, c);
+      i += 3;
+    } else {
+      painter.triangle(a, b, c);
+    }
+  }
+}
+
+}  // namespace
+
+void paint(const ImDrawData& data, const Surface& surface) {
+  for (int n = 0; n < data.CmdListsCount; ++n)
+    for (const ImDrawCmd& command : data.CmdLists[n]->CmdBuffer) {
+      if (command.UserCallback) continue;
+      const auto whole = [](float place, int most) {
+        return clamped_int(std::round(double(place)), 0, most);
+      };
+      const ImVec4 r = command.ClipRect;
+      const ImVec2 o = data.DisplayPos;
+      const Clip clip{whole(r.x - o.x, surface.width), whole(r.y - o.y, surface.height),
+                      whole(r.z - o.x, surface.width), whole(r.w - o.y, surface.height)};
+      const auto* const texture = static_cast<const Texture*>(command.GetTexID());
+      paint(*data.CmdLists[n], command, ListPainter(surface, clip, texture));
+    }
+}
+
+}  // namespace gradmesh
