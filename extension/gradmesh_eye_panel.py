@@ -46,7 +46,7 @@ DRAG_NAMES = {
 PROTECT = _("Protect"), _("Let what is marked stay as it is, whatever is done (P)")
 RELEASE = _("Release"), _("Let what is marked change again (P)")
 #: How often errors in what is marked may count.
-WEIGHTS = {0.25: "¼×", 0.5: "½×", 1: "1×", 2: "2×", 4: "4×"}
+WEIGHTS = {0.25: "¼", 0.5: "½", 1: "1", 2: "2", 4: "4"}
 WEIGHT_TIP = _(
     "How often errors in what is marked count, so that it stays more or less exact than the rest: blue lines "
     "show where more, orange lines where less"
@@ -226,7 +226,7 @@ class Panel:
 
     def _build_weights(self):
         row = Gtk.Box(spacing=6)
-        row.add(Gtk.Label(label=_("Errors there count")))
+        row.add(Gtk.Label(label=_("Errors there ×")))
         buttons = linked()
         self.weights = []
         for factor, name in WEIGHTS.items():
