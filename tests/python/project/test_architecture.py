@@ -57,7 +57,7 @@ OWNERS = {
     r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
-    r"imgui": {"window"},
+    r"imgui|SDL": {"window"},
     r"nlohmann/": {"formats", "app", "report", "service", "cli"},
     r"tbb/": {"base"},
     r"Eigen/": {"fit"},

@@ -1,0 +1,173 @@
+#include "window/sdl_window.h"
+
+#include <SDL.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+
+namespace gradmesh {
+namespace {
+
+/// What Dear ImGui asks for by names of its own.
+constexpr std::array<std::pair<ImGuiKey, SDL_Scancode>, 22> keys = {{
+    {ImGuiKey_Tab, SDL_SCANCODE_TAB},
+    {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
+    {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
+    {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
+    {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
+    {ImGuiKey_PageUp, SDL_SCANCODE_PAGEUP},
+    {ImGuiKey_PageDown, SDL_SCANCODE_PAGEDOWN},
+    {ImGuiKey_Home, SDL_SCANCODE_HOME},
+    {ImGuiKey_End, SDL_SCANCODE_END},
+    {ImGuiKey_Insert, SDL_SCANCODE_INSERT},
+    {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
+    {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
+    {ImGuiKey_Space, SDL_SCANCODE_SPACE},
+    {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
+    {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
+    {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
+    {ImGuiKey_A, SDL_SCANCODE_A},
+    {ImGuiKey_C, SDL_SCANCODE_C},
+    {ImGuiKey_V, SDL_SCANCODE_V},
+    {ImGuiKey_X, SDL_SCANCODE_X},
+    {ImGuiKey_Y, SDL_SCANCODE_Y},
+    {ImGuiKey_Z, SDL_SCANCODE_Z},
+}};
+
+void set_up(ImGuiIO& io, Texture& font) {
+  // Nothing is written beside the document.
+  io.IniFilename = nullptr;
+  io.BackendPlatformName = "gradmesh";
+  for (const auto& [name, code] : keys) io.KeyMap[name] = code;
+  unsigned char* opacity = nullptr;
+  io.Fonts->GetTexDataAsAlpha8(&opacity, &font.width, &font.height);
+  font.opacity = opacity;
+  io.Fonts->SetTexID(&font);
+}
+
+/// Returns which of Dear ImGui's buttons a button of the mouse is; -1 for others.
+int button_of(Uint8 button) {
+  if (button == SDL_BUTTON_LEFT) return ImGuiMouseButton_Left;
+  if (button == SDL_BUTTON_RIGHT) return ImGuiMouseButton_Right;
+  if (button == SDL_BUTTON_MIDDLE) return ImGuiMouseButton_Middle;
+  return -1;
+}
+
+void pass_on_key(const SDL_KeyboardEvent& key, ImGuiIO& io) {
+  const auto code = std::size_t(key.keysym.scancode);
+  if (code < std::size(io.KeysDown)) io.KeysDown[code] = key.type == SDL_KEYDOWN;
+  const SDL_Keymod held = SDL_Keymod(key.keysym.mod);
+  io.KeyCtrl = (held & KMOD_CTRL) != 0;
+  io.KeyShift = (held & KMOD_SHIFT) != 0;
+  io.KeyAlt = (held & KMOD_ALT) != 0;
+  io.KeySuper = (held & KMOD_GUI) != 0;
+}
+
+}  // namespace
+
+void pass_on(const SDL_Event& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  switch (event.type) {
+    case SDL_MOUSEMOTION:
+      io.MousePos = {float(event.motion.x), float(event.motion.y)};
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+      io.MousePos = {float(event.button.x), float(event.button.y)};
+      if (const int button = button_of(event.button.button); button >= 0)
+        io.MouseDown[button] = event.type == SDL_MOUSEBUTTONDOWN;
+      break;
+    case SDL_MOUSEWHEEL:
+      io.MouseWheelH += event.wheel.preciseX;
+      io.MouseWheel += event.wheel.preciseY;
+      break;
+    case SDL_TEXTINPUT:
+      io.AddInputCharactersUTF8(event.text.text);
+      break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      pass_on_key(event.key, io);
+      break;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) io.MousePos = {-FLT_MAX, -FLT_MAX};
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
+        std::ranges::fill(io.KeysDown, false);
+        io.KeyCtrl = io.KeyShift = io.KeyAlt = io.KeySuper = false;
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+SdlWindow::SdlWindow(const std::string& title, int width, int height) {
+  SDL_SetMainReady();
+  // Software drawing through a graphics library takes longer than without one.
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+  if (SDL_Init(SDL_INIT_VIDEO) == 0)
+    window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
+                               height, SDL_WINDOW_RESIZABLE);
+  const SDL_Surface* const pixels = window_ ? SDL_GetWindowSurface(window_) : nullptr;
+  const bool is_usual = pixels && pixels->format->BytesPerPixel == 4 &&
+                        pixels->format->Rmask == 0xff0000 && pixels->format->Bmask == 0xff;
+  if (!is_usual) {
+    const std::string why = pixels ? "the screen has unusual pixels" : SDL_GetError();
+    if (window_) SDL_DestroyWindow(window_);
+    SDL_Quit();
+    throw InputError("no window can be shown here: {0}.", why);
+  }
+  context_ = ImGui::CreateContext();
+  set_up(ImGui::GetIO(), font_);
+}
+
+SdlWindow::~SdlWindow() {
+  ImGui::DestroyContext(context_);
+  SDL_DestroyWindow(window_);
+  SDL_Quit();
+}
+
+Surface SdlWindow::surface() const {
+  const SDL_Surface* const s = SDL_GetWindowSurface(window_);
+  return {s->w, s->h, s->pitch / 4, static_cast<std::uint32_t*>(s->pixels)};
+}
+
+bool SdlWindow::take_events() {
+  SDL_Event event;
+  while (SDL_PollEvent(&event)) {
+    if (event.type == SDL_QUIT) return false;
+    pass_on(event);
+    // A button that is pressed and released between two frames would not be seen.
+    if (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) return true;
+  }
+  return true;
+}
+
+bool SdlWindow::show(const std::function<bool()>& frame) {
+  const Surface pixels = surface();
+  for (int y = 0; y < pixels.height; ++y)
+    std::fill_n(pixels.pixels + std::ptrdiff_t(y) * pixels.stride, pixels.width, 0u);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {float(pixels.width), float(pixels.height)};
+  io.DeltaTime = 1 / 60.0F;
+  ImGui::NewFrame();
+  const bool goes_on = frame();
+  ImGui::Render();
+  paint(*ImGui::GetDrawData(), pixels);
+  SDL_UpdateWindowSurface(window_);
+  return goes_on;
+}
+
+void SdlWindow::run(const std::function<bool()>& frame, const std::function<bool()>& is_busy) {
+  // What is drawn settles some frames after what a person does.
+  constexpr int frames_to_settle = 3, a_tenth_of_a_second = 100;
+  for (int left = frames_to_settle; take_events() && show(frame);) {
+    if (left-- > 0) continue;
+    is_busy() ? SDL_WaitEventTimeout(nullptr, a_tenth_of_a_second) : SDL_WaitEvent(nullptr);
+    left = frames_to_settle;
+  }
+}
+
+}  // namespace gradmesh
