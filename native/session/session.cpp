@@ -151,7 +151,8 @@ void Session::set_form(CurveKind form) {
 
 const Session::Proposal& Session::propose(MadeEdit made, CurveKind form) {
   Candidate written = measured(made.mesh, form);
-  return proposal_.emplace(std::move(made), std::move(written), form);
+  proposal_ = Proposal{std::move(made), std::move(written), form};
+  return *proposal_;
 }
 
 const Session::Proposal& Session::propose(const Pointed& pointed, HandEdit edit) {
