@@ -312,7 +312,8 @@ void Session::weigh(const std::vector<Face>& faces, double factor) {
   std::vector<WeightedArea> areas = *place_.weighted;
   areas.push_back({{}, factor});
   for (const Face face : faces) areas.back().shapes.push_back(face_outline(now_.mesh, face));
-  Place place = place_;
+  // States of the curve by these weights have other meshes.
+  Place place = place_as(place_.form, now_.mesh == *place_.start ? 0 : -1);
   place.weighted = std::make_shared<const std::vector<WeightedArea>>(std::move(areas));
   start_from(place);
   become(measured(now_.mesh, place.form), place, Message("Let errors count otherwise"));

@@ -200,6 +200,20 @@ TEST(Session, errors_count_more_where_a_person_says_so) {
   EXPECT_GT(session.now().error, 3 * error);
 }
 
+TEST(Session, other_weights_leave_no_state_but_the_start) {
+  Session session(problem_for(mesh_for(2)));
+  const Mesh& shown = session.now().mesh;
+  const auto all = [&] { return std::vector<Face>(shown.faces().begin(), shown.faces().end()); };
+  session.weigh(all(), 4);
+  EXPECT_EQ(session.state(), 0);
+  const int state = int(found(session, CurveKind::one_gradient).states.size()) - 1;
+  session.show(CurveKind::one_gradient, state, false);
+  session.weigh(all(), 2);
+  EXPECT_EQ(session.state(), -1) << "the new curve has another mesh there";
+  session.undo();
+  EXPECT_EQ(session.state(), state);
+}
+
 TEST(Session, curves_keep_more_where_errors_count_more) {
   const auto handles_at_balanced = [](double factor) {
     Session session(problem_for(mesh_for(2)));
