@@ -25,6 +25,9 @@ class Plainness {
   /// outlines.
   bool is_free(Point point) const { return at(free_, point.value); }
 
+  /// Keeps a straight curve no longer straight.
+  void let_bend(Halfedge curve) { straight_.at(std::size_t(curve.value)) = false; }
+
   /// The handle beyond a handle's point that lies in one line with it, and its curve.
   struct Opposite {
     Halfedge curve;

@@ -9,9 +9,7 @@
 #include "fit/fit.h"
 #include "fit/plainness.h"
 #include "form/handles.h"
-#include "mesh/dependence.h"
 #include "ops/color.h"
-#include "ops/refresh.h"
 #include "ops/straighten.h"
 
 namespace gradmesh {
@@ -40,16 +38,6 @@ void bend_by_a_hair(Journal& journal, Halfedge curve) {
   journal.begin();
   const glm::dvec2 aside = hair / length * glm::dvec2(-chord.y, chord.x);
   for (const Handle handle : mesh[curve].handles) journal.edit(handle).tangent.position += aside;
-}
-
-/// Does what Plainness::refresh() does, but lets one curve be no longer straight, if it is valid.
-void refresh_but(Halfedge no_longer_straight, const Plainness& plain, Journal& journal,
-                 const std::vector<Halfedge>& changed) {
-  for (const Halfedge curve : in_order_of_dependence(journal.mesh(), changed)) {
-    if (plain.is_straight(curve) && curve != no_longer_straight) straighten(journal, curve);
-    refresh_curve(journal, curve);
-  }
-  plain.keep_coons(journal, 0);
 }
 
 /// Moves the two handles of a curve to where the patches beside it are closest to the picture.
@@ -100,7 +88,7 @@ MadeEdit straightened(const Mesh& mesh, const Pointed& pointed) {
 
 MadeEdit bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture) {
   const Halfedge curve = curve_of_side(mesh, pointed);
-  const Plainness plain(mesh);
+  Plainness plain(mesh);
   if (!plain.is_straight(curve)) throw InputError("this side is a curve already.");
   if (mesh.is_smooth())
     throw InputError(
@@ -109,14 +97,15 @@ MadeEdit bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture
   MadeEdit made{mesh, Message("Make a side a curve"), {}, {curve}};
   Journal journal(made.mesh);
   bend_by_a_hair(journal, curve);
-  refresh_but(curve, plain, journal, {curve});
+  plain.let_bend(curve);
+  plain.refresh(journal, std::array{curve});
   fit_handles(journal, curve, picture);
   check_protected(mesh, journal.mesh());
   return made;
 }
 
 MadeEdit moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem& problem) {
-  const Plainness plain(mesh);
+  Plainness plain(mesh);
   const bool is_point = grip.point.valid();
   const std::vector<Halfedge> curves =
       is_point ? plain.curves_at(grip.point) : std::vector{grip.curve};
@@ -130,8 +119,9 @@ MadeEdit moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem&
     const Cubic<Value> c = mesh.curve_of(grip.curve);
     const glm::dvec2 from = (grip.is_at_end ? c.p1 : c.p0).position;
     journal.edit(mesh[grip.curve].handles[grip.is_at_end]).tangent.position = 3.0 * (to - from);
+    plain.let_bend(grip.curve);
   }
-  refresh_but(grip.curve, plain, journal, curves);
+  plain.refresh(journal, curves);
   for (const Halfedge curve : curves) check_in_frame(made.mesh, curve, problem.frame());
   check_protected(mesh, journal.mesh());
   return made;
