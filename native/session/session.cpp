@@ -274,9 +274,9 @@ void Session::start_from(const Place& place) {
 
 void Session::protect(const std::vector<Face>& faces, bool is_protected) {
   if (is_protected)
-    set_protected(faces, {}, Message("Protect patches"));
+    set_protected(faces, {}, Message("Protect patches: {0}", faces.size()));
   else
-    set_protected({}, faces, Message("Protect patches no longer"));
+    set_protected({}, faces, Message("Protect patches no longer: {0}", faces.size()));
 }
 
 void Session::protect_others(const std::vector<Face>& faces) {

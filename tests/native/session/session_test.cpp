@@ -339,6 +339,14 @@ TEST(Session, the_first_state_is_the_mesh_as_it_is) {
   EXPECT_GT(session.now().error, 0) << "blocks are written anew";
 }
 
+TEST(Session, what_protects_says_of_how_many_patches) {
+  Session session(problem_for(mesh_for(1)));
+  session.protect({{0}, {1}, {4}}, true);
+  EXPECT_EQ(session.undo_name()->english(), "Protect patches: 3");
+  session.protect({{4}}, false);
+  EXPECT_EQ(session.undo_name()->english(), "Protect patches no longer: 1");
+}
+
 TEST(Session, only_what_is_named_may_change_whatever_was_protected_before) {
   Session session(problem_for(mesh_for(1)));
   session.protect({{0}, {1}}, true);

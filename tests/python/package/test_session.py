@@ -161,7 +161,7 @@ def test_protected_patches_stay():
     free = session.refresh(wait=True)["curves"]["one gradient"]["states"]
     before = samples(session)
     status = session.protect(upper)
-    assert status["protected"] == upper and status["undo"]
+    assert status["protected"] == upper and session.undo_name == f"Protect patches: {len(upper)}"
     assert samples(session) != before, "they are hatched"
     held = session.refresh(wait=True)["curves"]["one gradient"]["states"]
     assert held[-1]["handles"] > free[-1]["handles"]
