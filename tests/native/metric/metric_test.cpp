@@ -9,83 +9,26 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <stdexcept>
 #include <string>
 
 #include "base/parallel.h"
 #include "files/image_file.h"
+#include "metric_images.h"
 #include "naive_metrics.h"
 
 namespace gradmesh {
 namespace {
 
-constexpr MetricKind all_kinds[] = {MetricKind::flip, MetricKind::ssim};
-
-const char* title(MetricKind kind) { return kind == MetricKind::flip ? "FLIP" : "SSIM"; }
-
-Image filled(int width, int height, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
-  Image image(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.set_pixel(x, y, {r, g, b});
-  return image;
-}
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-
-  /// From `low` to `high`, both included.
-  int from(int low, int high) { return std::uniform_int_distribution(low, high)(engine_); }
-
-  Image noise(int width, int height) {
-    Image image(width, height);
-    for (auto& sample : image.samples) sample = std::uint8_t(from(0, 255));
-    return image;
-  }
-
-  /// A colour gradient, as the images that the metrics are made for.
-  Image gradient(int width, int height) {
-    const double u[3] = {from(-20, 20) / 9.0, from(-20, 20) / 9.0, from(-20, 20) / 9.0};
-    const double v[3] = {from(-20, 20) / 9.0, from(-20, 20) / 9.0, from(-20, 20) / 9.0};
-    Image image(width, height);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        for (int c = 0; c < 3; ++c)
-          *image.at(x, y, c) = std::uint8_t(std::clamp(128 + u[c] * x + v[c] * y, 0.0, 255.0));
-    return image;
-  }
-
-  /// The image with a rectangle of other colours.
-  Image edited(Image image) {
-    const Window window = part_of(image.window()).clipped(image.window());
-    for (int y = window.y0; y < window.y1; ++y)
-      for (int x = window.x0; x < window.x1; ++x)
-        for (int c = 0; c < 3; ++c) *image.at(x, y, c) ^= std::uint8_t(from(1, 63));
-    return image;
-  }
-
-  /// A window that may stick out of the frame.
-  Window part_of(Window frame) {
-    const int x = from(-3, frame.x1 - 1), y = from(-3, frame.y1 - 1);
-    return {x, y, from(x + 1, frame.x1 + 3), from(y + 1, frame.y1 + 3)};
-  }
-
- private:
-  std::mt19937 engine_;
-};
+using test::all_kinds;
+using test::expect_equal_bits;
+using test::filled;
+using test::RandomImages;
+using test::title;
 
 /// Distance along the axes, as `reach` counts it.
 int distance(int x0, int y0, int x1, int y1) {
   return std::max(std::abs(x0 - x1), std::abs(y0 - y1));
-}
-
-void expect_equal_bits(const Plane& a, const Plane& b) {
-  ASSERT_EQ(a.window(), b.window());
-  const Window window = a.window();
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      ASSERT_EQ(*a.at(x, y), *b.at(x, y)) << x << ", " << y;
 }
 
 struct Bounds {
@@ -121,7 +64,7 @@ void expect_near_naive(MetricKind kind, const Image& a, const Image& b) {
 }
 
 TEST(Metric, agrees_with_the_definitions_in_double_precision) {
-  Random random(1);
+  RandomImages random(1);
   const int sizes[][2] = {{1, 1}, {1, 9}, {23, 1}, {2, 3}, {7, 5}, {10, 11}, {25, 14}};
   for (const auto& [width, height] : sizes) {
     SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height));
@@ -139,7 +82,7 @@ TEST(Metric, agrees_with_the_definitions_in_double_precision) {
 
 // There a variance is a small difference of large squares.
 TEST(Metric, ssim_of_bright_nearly_flat_images_is_as_exact) {
-  Random random(11);
+  RandomImages random(11);
   Image a = filled(24, 24, 253, 128, 1), b = a;
   for (Image* image : {&a, &b})
     for (auto& sample : image->samples) sample += std::uint8_t(random.from(0, 2));
@@ -167,7 +110,7 @@ TEST(Metric, flat_images_have_known_distances) {
 }
 
 TEST(Metric, equal_images_have_no_distance_at_all) {
-  Random random(2);
+  RandomImages random(2);
   for (const MetricKind kind : all_kinds) {
     for (const Image& image : {random.noise(70, 45), random.gradient(33, 64), random.noise(1, 1)}) {
       expect_equal_bits(make_metric(kind, image)->map(image), Plane(image.width, image.height));
@@ -178,7 +121,7 @@ TEST(Metric, equal_images_have_no_distance_at_all) {
 // The pixels between two far differences are computed, not left out, and must come to 0 all the
 // same: the reference and the test go through the same arithmetic.
 TEST(Metric, pixels_among_equal_ones_have_no_distance_at_all) {
-  Random random(3);
+  RandomImages random(3);
   for (const MetricKind kind : all_kinds) {
     const Image reference = random.noise(90, 30);
     Image test = reference;
@@ -195,7 +138,7 @@ TEST(Metric, pixels_among_equal_ones_have_no_distance_at_all) {
 }
 
 TEST(Metric, flip_is_symmetric) {
-  Random random(4);
+  RandomImages random(4);
   const Image a = random.noise(40, 25), b = random.gradient(40, 25);
   expect_equal_bits(make_metric(MetricKind::flip, a)->map(b),
                     make_metric(MetricKind::flip, b)->map(a));
@@ -204,7 +147,7 @@ TEST(Metric, flip_is_symmetric) {
 TEST(Metric, a_window_holds_the_bits_of_the_whole_frame) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
+    RandomImages random(seed);
     const int width = random.from(1, 80), height = random.from(1, 80);
     const Image reference =
         seed % 2 == 0 ? random.noise(width, height) : random.gradient(width, height);
@@ -237,7 +180,7 @@ Raster<Sample, Channels> part(const Raster<Sample, Channels>& whole, Window wind
 }
 
 /// Weights from a quarter to 4 in every other frame; null in the others.
-Metric::Weights some_weights(Random& random, Window frame) {
+Metric::Weights some_weights(RandomImages& random, Window frame) {
   if (random.from(0, 1) == 0) return nullptr;
   Plane weights(frame);
   for (float& weight : weights.samples) weight = std::exp2(float(random.from(-8, 8)) / 4);
@@ -246,7 +189,7 @@ Metric::Weights some_weights(Random& random, Window frame) {
 
 /// A frame before and after an edit, and their maps from scratch.
 struct Update {
-  Update(Random& random, MetricKind kind, int width, int height)
+  Update(RandomImages& random, MetricKind kind, int width, int height)
       : reference(random.gradient(width, height)),
         before(random.from(0, 1) == 0 ? reference : random.edited(reference)),
         test(before),
@@ -280,7 +223,7 @@ struct Update {
 TEST(Metric, an_updated_map_holds_the_bits_of_a_new_one) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
+    RandomImages random(seed);
     const MetricKind kind = all_kinds[seed % 2];
     // Some frames hold more than one tile along both axes.
     Update update(random, kind, random.from(1, seed % 9 == 0 ? 1700 : 90), random.from(1, 150));
@@ -291,30 +234,10 @@ TEST(Metric, an_updated_map_holds_the_bits_of_a_new_one) {
   }
 }
 
-TEST(Metric, the_distance_of_a_pixel_is_multiplied_by_its_weight) {
-  Random random(21);
-  const Image reference = random.gradient(90, 70), test = random.edited(reference);
-  for (const MetricKind kind : all_kinds) {
-    const Plane plain = make_metric(kind, reference)->map(test);
-    Plane weights(90, 70);
-    for (float& weight : weights.samples) weight = float(random.from(1, 16)) / 4;
-    Plane product = plain;
-    for (std::size_t i = 0; i < product.samples.size(); ++i)
-      product.samples[i] *= weights.samples[i];
-    EXPECT_GT(sum(product, product.window()), 0);
-    const auto weighted = [&](const Plane& plane) {
-      return make_metric(kind, reference, std::make_shared<const Plane>(plane))->map(test);
-    };
-    expect_equal_bits(weighted(weights), product);
-    expect_equal_bits(weighted(Plane(90, 70, 1)), plain);
-    EXPECT_THROW(weighted(Plane(70, 90, 1)), std::invalid_argument);
-  }
-}
-
 TEST(Metric, a_map_is_updated_from_parts_of_the_frame) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
+    RandomImages random(seed);
     Update update(random, all_kinds[seed % 2], random.from(1, 90), random.from(1, 90));
     const int reach = update.metric->reach();
     const Image before = part(update.before, update.around(0));
@@ -329,7 +252,7 @@ TEST(Metric, a_map_is_updated_from_parts_of_the_frame) {
 TEST(Metric, an_update_gives_up_beyond_its_limit_only) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
+    RandomImages random(seed);
     Update update(random, all_kinds[seed % 2], random.from(30, 90), random.from(30, 300));
     const auto change_within = [&](double limit, Plane map) {
       return update.metric->update_map(update.before, update.test, update.changed, map, limit);
@@ -342,7 +265,7 @@ TEST(Metric, an_update_gives_up_beyond_its_limit_only) {
 }
 
 TEST(Metric, an_update_that_gives_up_leaves_out_the_rest) {
-  Random random(9);
+  RandomImages random(9);
   const Image reference = random.gradient(60, 400), test = random.noise(60, 400);
   for (const MetricKind kind : all_kinds) {
     const auto metric = make_metric(kind, reference);
@@ -355,7 +278,7 @@ TEST(Metric, an_update_that_gives_up_leaves_out_the_rest) {
 }
 
 TEST(Metric, an_update_looks_at_the_largest_part_first) {
-  Random random(12);
+  RandomImages random(12);
   const Image reference = random.gradient(90, 300), noise = random.noise(90, 300);
   for (const MetricKind kind : all_kinds) {
     const auto metric = make_metric(kind, reference);
@@ -389,7 +312,7 @@ TEST(Metric, refuses_to_update_from_parts_that_are_too_small) {
 }
 
 TEST(Metric, a_pixel_changes_the_map_as_far_as_its_reach_and_no_farther) {
-  Random random(5);
+  RandomImages random(5);
   constexpr int width = 60, height = 50;
   const Image reference = random.noise(width, height), before = random.noise(width, height);
   for (const MetricKind kind : all_kinds) {
@@ -411,7 +334,7 @@ TEST(Metric, a_pixel_changes_the_map_as_far_as_its_reach_and_no_farther) {
 }
 
 TEST(Metric, the_number_of_threads_does_not_change_a_bit) {
-  Random random(6);
+  RandomImages random(6);
   const Image reference = random.gradient(150, 170), test = random.noise(150, 170);
   for (const MetricKind kind : all_kinds) {
     const auto map_with = [&](int threads) {
@@ -428,7 +351,7 @@ TEST(Metric, every_set_of_instructions_gives_the_same_bits) {
 #ifdef HWY_COMPILE_ONLY_STATIC
   GTEST_SKIP() << "this build has one set of instructions";
 #endif
-  Random random(10);
+  RandomImages random(10);
   const std::pair<Image, Image> pairs[] = {{random.noise(83, 50), random.noise(83, 50)},
                                            {random.gradient(300, 90), random.gradient(300, 90)},
                                            {filled(30, 20, 0, 255, 0), filled(30, 20, 0, 0, 255)}};
@@ -452,7 +375,7 @@ TEST(Metric, every_set_of_instructions_gives_the_same_bits) {
 }
 
 TEST(Metric, serves_several_threads_at_once) {
-  Random random(7);
+  RandomImages random(7);
   const Image reference = random.gradient(120, 90), test = random.noise(120, 90);
   for (const MetricKind kind : all_kinds) {
     const auto metric = make_metric(kind, reference);
