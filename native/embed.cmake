@@ -1,11 +1,18 @@
-# Writes files as text into a header, one constant each in NAMESPACE:
+# Writes files into a header, one constant each in NAMESPACE: texts as they are, fonts and catalogues as bytes.
 # cmake -DHEADER=... -DNAMESPACE=... -DFILES=a;b -P embed.cmake
 set(text "#pragma once\n\nnamespace ${NAMESPACE} {\n\n")
 foreach(file ${FILES})
   get_filename_component(name ${file} NAME)
   string(MAKE_C_IDENTIFIER ${name} name)
-  file(READ ${file} content)
-  string(APPEND text "inline constexpr char ${name}[] = R\"--text--(${content})--text--\";\n\n")
+  if(file MATCHES "\\.(ttf|mo)$")
+    file(READ ${file} content HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," content "${content}")
+    string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n" content "${content}")
+    string(APPEND text "inline constexpr unsigned char ${name}[] = {\n${content}};\n\n")
+  else()
+    file(READ ${file} content)
+    string(APPEND text "inline constexpr char ${name}[] = R\"--text--(${content})--text--\";\n\n")
+  endif()
 endforeach()
 string(APPEND text "}  // namespace ${NAMESPACE}\n")
 file(WRITE ${HEADER} "${text}")

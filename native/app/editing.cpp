@@ -4,6 +4,14 @@
 
 namespace gradmesh {
 
+Box Editing::box() const {
+  Box box;
+  const Mesh& mesh = session.start().surface();
+  for (const Halfedge curve : mesh.curves())
+    for (const glm::dvec2 point : points_along(mesh.curve_of(curve), view)) box.add(point);
+  return box;
+}
+
 std::unique_ptr<Editing> edit_by_eye(const Document& document, const MeshEntry& entry,
                                      const RunOptions& options) {
   auto files = std::make_unique<AnalysisFiles>(AnalysisPaths{});

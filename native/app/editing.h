@@ -5,6 +5,7 @@
 #include "app/analysis_file.h"
 #include "app/document.h"
 #include "app/runs.h"
+#include "geom/box.h"
 #include "session/session.h"
 
 namespace gradmesh {
@@ -19,6 +20,8 @@ struct Editing {
   int objects_before;
   Session session;
 
+  /// Returns what the mesh as it was at first takes of what the person sees.
+  Box box() const;
   /// Returns the number of objects that will paint the mesh as it is shown.
   int objects() const {
     return session.is_unchanged() ? objects_before : session.now().form.object_count();

@@ -2,7 +2,6 @@
 
 #include "app/curves.h"
 #include "draw/heat_scale.h"
-#include "geom/box.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"
 #include "service/options.h"
@@ -105,10 +104,7 @@ Json open_session(const Call& call) {
   const Document& document = call.document();
   const MeshEntry entry = one_mesh(document, call);
   auto opened = edit_by_eye(document, entry, run_options(call));
-  Box box;
-  const Mesh& mesh = opened->session.start().surface();
-  for (const Halfedge curve : mesh.curves())
-    for (const glm::dvec2 point : points_along(mesh.curve_of(curve), opened->view)) box.add(point);
+  const Box box = opened->box();
   Json json = status_json(*opened);
   json["id"] = entry.id;
   json["box"] = Json::array({box.low().x, box.low().y, box.high().x, box.high().y});

@@ -38,6 +38,8 @@ struct SessionView {
   /// patches are hatched in any case.
   std::vector<Face> marked = {};
   std::vector<glm::dvec2> lasso = {};
+
+  bool operator==(const SessionView&) const = default;
 };
 
 /// Returns the ground of that name: "result", "original", "halves" or "error". Throws

@@ -46,6 +46,7 @@ INNER = {
         "svg/xml": 1, "svg/values": 2, "svg/tree": 3, "svg/gradient": 4, "svg/group": 5, "svg/picture": 6,
     },
     "ops": {"merge": 1, "split": 2},
+    "window": {"toolkit": 0, "eye": 1, "tools": 2, "view": 3},
 }
 
 #: Libraries that only some folders may know.

@@ -1,6 +1,6 @@
-// A window that draws and is told what a person does (window/sdl_window.h), on SDL's driver that
-// needs no display.
-#include "window/sdl_window.h"
+// A window that draws and is told what a person does (window/toolkit/sdl_window.h), on SDL's driver
+// that needs no display.
+#include "window/toolkit/sdl_window.h"
 
 #include <SDL.h>
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(SdlWindow, a_click_reaches_what_is_there) {
   int clicks = 0, frames = 0;
   std::uint32_t pixel = 0;
   window.run(
-      [&] {
+      [&](const Happened&) {
         // Both at once, as a quick hand does it.
         if (++frames == 3)
           for (const Uint32 type : {SDL_MOUSEBUTTONDOWN, SDL_MOUSEBUTTONUP})
@@ -73,7 +73,7 @@ TEST(SdlWindow, what_is_typed_and_turned_arrives) {
   bool is_held = false;
   int frames = 0;
   window.run(
-      [&] {
+      [&](const Happened&) {
         if (++frames == 5) {
           SDL_Event typed{};
           typed.type = SDL_TEXTINPUT;
@@ -111,6 +111,7 @@ TEST(SdlWindow, nothing_is_drawn_while_nothing_happens) {
   SdlWindow window("test", 200, 100);
   std::atomic<int> frames = 0;
   constexpr int first_and_to_settle = 4;
+  bool is_told = false;
   std::thread person([&] {
     while (frames < first_and_to_settle) std::this_thread::yield();
     SDL_Event quit{};
@@ -118,13 +119,40 @@ TEST(SdlWindow, nothing_is_drawn_while_nothing_happens) {
     SDL_PushEvent(&quit);
   });
   window.run(
-      [&] {
-        ++frames;
-        return true;
+      [&](const Happened& happened) {
+        is_told = happened.must_close;
+        if (!is_told) ++frames;
+        return !is_told;
       },
       [] { return false; });
   person.join();
   EXPECT_EQ(frames, first_and_to_settle);
+  EXPECT_TRUE(is_told);
+}
+
+TEST(SdlWindow, keys_are_told_by_their_names) {
+  without_display();
+  SdlWindow window("test", 200, 100);
+  std::vector<Key> keys;
+  int frames = 0;
+  window.run(
+      [&](const Happened& happened) {
+        keys.insert(keys.end(), happened.keys.begin(), happened.keys.end());
+        if (++frames == 2)
+          for (const Uint32 type : {SDL_KEYDOWN, SDL_KEYUP}) {
+            SDL_Event key{};
+            key.type = type;
+            key.key.keysym = {SDL_SCANCODE_Z, SDLK_z, KMOD_LCTRL | KMOD_RSHIFT, 0};
+            SDL_PushEvent(&key);
+          }
+        return frames < 8;
+      },
+      is_busy);
+  ASSERT_EQ(keys.size(), 2u);
+  EXPECT_EQ(keys[0].name, "Z");
+  EXPECT_TRUE(keys[0].is_down && keys[0].held.control && keys[0].held.shift);
+  EXPECT_FALSE(keys[0].held.alt);
+  EXPECT_FALSE(keys[1].is_down);
 }
 
 TEST(SdlWindow, without_a_display_a_sentence_says_so) {

@@ -1,9 +1,10 @@
-#include "window/draw_lists.h"
+#include "window/toolkit/draw_lists.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "base/clamped_int.h"
 
@@ -54,12 +55,14 @@ class ListPainter {
     int opacity;
   };
 
-  /// Changes a colour and its opacity to what the texture makes of them.
-  void take_texture(float u, float v, Sample& sample) const {
-    if (!texture_) return;
+  /// Returns the place in the texture of a place from 0 to 1.
+  std::size_t place_in_texture(float u, float v) const {
     const int x = clamped_int(std::floor(double(u) * texture_->width), 0, texture_->width - 1);
     const int y = clamped_int(std::floor(double(v) * texture_->height), 0, texture_->height - 1);
-    const std::size_t at = std::size_t(y) * std::size_t(texture_->width) + std::size_t(x);
+    return std::size_t(y) * std::size_t(texture_->width) + std::size_t(x);
+  }
+  /// Changes a colour and its opacity to what the texture makes of them at a place in it.
+  void take_texture(std::size_t at, Sample& sample) const {
     if (texture_->opacity) {
       sample.opacity = (sample.opacity * texture_->opacity[at] + 127) / 255;
       return;
@@ -74,6 +77,9 @@ class ListPainter {
     std::uint32_t& pixel = surface_.pixels[std::ptrdiff_t(y) * surface_.stride + x];
     pixel = mixed(pixel, sample.color, sample.opacity);
   }
+
+  /// Puts the same into the pixels [x0, x1) of a row.
+  void fill_row(int y, int x0, int x1, const Sample& sample) const;
 
   const Surface& surface_;
   const Clip clip_;
@@ -90,13 +96,42 @@ void ListPainter::rectangle(const ImDrawVert& a, const ImDrawVert& c) {
   const Sample whole{{channel(a.col, IM_COL32_R_SHIFT), channel(a.col, IM_COL32_G_SHIFT),
                       channel(a.col, IM_COL32_B_SHIFT)},
                      channel(a.col, IM_COL32_A_SHIFT)};
-  for (int y = y0; y < y1; ++y)
+  if (x0 >= x1) return;
+  const auto u = [&](int x) { return a.uv.x + du * (float(x) + 0.5F - a.pos.x); };
+  const auto v = [&](int y) { return a.uv.y + dv * (float(y) + 0.5F - a.pos.y); };
+  // Most rectangles are of one colour: their texture is a place without size.
+  if (!texture_ || (du == 0 && dv == 0)) {
+    Sample sample = whole;
+    if (texture_) take_texture(place_in_texture(u(x0), v(y0)), sample);
+    for (int y = y0; y < y1; ++y) fill_row(y, x0, x1, sample);
+    return;
+  }
+  std::vector<std::size_t> columns;
+  for (int x = x0; x < x1; ++x) columns.push_back(place_in_texture(u(x), 0));
+  const bool is_copy = texture_->colors && a.col == IM_COL32_WHITE;
+  for (int y = y0; y < y1; ++y) {
+    const std::size_t row = place_in_texture(0, v(y));
+    std::uint32_t* const pixels = surface_.pixels + std::ptrdiff_t(y) * surface_.stride;
     for (int x = x0; x < x1; ++x) {
+      const std::size_t at = row + columns[std::size_t(x - x0)];
+      if (is_copy) {
+        pixels[x] = texture_->colors[at] & 0xffffff;
+        continue;
+      }
       Sample sample = whole;
-      take_texture(a.uv.x + du * (float(x) + 0.5F - a.pos.x),
-                   a.uv.y + dv * (float(y) + 0.5F - a.pos.y), sample);
+      take_texture(at, sample);
       put(x, y, sample);
     }
+  }
+}
+
+void ListPainter::fill_row(int y, int x0, int x1, const Sample& sample) const {
+  if (sample.opacity < 255) {
+    for (int x = x0; x < x1; ++x) put(x, y, sample);
+    return;
+  }
+  std::uint32_t* const row = surface_.pixels + std::ptrdiff_t(y) * surface_.stride;
+  std::fill(row + x0, row + x1, mixed(0, sample.color, sample.opacity));
 }
 
 /// One side of a triangle whose corners come clockwise, y downwards: which pixels are inside of it.
@@ -172,7 +207,7 @@ void ListPainter::triangle(const ImDrawVert& first, const ImDrawVert& second,
         return clamped_int(std::round(double(s.at(fx, fy))), 0, 255);
       };
       Sample sample{{level(colors[0]), level(colors[1]), level(colors[2])}, level(colors[3])};
-      take_texture(u.at(fx, fy), w.at(fx, fy), sample);
+      if (texture_) take_texture(place_in_texture(u.at(fx, fy), w.at(fx, fy)), sample);
       put(x, y, sample);
     }
 }

@@ -1,5 +1,5 @@
-// What Dear ImGui draws, as pixels (window/draw_lists.h). No display is needed.
-#include "window/draw_lists.h"
+// What Dear ImGui draws, as pixels (window/toolkit/draw_lists.h). No display is needed.
+#include "window/toolkit/draw_lists.h"
 
 #include <gtest/gtest.h>
 

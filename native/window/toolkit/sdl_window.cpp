@@ -1,12 +1,15 @@
-#include "window/sdl_window.h"
+#include "window/toolkit/sdl_window.h"
 
 #include <SDL.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
+#include <climits>
 
 #include "base/error.h"
+#include "window/toolkit/desktop.h"
+#include "window/toolkit/font.h"
 
 namespace gradmesh {
 namespace {
@@ -37,9 +40,10 @@ constexpr std::array<std::pair<ImGuiKey, SDL_Scancode>, 22> keys = {{
     {ImGuiKey_Z, SDL_SCANCODE_Z},
 }};
 
-void set_up(ImGuiIO& io, Texture& font) {
+void set_up(ImGuiIO& io, Texture& font, float density) {
   // Nothing is written beside the document.
   io.IniFilename = nullptr;
+  add_font(*io.Fonts, density);
   io.BackendPlatformName = "gradmesh";
   for (const auto& [name, code] : keys) io.KeyMap[name] = code;
   unsigned char* opacity = nullptr;
@@ -56,14 +60,32 @@ int button_of(Uint8 button) {
   return -1;
 }
 
+/// Returns the width and height that a window may have.
+std::pair<int, int> room_on_the_screen() {
+  // What a window manager draws around a window.
+  constexpr int frame = 8, title = 40;
+  SDL_Rect room{};
+  if (SDL_GetDisplayUsableBounds(0, &room) != 0) return {INT_MAX, INT_MAX};
+  return {room.w - frame, room.h - title};
+}
+
+Held held_with(const SDL_KeyboardEvent& key) {
+  const SDL_Keymod held = SDL_Keymod(key.keysym.mod);
+  return {(held & KMOD_CTRL) != 0, (held & KMOD_SHIFT) != 0, (held & KMOD_ALT) != 0};
+}
+
+Key key_of(const SDL_KeyboardEvent& key) {
+  return {SDL_GetKeyName(key.keysym.sym), key.type == SDL_KEYDOWN, held_with(key)};
+}
+
 void pass_on_key(const SDL_KeyboardEvent& key, ImGuiIO& io) {
   const auto code = std::size_t(key.keysym.scancode);
   if (code < std::size(io.KeysDown)) io.KeysDown[code] = key.type == SDL_KEYDOWN;
-  const SDL_Keymod held = SDL_Keymod(key.keysym.mod);
-  io.KeyCtrl = (held & KMOD_CTRL) != 0;
-  io.KeyShift = (held & KMOD_SHIFT) != 0;
-  io.KeyAlt = (held & KMOD_ALT) != 0;
-  io.KeySuper = (held & KMOD_GUI) != 0;
+  const Held held = held_with(key);
+  io.KeyCtrl = held.control;
+  io.KeyShift = held.shift;
+  io.KeyAlt = held.alt;
+  io.KeySuper = (SDL_Keymod(key.keysym.mod) & KMOD_GUI) != 0;
 }
 
 }  // namespace
@@ -107,9 +129,15 @@ SdlWindow::SdlWindow(const std::string& title, int width, int height) {
   SDL_SetMainReady();
   // Software drawing through a graphics library takes longer than without one.
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
-  if (SDL_Init(SDL_INIT_VIDEO) == 0)
-    window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width,
-                               height, SDL_WINDOW_RESIZABLE);
+  SDL_SetHint(SDL_HINT_WINDOWS_DPI_AWARENESS, "permonitorv2");
+  // A window of a document is no video: the screen may go dark meanwhile.
+  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+  if (SDL_Init(SDL_INIT_VIDEO) == 0) {
+    const auto [most_width, most_height] = room_on_the_screen();
+    window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+                               std::min(width, most_width), std::min(height, most_height),
+                               SDL_WINDOW_RESIZABLE);
+  }
   const SDL_Surface* const pixels = window_ ? SDL_GetWindowSurface(window_) : nullptr;
   const bool is_usual = pixels && pixels->format->BytesPerPixel == 4 &&
                         pixels->format->Rmask == 0xff0000 && pixels->format->Bmask == 0xff;
@@ -120,7 +148,8 @@ SdlWindow::SdlWindow(const std::string& title, int width, int height) {
     throw InputError("no window can be shown here: {0}.", why);
   }
   context_ = ImGui::CreateContext();
-  set_up(ImGui::GetIO(), font_);
+  density_ = density_of(window_);
+  set_up(ImGui::GetIO(), font_, density_);
 }
 
 SdlWindow::~SdlWindow() {
@@ -134,18 +163,21 @@ Surface SdlWindow::surface() const {
   return {s->w, s->h, s->pitch / 4, static_cast<std::uint32_t*>(s->pixels)};
 }
 
-bool SdlWindow::take_events() {
+Happened SdlWindow::take_events() {
+  Happened happened;
   SDL_Event event;
   while (SDL_PollEvent(&event)) {
-    if (event.type == SDL_QUIT) return false;
     pass_on(event);
+    if (event.type == SDL_QUIT) happened.must_close = true;
+    if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP)
+      happened.keys.push_back(key_of(event.key));
     // A button that is pressed and released between two frames would not be seen.
-    if (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) return true;
+    if (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) break;
   }
-  return true;
+  return happened;
 }
 
-bool SdlWindow::show(const std::function<bool()>& frame) {
+bool SdlWindow::show(const Frame& frame, const Happened& happened) {
   const Surface pixels = surface();
   for (int y = 0; y < pixels.height; ++y)
     std::fill_n(pixels.pixels + std::ptrdiff_t(y) * pixels.stride, pixels.width, 0u);
@@ -153,17 +185,17 @@ bool SdlWindow::show(const std::function<bool()>& frame) {
   io.DisplaySize = {float(pixels.width), float(pixels.height)};
   io.DeltaTime = 1 / 60.0F;
   ImGui::NewFrame();
-  const bool goes_on = frame();
+  const bool goes_on = frame(happened);
   ImGui::Render();
   paint(*ImGui::GetDrawData(), pixels);
   SDL_UpdateWindowSurface(window_);
   return goes_on;
 }
 
-void SdlWindow::run(const std::function<bool()>& frame, const std::function<bool()>& is_busy) {
+void SdlWindow::run(const Frame& frame, const std::function<bool()>& is_busy) {
   // What is drawn settles some frames after what a person does.
   constexpr int frames_to_settle = 3, a_tenth_of_a_second = 100;
-  for (int left = frames_to_settle; take_events() && show(frame);) {
+  for (int left = frames_to_settle; show(frame, take_events());) {
     if (left-- > 0) continue;
     is_busy() ? SDL_WaitEventTimeout(nullptr, a_tenth_of_a_second) : SDL_WaitEvent(nullptr);
     left = frames_to_settle;

@@ -1,0 +1,74 @@
+#include "window/toolkit/ui.h"
+
+#include <imgui.h>
+
+namespace gradmesh {
+
+void Ui::heading(const Message& words) {
+  ImGui::Dummy({0, 0.2F * ImGui::GetFontSize()});
+  ImGui::TextDisabled("%s", said(words).c_str());
+}
+
+void Ui::text(const std::string& words) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+bool Ui::button(const Message& label, const Message& tip_words, bool is_enabled, float width) {
+  ImGui::PushID(label.english().c_str());
+  ImGui::BeginDisabled(!is_enabled);
+  const bool is_pressed = ImGui::Button(said(label).c_str(), {width, 0});
+  ImGui::EndDisabled();
+  ImGui::PopID();
+  note(label.english());
+  tip(tip_words);
+  return is_pressed;
+}
+
+bool Ui::choice(const Message& label, const Message& tip_words, bool is_chosen, float width,
+                bool is_enabled) {
+  const ImVec4* const colors = ImGui::GetStyle().Colors;
+  ImGui::PushStyleColor(ImGuiCol_Button, colors[is_chosen ? ImGuiCol_Header : ImGuiCol_Button]);
+  if (is_chosen) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors[ImGuiCol_HeaderHovered]);
+  const bool is_pressed = button(label, tip_words, is_enabled, width);
+  ImGui::PopStyleColor(is_chosen ? 2 : 1);
+  return is_pressed;
+}
+
+bool Ui::check(const Message& label, const Message& tip_words, bool& is_on) {
+  ImGui::PushID(label.english().c_str());
+  const bool has_changed = ImGui::Checkbox(said(label).c_str(), &is_on);
+  ImGui::PopID();
+  note(label.english());
+  tip(tip_words);
+  return has_changed;
+}
+
+void Ui::tip(const Message& words) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(said(words).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+float Ui::share(int count) {
+  const float between = ImGui::GetStyle().ItemSpacing.x * float(count - 1);
+  return (ImGui::GetContentRegionAvail().x - between) / float(count);
+}
+
+void Ui::beside() { ImGui::SameLine(); }
+
+void Ui::note(const std::string& name) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  places_[name] = {(low.x + high.x) / 2, (low.y + high.y) / 2};
+}
+
+std::optional<glm::dvec2> Ui::place_of(const std::string& label) const {
+  const auto found = places_.find(label);
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,124 @@
+#include <algorithm>
+
+#include "window/eye/words.h"
+#include "window/view/chart.h"
+#include "window/view/panel.h"
+
+namespace gradmesh {
+namespace {
+
+ImU32 color(ImGuiCol which, float opacity = 1) { return ImGui::GetColorU32(which, opacity); }
+
+Message name_of(const std::string& amount) {
+  if (amount == "gentle") return Message("Gentle");
+  if (amount == "balanced") return Message("Balanced");
+  return Message("Strong");
+}
+
+void show_forms(const Panel& panel) {
+  Eye& eye = panel.eye;
+  if (eye.session().kinds().size() < 2) return;
+  const float width = Ui::share(2);
+  const auto choose = [&](const Message& label, const Message& tip, CurveKind form) {
+    const bool is_chosen = eye.session().form() == form;
+    if (!panel.ui.choice(label, tip, is_chosen, width) || is_chosen) return;
+    eye.attempt([&](Session& session) {
+      session.set_form(form);
+      session.curves().want(form);
+    });
+  };
+  choose(Message("One mesh gradient"),
+         Message("The mesh stays one mesh gradient: whole lines go out of it"),
+         CurveKind::one_gradient);
+  Ui::beside();
+  choose(Message("Blocks"),
+         Message("The mesh becomes blocks, which can be coarse in one place and fine in another"),
+         CurveKind::blocks);
+}
+
+/// Draws the curve, the marks of the amounts, and the knob at what is shown.
+void draw_curve(const Curve& curve, const Chart& chart, const Eye& eye, ImVec2 low, ImVec2 high,
+                float track) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float em = ImGui::GetFontSize();
+  for (const Curve::Mark& mark : curve.marks) {
+    const float x = chart.place(curve.states[std::size_t(mark.state)]).x;
+    list.AddLine({x, low.y}, {x, high.y}, color(ImGuiCol_Border), 1);
+  }
+  std::vector<ImVec2> line;
+  for (const CurveState& state : curve.states) line.push_back(chart.place(state));
+  list.AddPolyline(line.data(), int(line.size()), color(ImGuiCol_PlotLines), 0, 0.12F * em);
+  const Candidate& now = eye.session().now();
+  const ImVec2 at = chart.place(now.counts(), now.error);
+  list.AddLine({at.x, at.y}, {at.x, track}, color(ImGuiCol_PlotLines, 0.6F), 1);
+  list.AddCircleFilled(at, 0.28F * em, IM_COL32(230, 120, 0, 255));
+  list.AddRectFilled({low.x, track - 0.12F * em}, {high.x, track + 0.12F * em},
+                     color(ImGuiCol_Border), 0.12F * em);
+  list.AddCircleFilled({at.x, track}, 0.5F * em, color(ImGuiCol_PlotLines));
+  list.AddCircleFilled({at.x, track}, 0.36F * em, color(ImGuiCol_FrameBg));
+}
+
+/// Shows the curve, which is a slider too: a drag goes along it.
+void show_slider(const Panel& panel) {
+  Eye& eye = panel.eye;
+  const float em = ImGui::GetFontSize(), margin = 0.6F * em;
+  const ImVec2 size{ImGui::GetContentRegionAvail().x, 7.6F * em};
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("curve", size);
+  panel.ui.note("curve");
+  const ImVec2 low{corner.x + margin, corner.y + margin};
+  const ImVec2 high{corner.x + size.x - margin, corner.y + size.y - 2 * em};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + size.x, high.y + margin}, color(ImGuiCol_FrameBg), 3);
+  const auto found = eye.curve();
+  if (!found || found->curve.states.size() < 2) {
+    const std::string words = panel.ui.said(
+        found && found->failure       ? *found->failure
+        : found && found->is_complete ? Message("There is nothing that could be taken out.")
+                                      : Message("Simpler meshes are looked for …"));
+    list.AddText(ImGui::GetFont(), em, low, color(ImGuiCol_TextDisabled), words.c_str(), nullptr,
+                 size.x - 2 * margin);
+    return;
+  }
+  const Chart chart(found->curve.states, low, high, eye.looks.by_patches);
+  if (ImGui::IsItemActive()) eye.slide(chart.state_at(ImGui::GetIO().MousePos.x), true);
+  if (ImGui::IsItemDeactivated()) eye.slide(chart.state_at(ImGui::GetIO().MousePos.x));
+  draw_curve(found->curve, chart, eye, low, high, corner.y + size.y - 0.8F * em);
+  if (!ImGui::IsItemActive())
+    panel.ui.tip(Message(
+        "The error, the fewer handles are left. Drag the knob: left the mesh as it is, right the "
+        "simplest (arrow keys)"));
+}
+
+void show_amounts(const Panel& panel) {
+  Eye& eye = panel.eye;
+  const auto found = eye.curve();
+  const float width = Ui::share(3);
+  for (const std::string amount : {"gentle", "balanced", "strong"}) {
+    if (amount != "gentle") Ui::beside();
+    const Curve::Mark* mark = nullptr;
+    if (found)
+      for (const Curve::Mark& each : found->curve.marks)
+        if (each.amount == amount) mark = &each;
+    const Message tip =
+        mark ? Message("{0} handles", found->curve.states[std::size_t(mark->state)].counts.handles)
+             : Message("This amount is still looked for");
+    const bool is_shown = mark && mark->state == eye.session().state();
+    if (panel.ui.choice(name_of(amount), tip, is_shown, width, mark != nullptr))
+      eye.slide(mark->state);
+  }
+}
+
+}  // namespace
+
+void show_curve(const Panel& panel) {
+  for (const Message& line : words_of_mesh(panel.eye)) panel.ui.text(panel.ui.said(line));
+  panel.ui.heading(Message("How simple"));
+  show_forms(panel);
+  show_slider(panel);
+  show_amounts(panel);
+  panel.ui.check(Message("By patches"), Message("Draw the curve by patches, not by handles"),
+                 panel.eye.looks.by_patches);
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,118 @@
+#include <imgui.h>
+
+#include "reference/weights.h"
+#include "window/eye/words.h"
+#include "window/view/panel.h"
+
+namespace gradmesh {
+namespace {
+
+void show_history(const Panel& panel) {
+  const Session& session = panel.eye.session();
+  const float width = Ui::share(3);
+  if (panel.ui.button(Message("Undo"), words_of_undo(session), session.can_undo(), width))
+    panel.eye.attempt([](Session& s) { s.undo(); });
+  Ui::beside();
+  if (panel.ui.button(Message("Redo"), words_of_redo(session), session.can_redo(), width))
+    panel.eye.attempt([](Session& s) { s.redo(); });
+  Ui::beside();
+  if (panel.ui.button(Message("Fit all"),
+                      Message("Move all points and handles so that the picture is closest"), true,
+                      width))
+    panel.eye.attempt([](Session& s) { s.fit(); });
+}
+
+/// Shows how often errors in what is marked may count.
+void show_weights(const Panel& panel) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(panel.ui.said(Message("Errors there ×")).c_str());
+  for (const auto& [label, factor] :
+       {std::pair("¼", 0.25), {"½", 0.5}, {"1", 1.0}, {"2", 2.0}, {"4", 4.0}}) {
+    Ui::beside();
+    const bool is_pressed = panel.ui.button(
+        Message("{0}", std::string(label)),
+        Message("How often errors in what is marked count, so that it stays more or less exact "
+                "than the rest: blue lines show where more, orange lines where less"),
+        !panel.eye.marked().empty());
+    if (is_pressed) panel.eye.attempt([&](Session& s) { s.weigh(panel.eye.marked(), factor); });
+  }
+}
+
+}  // namespace
+
+void show_meshes(const Panel& panel) {
+  Eye& eye = panel.eye;
+  if (eye.ids().size() < 2) return;
+  ImGui::SetNextItemWidth(-1);
+  const bool is_open = ImGui::BeginCombo("##meshes", eye.id().c_str());
+  panel.ui.note("meshes");
+  if (!is_open)
+    return panel.ui.tip(Message("Which mesh is looked at; what was made of others stays"));
+  for (std::size_t i = 0; i < eye.ids().size(); ++i) {
+    ImGui::PushID(int(i));
+    if (ImGui::Selectable(eye.ids()[i].c_str(), eye.id() == eye.ids()[i])) eye.choose(i);
+    panel.ui.note("mesh " + std::to_string(i + 1));
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+void show_tools(const Panel& panel) {
+  panel.ui.heading(Message("What the pointer does"));
+  const auto& tools = panel.toolbox.tools();
+  constexpr std::size_t in_a_row = 3;
+  const float width = Ui::share(in_a_row);
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    if (i % in_a_row != 0) Ui::beside();
+    const Tool& tool = *tools[i];
+    if (panel.ui.choice(tool.name(), tool.tip(), &tool == &panel.toolbox.in_hand(), width))
+      panel.toolbox.take(i, panel.eye);
+  }
+  panel.ui.check(
+      Message("Fit what is around"),
+      Message("Move points and handles near a change so that the picture stays what it was"),
+      panel.eye.fits);
+  show_history(panel);
+}
+
+void show_marked(const Panel& panel) {
+  Eye& eye = panel.eye;
+  const bool has_marks = !eye.marked().empty(), is_release = eye.marks_are_protected();
+  panel.ui.heading(Message("Marked patches"));
+  const float width = Ui::share(3);
+  if (panel.ui.button(Message("Merge"), Message("Make one patch of all that are marked (Enter)"),
+                      eye.to_merge().size() > 1, width))
+    eye.merge_marked();
+  Ui::beside();
+  if (panel.ui.button(is_release ? Message("Release") : Message("Protect"),
+                      is_release
+                          ? Message("Let what is marked change again (P)")
+                          : Message("Let what is marked stay as it is, whatever is done (P)"),
+                      has_marks, width))
+    eye.protect_marked();
+  Ui::beside();
+  if (panel.ui.button(Message("Only here"),
+                      Message("Let only what is marked change, and protect all others (O)"),
+                      has_marks, width))
+    eye.protect_others();
+  show_weights(panel);
+}
+
+void show_worst_places(const Panel& panel) {
+  panel.ui.heading(Message("Where it differs most"));
+  const std::vector<WorstPlace>& places = panel.eye.worst_places();
+  const float width = Ui::share(Eye::worst_count);
+  for (std::size_t i = 0; i < std::size_t(Eye::worst_count); ++i) {
+    if (i > 0) Ui::beside();
+    const bool is_there = i < places.size();
+    const Message tip = is_there ? Message("Error {0} in a small part; a click goes there",
+                                           fixed(places[i].error, 3))
+                                 : Message("There are fewer places that differ");
+    ImGui::PushID(int(i));
+    if (panel.ui.button(Message("{0}", i + 1), tip, is_there, width)) panel.eye.look_at(places[i]);
+    panel.ui.note("worst " + std::to_string(i + 1));
+    ImGui::PopID();
+  }
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "window/eye/eye.h"
+#include "window/eye/shown_picture.h"
+#include "window/tools/toolbox.h"
+
+namespace gradmesh {
+
+/// The picture of the mesh, and the pointer over it.
+class PictureArea {
+ public:
+  /// Passes on what the pointer does, and draws what is seen then, in the room that is left of the
+  /// window that Dear ImGui draws.
+  void show(Eye& eye, Toolbox& toolbox);
+
+ private:
+  enum class Drag { none, pending, tool, pan, split };
+
+  void take_wheel(Eye& eye, glm::dvec2 at) const;
+  /// Goes on with a press of a button.
+  void press(Eye& eye, Tool& tool, glm::dvec2 at, bool is_over);
+  void drag_to(Eye& eye, Tool& tool, glm::dvec2 at);
+  void release(Eye& eye, Tool& tool, glm::dvec2 at);
+
+  ShownPicture picture_;
+  Drag drag_ = Drag::none;
+  /// The button that is held, as Dear ImGui numbers them.
+  int button_ = 0;
+  glm::dvec2 pressed_at_{0.0}, last_{0.0};
+  bool was_over_ = false;
+};
+
+}  // namespace gradmesh

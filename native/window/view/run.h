@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "window/eye/eye.h"
+
+namespace gradmesh {
+
+/// How a window is begun.
+struct WindowChoices {
+  /// Nothing for what was chosen last, or else what the desktop has.
+  std::optional<bool> is_dark = std::nullopt;
+  /// Such as "de"; nothing for what the desktop has.
+  std::optional<std::string> language = std::nullopt;
+};
+
+/// Shows the window of simplifying by eye over meshes until a person closes it. Returns true if
+/// what was made is to be kept. Throws InputError where there is no display.
+bool simplify_by_eye(Eye& eye, const WindowChoices& choices);
+
+}  // namespace gradmesh

@@ -1,0 +1,361 @@
+// What a person sees and does in the window of simplifying by eye (window/view/eye_window.h). No
+// display is needed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/document.h"
+#include "screen.h"
+
+namespace gradmesh {
+namespace {
+
+using test::Screen;
+
+std::string same(const std::string& text) { return text; }
+
+constexpr glm::ivec2 ordinary_size(1100, 900);
+
+/// A person who looks at a document in samples/.
+class EyeWindows : public testing::Test {
+ protected:
+  void open(const std::string& name, bool is_dark = false, float density = 1,
+            Translation translation = same, glm::ivec2 size = ordinary_size) {
+    document_ = Document::read_file(std::string(GRADMESH_SOURCE_DIR) + "/samples/" + name + ".svg");
+    std::vector<std::string> ids;
+    for (const MeshEntry& entry : document_->selected({})) ids.push_back(entry.id);
+    eye_.emplace(ids, [this](const std::string& id) {
+      return edit_by_eye(*document_, document_->selected({id}).front(), {});
+    });
+    screen_.emplace(*eye_, size.x, size.y, translation, is_dark, density);
+  }
+  void wait_for_curve() {
+    session().curves().wait();
+    screen_->settle();
+  }
+
+  Session& session() { return eye_->session(); }
+  int handles() { return session().now().counts().handles; }
+  /// Returns where a place in mesh units is in the window.
+  glm::dvec2 seen_at(glm::dvec2 place) const { return eye_->to_pixels().point(place); }
+  /// Returns the middle of the curve of a line inside the mesh that costs little to take out.
+  glm::dvec2 on_a_line() {
+    const Mesh& mesh = session().now().mesh;
+    for (const Halfedge curve : mesh.curves())
+      if (mesh[curve].twin.valid()) return seen_at(mesh.curve_of(curve).at(0.5).position);
+    return {};
+  }
+  glm::dvec2 middle_of(Face face) {
+    return seen_at(session().now().mesh.patch(face).at(0.5, 0.5).position);
+  }
+  std::vector<std::uint32_t> pixels() const {
+    const Surface& s = screen_->surface();
+    return {s.pixels, s.pixels + s.stride * s.height};
+  }
+
+  std::unique_ptr<Document> document_;
+  std::optional<Eye> eye_;
+  std::optional<Screen> screen_;
+};
+
+TEST_F(EyeWindows, the_first_frame_shows_mesh_and_panel) {
+  open("ellipse");
+  std::set<std::uint32_t> colors;
+  for (int y = 0; y < ordinary_size.y; y += 7)
+    for (int x = 0; x < 700; x += 7) colors.insert(screen_->pixel(x, y));
+  EXPECT_GT(colors.size(), 500u) << "a gradient has many colours";
+  for (const char* label : {"Result", "Error", "Lines", "Take out", "Mark", "Undo", "Cancel"})
+    EXPECT_TRUE(screen_->window().ui().place_of(label)) << label;
+}
+
+TEST_F(EyeWindows, the_slider_goes_along_the_curve_and_is_one_step_of_undo) {
+  open("ellipse");
+  wait_for_curve();
+  const int before = handles();
+  const glm::dvec2 middle = *screen_->window().ui().place_of("curve");
+  screen_->drag({middle - glm::dvec2(100, 0), middle, middle + glm::dvec2(80, 0)});
+  EXPECT_LT(handles(), before);
+  EXPECT_GT(session().state(), 0);
+  screen_->click("Undo");
+  EXPECT_EQ(handles(), before);
+  EXPECT_FALSE(session().can_undo());
+  screen_->click("Redo");
+  EXPECT_LT(handles(), before);
+}
+
+TEST_F(EyeWindows, arrows_and_amounts_choose_states) {
+  open("ellipse");
+  wait_for_curve();
+  screen_->key("Right");
+  screen_->key("Right");
+  EXPECT_EQ(session().state(), 2);
+  screen_->key("Left");
+  EXPECT_EQ(session().state(), 1);
+  const auto found = eye_->curve();
+  ASSERT_EQ(found->curve.marks.size(), 3u);
+  for (const auto& [label, number] : {std::pair("Gentle", 0), {"Balanced", 1}, {"Strong", 2}}) {
+    screen_->click(label);
+    EXPECT_EQ(session().state(), found->curve.marks[std::size_t(number)].state) << label;
+  }
+  screen_->key("End");
+  EXPECT_EQ(session().state(), int(found->curve.states.size()) - 1);
+  screen_->key("Home");
+  EXPECT_TRUE(session().is_unchanged());
+}
+
+TEST_F(EyeWindows, pointing_at_a_line_shows_what_it_costs_and_a_click_takes_it_out) {
+  open("ellipse");
+  const auto untouched = pixels();
+  screen_->move(on_a_line());
+  ASSERT_TRUE(session().proposal());
+  const int promised = session().proposal()->written.counts().handles;
+  EXPECT_NE(pixels(), untouched);
+  EXPECT_TRUE(session().is_unchanged()) << "nothing is made by pointing";
+  screen_->click(on_a_line());
+  EXPECT_EQ(handles(), promised);
+  EXPECT_EQ(session().undo_name()->english(), "Take out a line");
+}
+
+TEST_F(EyeWindows, a_new_cross_goes_where_the_pointer_is) {
+  open("ellipse");
+  const int before = handles();
+  screen_->key("B");
+  const Face face = *session().now().mesh.faces().begin();
+  screen_->move(middle_of(face));
+  ASSERT_TRUE(session().proposal());
+  screen_->click(middle_of(face));
+  EXPECT_GT(handles(), before);
+}
+
+TEST_F(EyeWindows, what_is_marked_and_protected_stays_whatever_the_slider_does) {
+  open("ellipse");
+  screen_->click("Mark");
+  const Face face = *session().now().mesh.faces().begin();
+  const Patch patch = session().now().mesh.patch(face);
+  screen_->click(middle_of(face));
+  EXPECT_EQ(eye_->marked(), std::vector{face});
+  screen_->click("Protect");
+  EXPECT_TRUE(session().now().mesh.is_fixed(face));
+  wait_for_curve();
+  screen_->key("End");
+  const Mesh& mesh = session().now().mesh;
+  const auto is_same = [&](Face each) {
+    return mesh.is_fixed(each) &&
+           mesh.patch(each).at(0.5, 0.5).position == patch.at(0.5, 0.5).position;
+  };
+  EXPECT_TRUE(std::ranges::any_of(mesh.faces(), is_same));
+}
+
+TEST_F(EyeWindows, a_drag_around_patches_marks_them_and_enter_makes_them_one) {
+  open("ellipse");
+  screen_->click("Blocks");
+  screen_->key("K");
+  // Around two patches side by side: from above the first to below the second.
+  const Mesh& mesh = session().now().mesh;
+  const Face first = *mesh.faces().begin();
+  const Halfedge right = mesh.sides(first)[1];
+  ASSERT_TRUE(mesh.other_side(right).valid());
+  const Face second = mesh.face(mesh.other_side(right));
+  const auto corner = [&](Face face, double u, double v) {
+    return seen_at(mesh.patch(face).at(u, v).position);
+  };
+  const std::vector<Face> two = {std::min(first, second), std::max(first, second)};
+  screen_->drag({corner(first, 0.1, 0.1), corner(first, 0.9, 0.9)});
+  const std::size_t of_one = eye_->marked().size();
+  EXPECT_GE(of_one, 1u);
+  screen_->key("Escape");
+  EXPECT_TRUE(eye_->marked().empty());
+  for (const Face face : two) screen_->click(middle_of(face));
+  EXPECT_EQ(eye_->marked(), two);
+  ASSERT_TRUE(eye_->marks_price());
+  const int patches = session().now().counts().patches;
+  screen_->key("Return");
+  EXPECT_EQ(session().now().counts().patches, patches - 1);
+}
+
+TEST_F(EyeWindows, the_brush_marks_what_it_touches) {
+  open("ellipse");
+  screen_->key("T");
+  const Mesh& mesh = session().now().mesh;
+  const Face first = *mesh.faces().begin();
+  const Face second = mesh.face(mesh.other_side(mesh.sides(first)[1]));
+  screen_->drag({middle_of(first), middle_of(second)});
+  for (const Face face : {first, second})
+    EXPECT_NE(std::ranges::find(eye_->marked(), face), eye_->marked().end());
+}
+
+TEST_F(EyeWindows, a_point_is_dragged_and_the_picture_follows) {
+  open("ellipse");
+  screen_->key("G");
+  const Mesh mesh = session().now().mesh;
+  // A point inside the mesh.
+  const auto is_inside = [&](Halfedge curve) { return mesh[curve].twin.valid(); };
+  Halfedge curve;
+  for (const Halfedge each : mesh.curves())
+    if (is_inside(each) && is_inside(mesh.curve(mesh.next(each)))) curve = each;
+  const Point point = mesh.end(curve);
+  const glm::dvec2 at = seen_at(mesh.position(point));
+  screen_->drag({at, at + glm::dvec2(8, 6), at + glm::dvec2(10, 7)});
+  EXPECT_EQ(session().undo_name()->english(), "Move a point");
+  const glm::dvec2 now = seen_at(session().now().mesh.position(point));
+  EXPECT_NEAR(now.x, at.x + 10, 0.1);
+  EXPECT_NEAR(now.y, at.y + 7, 0.1);
+}
+
+TEST_F(EyeWindows, the_wheel_moves_and_zooms_at_the_pointer) {
+  open("ellipse");
+  screen_->move({300, 200});
+  const glm::dvec2 place = eye_->viewport().place_at({300, 200});
+  const double scale = eye_->viewport().scale();
+  screen_->turn_wheel(1, {.control = true});
+  EXPECT_GT(eye_->viewport().scale(), scale);
+  EXPECT_NEAR(eye_->viewport().place_at({300, 200}).x, place.x, 1e-6);
+  screen_->turn_wheel(-1);
+  EXPECT_GT(eye_->viewport().place_at({300, 200}).y, place.y);
+  screen_->key("5");
+  EXPECT_DOUBLE_EQ(eye_->viewport().scale(), scale);
+}
+
+TEST_F(EyeWindows, the_original_is_shown_while_a_key_is_held) {
+  open("ellipse");
+  wait_for_curve();
+  screen_->click("Lines");
+  screen_->key("End");
+  const auto result = pixels();
+  screen_->frame({{{"F", true}}, false});
+  EXPECT_NE(pixels(), result);
+  screen_->frame({{{"F", false}}, false});
+  EXPECT_EQ(pixels(), result);
+}
+
+TEST_F(EyeWindows, the_line_between_original_and_result_is_dragged) {
+  open("ellipse");
+  screen_->click("Both");
+  const double line = 0.5 * eye_->viewport().size().x;
+  screen_->drag({{line, 300}, {line + 60, 300}, {line + 120, 310}});
+  EXPECT_NEAR(eye_->looks.split * eye_->viewport().size().x, line + 120, 1);
+}
+
+TEST_F(EyeWindows, the_worst_places_are_gone_to) {
+  open("ellipse");
+  wait_for_curve();
+  screen_->key("End");
+  const auto worst = eye_->worst_places();
+  ASSERT_FALSE(worst.empty());
+  screen_->click("worst 1");
+  const glm::dvec2 seen = seen_at(worst.front().place), middle = eye_->viewport().size() / 2.0;
+  EXPECT_NEAR(seen.x, middle.x, 1);
+  EXPECT_NEAR(seen.y, middle.y, 1);
+}
+
+TEST_F(EyeWindows, what_is_known_comes_once_it_is_found_out) {
+  open("ellipse");
+  const auto untouched = pixels();
+  screen_->click("known");
+  screen_->click("What lines cost");
+  EXPECT_EQ(eye_->looks.known, AnalysisKind::prices);
+  session().analyses().wait();
+  screen_->settle();
+  EXPECT_TRUE(eye_->known());
+  EXPECT_NE(pixels(), untouched);
+  EXPECT_FALSE(session().problem().mesh().is_smooth());
+  screen_->key("S");
+  EXPECT_EQ(eye_->looks.known, AnalysisKind::regions);
+}
+
+TEST_F(EyeWindows, the_structure_is_walked_by_buttons) {
+  open("ellipse");
+  screen_->click("Look");
+  const Mesh& mesh = session().now().mesh;
+  const Face face = *mesh.faces().begin();
+  screen_->click(middle_of(face));
+  EXPECT_EQ(eye_->element.face, face);
+  ASSERT_TRUE(screen_->click("Right"));
+  const Halfedge side = eye_->element.halfedge;
+  EXPECT_EQ(side, mesh.sides(face)[1]);
+  ASSERT_TRUE(screen_->click("Next"));
+  EXPECT_EQ(eye_->element.halfedge, mesh.next(side));
+  ASSERT_TRUE(screen_->click("Previous"));
+  ASSERT_TRUE(screen_->click("Twin"));
+  EXPECT_EQ(eye_->element.halfedge, mesh.other_side(side));
+  ASSERT_TRUE(screen_->click("Start"));
+  EXPECT_EQ(eye_->element.point, mesh.origin(mesh.other_side(side)));
+}
+
+TEST_F(EyeWindows, closing_asks_only_where_hand_work_would_be_lost) {
+  open("ellipse");
+  wait_for_curve();
+  screen_->key("End");
+  screen_->frame({{}, true});
+  EXPECT_FALSE(screen_->is_open()) << "a slider is soon where it was";
+  EXPECT_FALSE(screen_->window().applies());
+
+  open("ellipse");
+  screen_->click(on_a_line());
+  screen_->frame({{}, true});
+  screen_->settle();
+  EXPECT_TRUE(screen_->is_open());
+  screen_->click("Go Back");
+  EXPECT_TRUE(screen_->is_open());
+  screen_->frame({{}, true});
+  screen_->settle();
+  screen_->click("Discard");
+  EXPECT_FALSE(screen_->is_open());
+  EXPECT_FALSE(screen_->window().applies());
+}
+
+TEST_F(EyeWindows, what_is_shown_is_what_is_applied) {
+  open("ellipse");
+  EXPECT_TRUE(eye_->changed().empty());
+  screen_->key("Return", {.control = true});
+  EXPECT_TRUE(screen_->is_open()) << "there is nothing to apply";
+  wait_for_curve();
+  screen_->click("Balanced");
+  screen_->click("Apply");
+  EXPECT_FALSE(screen_->is_open());
+  EXPECT_TRUE(screen_->window().applies());
+  ASSERT_EQ(eye_->changed().size(), 1u);
+}
+
+TEST_F(EyeWindows, each_mesh_keeps_what_was_made_of_it) {
+  open("two");
+  ASSERT_EQ(eye_->ids().size(), 2u);
+  wait_for_curve();
+  screen_->key("End");
+  const int first = handles();
+  screen_->click("meshes");
+  screen_->click("mesh 2");
+  EXPECT_EQ(eye_->id(), eye_->ids()[1]);
+  EXPECT_TRUE(session().is_unchanged());
+  eye_->choose(0);
+  EXPECT_EQ(handles(), first);
+  EXPECT_EQ(eye_->changed().size(), 1u);
+}
+
+TEST_F(EyeWindows, what_cannot_be_done_is_said_and_nothing_is_lost) {
+  open("smooth");
+  const int before = handles();
+  screen_->key("R");
+  screen_->move(middle_of(*session().now().mesh.faces().begin()));
+  EXPECT_TRUE(eye_->why_not());
+  screen_->click(middle_of(*session().now().mesh.faces().begin()));
+  EXPECT_EQ(handles(), before);
+}
+
+TEST_F(EyeWindows, dark_and_light_large_and_small_screens_show_the_same) {
+  for (const bool is_dark : {false, true})
+    for (const float density : {1.0F, 2.0F}) {
+      const auto size = glm::ivec2(glm::dvec2(ordinary_size) * double(density));
+      open("ellipse", is_dark, density, same, size);
+      const std::uint32_t ground = screen_->pixel(size.x - 3, size.y / 2);
+      EXPECT_EQ((ground & 255) < 128, is_dark);
+      EXPECT_TRUE(screen_->click("Error"));
+      EXPECT_EQ(eye_->looks.ground, SessionView::Ground::error);
+      EXPECT_TRUE(screen_->click("Cancel"));
+      EXPECT_FALSE(screen_->is_open());
+    }
+}
+
+}  // namespace
+}  // namespace gradmesh
