@@ -101,11 +101,18 @@ class _GradmeshDocument(Gradmesh):
 
     def load(self, stream):
         data = getattr(stream, "buffer", stream).read()
-        # Inkscape sends a copy under a temporary name and says the real one here.
-        name = os.path.basename(os.environ.get("DOCUMENT_PATH") or "") or _("the document")
-        with refusals_as_sentences():
-            self.meshes = gradmesh.loads(data, name, _)
+        self.load_meshes(data)
         return super().load(io.BytesIO(data))
+
+    def load_meshes(self, data):
+        with refusals_as_sentences():
+            self.meshes = gradmesh.loads(data, self.document_name, _)
+
+    @property
+    def document_name(self):
+        """What sentences call the document: Inkscape sends a copy under a temporary name and says the real
+        one here."""
+        return os.path.basename(os.environ.get("DOCUMENT_PATH") or "") or _("the document")
 
     def selected_meshes(self):
         """Ids of the selected objects that a mesh paints, those in selected groups, and those whose

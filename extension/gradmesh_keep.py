@@ -86,7 +86,7 @@ def tell(drawing, beside):
     gtk, _glib = toolkit()
     if gtk is None:
         return
-    from gradmesh_widgets import prefer_dark
+    from gradmesh_theme import prefer_dark
 
     prefer_dark()
     dialog = gtk.MessageDialog(text=text, buttons=gtk.ButtonsType.CLOSE, title=_("Gradient Mesh"))

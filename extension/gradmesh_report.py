@@ -53,6 +53,8 @@ class Report:
 
 def members(result):
     """Returns the record as a dictionary, without the options of the run."""
+    if isinstance(result, dict):
+        return result
     return {name: value for name, value in dataclasses.asdict(result).items() if name != "run"}
 
 

@@ -4,12 +4,11 @@
 
 from gradmesh_effect import GradmeshEffect, refusals_as_sentences
 from gradmesh_attended import ATTENDED
-from gradmesh_eye import Eye
+from gradmesh_eye import NoWindow, simplify_by_eye
 from gradmesh_inkex import AbortExtension
 from gradmesh_lock import only_window
 from gradmesh_report import report
 from gradmesh_text import _
-from gradmesh_window import stderr_in_the_log, toolkit
 
 
 class SimplifyByEye(GradmeshEffect):
@@ -17,34 +16,30 @@ class SimplifyByEye(GradmeshEffect):
 
     def effect(self):
         ids = self.selected_or_all()
-        with stderr_in_the_log(), only_window() as is_alone, refusals_as_sentences():
-            self.check(is_alone)
-            eye = Eye(self.meshes, ids)
-            applies = self.show(eye)
-            if applies:
-                report.meshes = eye.apply()
-            else:
-                eye.close()
-        if applies:
-            self.take_over()
-        else:
-            report.outcome = "unchanged"
+        with only_window() as is_alone, refusals_as_sentences():
+            if not is_alone:
+                raise AbortExtension(_("Simplify by Eye is open on this document already."))
+            applied = self.show(ids)
+            if applied is None:
+                report.outcome = "unchanged"
+                return
+            document, report.meshes = applied
+            self.load_meshes(document)
+        self.take_over()
 
-    def check(self, is_alone):
-        if not ATTENDED or toolkit()[0] is None:
-            raise AbortExtension(
-                _(
-                    "There is no window here in which something could be seen (it needs GTK 3 for Python); "
-                    "Extensions > Gradient Mesh > Simplify does the same by numbers."
-                )
-            )
-        if not is_alone:
-            raise AbortExtension(_("Simplify by Eye is open on this document already."))
+    def show(self, ids):
+        """What was applied, as of simplify_by_eye()."""
+        if not ATTENDED:
+            raise AbortExtension(by_numbers(_("Nobody is there who could see a window.")))
+        try:
+            return simplify_by_eye(self.meshes.to_bytes(), self.document_name, ids)
+        except NoWindow as reason:
+            raise AbortExtension(by_numbers(reason)) from reason
 
-    def show(self, eye):
-        from gradmesh_eye_window import EyeWindow
 
-        return EyeWindow(eye).run()
+def by_numbers(reason):
+    """A reason, and what helps."""
+    return "{} {}".format(reason, _("Extensions > Gradient Mesh > Simplify does the same by numbers."))
 
 
 if __name__ == "__main__":

@@ -15,6 +15,8 @@ _catalogue = gettext.translation(
     fallback=True,
 )
 _ = _catalogue.gettext
+#: Of what is said, such as "de".
+LANGUAGE = _catalogue.info().get("language") or "en"
 
 
 def sentence(message):

@@ -49,7 +49,7 @@ def show(text):
     if gtk is None:
         return
     from gi.repository import Gdk
-    from gradmesh_widgets import prefer_dark
+    from gradmesh_theme import prefer_dark
 
     prefer_dark()
     window = gtk.Window(title="gradmesh", accept_focus=False, focus_on_map=False, decorated=False)

@@ -130,10 +130,10 @@ def dialog(folder, out):
             shot(window, folder, WINDOW).save(out, optimize=True)
 
 
-#: Of the window of 1100 x 880 over the sample "face", in the display's corner: around each eye and the
+#: Of the window of 1200 x 860 over the sample "face", in the display's corner: around each eye and the
 #: mouth, the button Strong, and a line.
-PARTS = (145, 312, 326, 436), (400, 312, 592, 436), (249, 578, 475, 697)
-STRONG_BY_EYE, CHEEK, BY_EYE = (1010, 294), (184, 527), (0, 0, 1100, 880)
+PARTS = (208, 290, 365, 406), (460, 290, 617, 406), (306, 560, 520, 676)
+STRONG_BY_EYE, CHEEK, BY_EYE = (1131, 263), (225, 514), (0, 0, 1200, 860)
 
 
 def by_eye(folder, out):

@@ -3,22 +3,33 @@
 
 #ifdef GRADMESH_WINDOW
 #include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "app/editing.h"
+#include "app/info.h"
+#include "files/atomic_file.h"
 #include "window/view/run.h"
 #endif
 
 namespace gradmesh {
 
-#ifdef GRADMESH_WINDOW
-
 namespace {
 
 struct EyeArguments {
-  std::filesystem::path in, out;
+  std::filesystem::path in, out, report;
   std::vector<std::string> ids;
   std::string theme, language;
 };
+
+#ifdef GRADMESH_WINDOW
+
+WindowChoices choices(const EyeArguments& a) {
+  WindowChoices choices;
+  if (!a.theme.empty()) choices.is_dark = a.theme == "dark";
+  if (!a.language.empty()) choices.language = a.language;
+  return choices;
+}
 
 /// Returns what a person calls the meshes: their ids, of which an object has two whose fill and
 /// stroke are meshes.
@@ -33,20 +44,43 @@ std::map<std::string, MeshEntry> named_entries(const std::vector<MeshEntry>& ent
   return named;
 }
 
-void run(const EyeArguments& a) {
+void simplify(const EyeArguments& a) {
   const auto document = Document::read_file(a.in);
+  document->set_translation(translation_for(choices(a)));
   std::vector<std::string> names;
   const std::map<std::string, MeshEntry> entries = named_entries(document->selected(a.ids), names);
   Eye eye(names, [&](const std::string& name) {
     return edit_by_eye(*document, entries.at(name), RunOptions());
   });
-  WindowChoices choices;
-  if (!a.theme.empty()) choices.is_dark = a.theme == "dark";
-  if (!a.language.empty()) choices.language = a.language;
-  if (!simplify_by_eye(eye, choices)) return;
-  for (const Editing* const editing : eye.changed()) write_shown(*document, *editing, {});
+  if (!simplify_by_eye(eye, choices(a))) return;
+  nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
+  for (const Editing* const editing : eye.changed()) {
+    const MeshReport report = write_shown(*document, *editing, {});
+    meshes.push_back(result_json(*document, report, RunOptions(), ""));
+  }
+  // The report first: where it cannot be written the document is still as it was.
+  if (!a.report.empty())
+    write_bytes(a.report, nlohmann::ordered_json{{"meshes", meshes}}.dump(2) + "\n");
   document->write_file(a.out.empty() ? a.in : a.out);
 }
+
+/// Runs, and tells of bad input in the language of the window.
+void run(const EyeArguments& a) {
+  try {
+    simplify(a);
+  } catch (const InputError& error) {
+    throw std::runtime_error(error.message().in(translation_for(choices(a))));
+  }
+}
+
+#else
+
+void run(const EyeArguments&) {
+  throw InputError(
+      "this gradmesh was built without a window; gradmesh simplify does the same by numbers.");
+}
+
+#endif
 
 }  // namespace
 
@@ -54,8 +88,6 @@ void add_eye(CLI::App& program) {
   const auto a = std::make_shared<EyeArguments>();
   CLI::App& command = *program.add_subcommand(
       "eye", "Simplify in a window, where it is seen what that costs, and edit by hand");
-  // Not in the list of commands until all of it works.
-  command.group("");
   add_path(command, "IN", a->in, any_document())->required();
   add_path(command, "-o,--output", a->out, "Written by Apply; the document itself if not given");
   add_ids(command, a->ids);
@@ -63,13 +95,8 @@ void add_eye(CLI::App& program) {
       ->check(CLI::IsMember({"dark", "light"}));
   command.add_option("--language", a->language,
                      "Of the window, such as de; the desktop's if not given");
+  add_path(command, "--report", a->report, "Write a report of what was applied as JSON");
   command.callback([a] { run(*a); });
 }
-
-#else
-
-void add_eye(CLI::App&) {}
-
-#endif
 
 }  // namespace gradmesh

@@ -7,14 +7,11 @@
 #include "window/view/settings.h"
 
 namespace gradmesh {
-namespace {
 
 Translation translation_for(const WindowChoices& choices) {
   return translation_into(choices.language ? std::vector{*choices.language}
                                            : preferred_languages());
 }
-
-}  // namespace
 
 bool simplify_by_eye(Eye& eye, const WindowChoices& choices) {
   const std::filesystem::path file = settings_folder() / "by-eye";

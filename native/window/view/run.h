@@ -15,6 +15,9 @@ struct WindowChoices {
   std::optional<std::string> language = std::nullopt;
 };
 
+/// Returns the translation into the language of a window.
+Translation translation_for(const WindowChoices& choices);
+
 /// Shows the window of simplifying by eye over meshes until a person closes it. Returns true if
 /// what was made is to be kept. Throws InputError where there is no display.
 bool simplify_by_eye(Eye& eye, const WindowChoices& choices);

@@ -1,13 +1,14 @@
 """Simplify by Eye in the real Inkscape: its window over a document, by mouse and by keys."""
 
-import os
-import subprocess
+import time
 import xml.etree.ElementTree as ET
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
 import inkscape_harness
-from built import PYTHON, ROOT, SAMPLES, install_extension
+from built import SAMPLES, install_extension
+from extension_runs import extension, refused, run  # noqa: F401
 from inkscape_harness import Inkscape
 
 import gradmesh
@@ -17,11 +18,11 @@ pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missi
 
 PEAR = (750, 480)
 #: The picture, where the window is in the upper left corner of the display.
-PICTURE = (0, 0, 700, 840)
+PICTURE = (0, 0, 820, 820)
 #: The line from the stem down the pear's middle.
-LINE = (360, 564)
+LINE = (412, 564)
 #: A drag within one of the pear's rows, over four patches.
-ALONG_A_ROW = (250, 564, 470, 564)
+ALONG_A_ROW = (243, 546, 444, 546)
 #: Beside the window.
 NOWHERE = ("1300", "900")
 
@@ -127,40 +128,72 @@ def test_cancelled_the_document_is_as_it_was(by_eye, svg):
     assert svg.read_bytes() == before
 
 
-def printed_on_a_display(code, **env):
-    """What a program prints that knows GTK and the small parts of windows."""
-    code = f"import gi\ngi.require_version('Gtk', '3.0')\nimport gradmesh_widgets\n{code}"
-    with inkscape_harness.Display() as display:
-        env = {**os.environ, "DISPLAY": display.name, **env}
-        done = subprocess.run(
-            [PYTHON, "-c", code],
-            env={**env, "GSETTINGS_BACKEND": "memory", "PYTHONPATH": str(ROOT / "extension")},
-            capture_output=True,
-            text=True,
-            timeout=60,
-        )
-    assert done.returncode == 0, done.stderr
-    return done.stdout.strip()
-
-
-#: Prints whether windows are dark before and after Inkscape's preferences were read.
-IS_DARK = """
-before = gradmesh_widgets.is_dark()
-gradmesh_widgets.prefer_dark()
-print(before, gradmesh_widgets.is_dark())
+#: A program in the place of gradmesh that tells how it was called.
+TELLS = """#!/bin/sh
+echo "$@" >"$TOLD"
 """
 
 
-@pytest.mark.parametrize("saved, seen", [("1", "False True"), ("0", "False False")])
-def test_it_is_dark_where_inkscape_is(tmp_path, saved, seen):
+@pytest.fixture
+def told(run, tmp_path):
+    """Runs Simplify by Eye with a program in the place of the window's; how that was called."""
+    program = tmp_path / "tells"
+    program.write_text(TELLS)
+    program.chmod(0o755)
+
+    def told(**env):
+        env = {"GRADMESH_CORE": "module", "GRADMESH_HELPER": str(program), "GRADMESH_UNATTENDED": "0", **env}
+        done = run(SAMPLES / "two.svg", "--id=cap", item="simplify_by_eye", TOLD=str(tmp_path / "told"), **env)
+        assert (done.returncode, done.stderr) == (0, "")
+        return (tmp_path / "told").read_text().split()
+
+    return told
+
+
+@pytest.mark.parametrize("saved, theme", [("1", "dark"), ("0", "light")])
+def test_the_window_is_as_inkscape_is(told, tmp_path, saved, theme):
     (tmp_path / "preferences.xml").write_text(
         f'<inkscape version="1"><group id="theme" preferDarkTheme="{saved}"/></inkscape>'
     )
-    assert printed_on_a_display(IS_DARK, INKSCAPE_PROFILE_DIR=str(tmp_path)) == seen
+    words = told(INKSCAPE_PROFILE_DIR=str(tmp_path), LANGUAGE="de")
+    assert words[words.index("--theme") + 1] == theme
+    assert words[words.index("--language") + 1] == "de"
+    assert [word for word in words if word.startswith("--id")] == ["--id=cap"]
 
 
-def test_no_window_is_larger_than_the_screen():
-    width, height = inkscape_harness.SCREEN
-    asked = f"print(*gradmesh_widgets.as_fits_the_screen(({width + 1}, {height - 1})))"
-    assert printed_on_a_display(asked) == f"{width} {height - 1}"
-    assert printed_on_a_display(asked, GDK_SCALE="2") == f"{width // 2} {height // 2}"
+def test_where_inkscape_does_not_say_the_desktop_decides(told, tmp_path):
+    words = told(INKSCAPE_PROFILE_DIR=str(tmp_path))
+    assert "--theme" not in words and words[words.index("--language") + 1] == "en"
+
+
+def test_without_a_display_a_sentence_names_the_dialog(run):
+    env = {"GRADMESH_UNATTENDED": "0", "SDL_VIDEODRIVER": "x11"}
+    said = refused(run(SAMPLES / "two.svg", item="simplify_by_eye", **env))
+    assert said.startswith("No window can be shown here: ")
+    assert said.endswith("Extensions > Gradient Mesh > Simplify does the same by numbers.\n")
+    german = refused(run(SAMPLES / "two.svg", item="simplify_by_eye", **env, LANGUAGE="de"))
+    assert german.startswith("Hier kann kein Fenster gezeigt werden: ")
+    assert german.endswith("Verlaufsgitter > Vereinfachen tut dasselbe mit Zahlen.\n")
+
+
+def test_nobody_is_shown_a_window_where_nobody_is(run):
+    done = run(SAMPLES / "two.svg", item="simplify_by_eye", GRADMESH_UNATTENDED="1")
+    assert done.returncode != 0 and done.stdout == ""
+
+
+def test_a_second_window_on_a_document_is_refused(run, tmp_path):
+    """The lock is the document's; a run that waits for its window holds it."""
+    waits = tmp_path / "waits"
+    waits.write_text('#!/bin/sh\ntouch "$TOLD"\nwhile [ -e "$TOLD" ]; do sleep 0.1; done\n')
+    waits.chmod(0o755)
+    flag = tmp_path / "told"
+    env = {"GRADMESH_CORE": "module", "GRADMESH_HELPER": str(waits), "GRADMESH_UNATTENDED": "0", "TOLD": str(flag)}
+    with ThreadPoolExecutor() as pool:
+        first = pool.submit(run, SAMPLES / "two.svg", item="simplify_by_eye", **env)
+        while not flag.exists():
+            assert not first.done(), first.result()
+            time.sleep(0.1)
+        said = refused(run(SAMPLES / "two.svg", item="simplify_by_eye", GRADMESH_UNATTENDED="0"))
+        flag.unlink()
+        assert first.result().returncode == 0
+    assert said == "Simplify by Eye is open on this document already.\n"
