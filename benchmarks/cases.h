@@ -19,6 +19,9 @@ void register_assembly();
 void register_methods();
 void register_growth();
 void register_pricing();
+#ifdef GRADMESH_WINDOW
+void register_window();
+#endif
 
 using Run = std::function<void(benchmark::State&)>;
 using RunOnMesh = std::function<void(benchmark::State&, const MeshFile&)>;

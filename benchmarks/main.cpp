@@ -34,6 +34,9 @@ int run(int argc, char** argv) {
   register_methods();
   register_growth();
   register_pricing();
+#ifdef GRADMESH_WINDOW
+  register_window();
+#endif
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -130,10 +130,10 @@ def dialog(folder, out):
             shot(window, folder, WINDOW).save(out, optimize=True)
 
 
-#: Of the window of 1200 x 860 over the sample "face", in the display's corner: around each eye and the
+#: Of the window of 1200 x 900 over the sample "face", in the display's corner: around each eye and the
 #: mouth, the button Strong, and a line.
-PARTS = (208, 290, 365, 406), (460, 290, 617, 406), (306, 560, 520, 676)
-STRONG_BY_EYE, CHEEK, BY_EYE = (1131, 263), (225, 514), (0, 0, 1200, 860)
+PARTS = (198, 304, 363, 426), (462, 304, 627, 426), (301, 587, 525, 709)
+STRONG_BY_EYE, CHEEK, BY_EYE = (1131, 263), (216, 539), (0, 0, 1200, 900)
 
 
 def by_eye(folder, out):

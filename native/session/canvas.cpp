@@ -1,6 +1,7 @@
 #include "session/canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -41,12 +42,13 @@ void Canvas::square(glm::dvec2 center, double half) {
   const auto share = [](int pixel, double from, double to) {
     return std::max(0.0, std::min(pixel + 1.0, to) - std::max(double(pixel), from));
   };
-  touched_ = touched_.united(window);
-  for (int y = window.y0; y < window.y1; ++y)
+  for (int y = window.y0; y < window.y1; ++y) {
+    touched_.push_back({y, window.x0, window.x1});
     for (int x = window.x0; x < window.x1; ++x) {
       float& cover = *cover_.at(x, y);
       cover = std::max(cover, float(share(x, low.x, high.x) * share(y, low.y, high.y)));
     }
+  }
 }
 
 double Canvas::stripe(int at, double distance, double width) {
@@ -64,37 +66,43 @@ void Canvas::segment(glm::dvec2 a, glm::dvec2 b, double width) {
   const glm::dvec2 from = glm::max(low, least), to = glm::min(high, most);
   const Window window = pixels_between(from, to).clipped(image_.window());
   if (window.empty()) return;
-  touched_ = touched_.united(window);
   const glm::dvec2 along = b - a;
-  const double square = glm::dot(along, along);
+  const double square = glm::dot(along, along), length = std::sqrt(square);
+  // What of a row is within reach of the whole line.
+  const double slope = along.x / along.y, aside = reach * std::sqrt(1 + slope * slope);
+  const bool is_level = !(std::abs(slope) < 1e6);
   for (int y = window.y0; y < window.y1; ++y) {
-    float* row = cover_.at(window.x0, y);
-    for (int x = window.x0; x < window.x1; ++x, ++row) {
+    const double middle = a.x + (y + 0.5 - a.y) * slope;
+    const int x0 = is_level ? window.x0 : clamped_int(middle - aside - 1, window.x0, window.x1);
+    const int x1 = is_level ? window.x1 : clamped_int(middle + aside + 1, window.x0, window.x1);
+    touched_.push_back({y, x0, x1});
+    float* row = cover_.at(x0, y);
+    for (int x = x0; x < x1; ++x, ++row) {
       const glm::dvec2 p(x + 0.5, y + 0.5);
-      const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-      const double cover = std::clamp(reach - glm::length(p - (a + t * along)), 0.0, 1.0);
+      const glm::dvec2 way = p - a;
+      const double t = square > 0 ? glm::dot(way, along) / square : 0;
+      // Beside the segment, or beyond one of its ends.
+      const double distance = t > 0 && t < 1 ? std::abs(way.x * along.y - way.y * along.x) / length
+                                             : glm::length(p - (t < 1 ? a : b));
+      const double cover = std::clamp(reach - distance, 0.0, 1.0);
       *row = std::max(*row, float(cover));
     }
   }
 }
 
-void Canvas::blend(int x, int y, const Ink& ink, double cover) {
-  const double share = ink.opacity * cover;
-  if (share <= 0) return;
-  for (int c = 0; c < 3; ++c) {
-    std::uint8_t& sample = *image_.at(x, y, c);
-    sample = std::uint8_t(std::lround(sample + share * (255 * ink.color[c] - sample)));
-  }
-}
-
 void Canvas::flush(const Ink& ink) {
-  for (int y = touched_.y0; y < touched_.y1; ++y)
-    for (int x = touched_.x0; x < touched_.x1; ++x) {
-      float& cover = *cover_.at(x, y);
-      if (cover > 0) blend(x, y, ink, cover);
-      cover = 0;
+  const glm::dvec3 to = 255.0 * ink.color;
+  for (const auto [y, x0, x1] : touched_) {
+    float* const cover = cover_.at(x0, y);
+    const std::array planes{image_.at(x0, y, 0), image_.at(x0, y, 1), image_.at(x0, y, 2)};
+    for (int i = 0; i < x1 - x0; ++i) {
+      const double share = ink.opacity * cover[i];
+      if (share <= 0) continue;
+      for (int c = 0; c < 3; ++c) blend(planes[std::size_t(c)][i], to[c], share);
+      cover[i] = 0;
     }
-  touched_ = {};
+  }
+  touched_.clear();
 }
 
 }  // namespace gradmesh

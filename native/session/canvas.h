@@ -48,7 +48,13 @@ class Canvas {
   static double stripe(int at, double distance, double width);
   void segment(glm::dvec2 a, glm::dvec2 b, double width);
   void square(glm::dvec2 center, double half);
-  void blend(int x, int y, const Ink& ink, double cover);
+  /// Moves a sample by a share of the way, at least 0, to another level.
+  static void blend(std::uint8_t& sample, double to, double share) {
+    sample = std::uint8_t(sample + share * (to - sample) + 0.5);
+  }
+  void blend(int x, int y, const Ink& ink, double cover) {
+    for (int c = 0; c < 3; ++c) blend(*image_.at(x, y, c), 255 * ink.color[c], ink.opacity * cover);
+  }
   /// Blends what the cover has, and clears it.
   void flush(const Ink& ink);
 
@@ -56,7 +62,11 @@ class Canvas {
   const double density_;
   /// By how much a drawing covers each pixel, 0..1; 0 between drawings.
   Plane cover_;
-  Window touched_;
+  /// The pixels that may be covered, some of them more than once.
+  struct Run {
+    int y, x0, x1;
+  };
+  std::vector<Run> touched_;
 };
 
 }  // namespace gradmesh

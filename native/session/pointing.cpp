@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -74,6 +75,14 @@ Closest closest_in(const Patch& patch, const Affine& to_pixels, glm::dvec2 place
   return best;
 }
 
+/// Returns how far a place is from a box around a patch, and so at least from the patch.
+double distance_to_box(const Patch& patch, const Affine& to_pixels, glm::dvec2 place) {
+  Box box;
+  for (const auto& row : bezier_net(patch))
+    for (const Value& point : row) box.add(to_pixels.point(point.position));
+  return glm::distance(place, glm::clamp(place, box.low(), box.high()));
+}
+
 /// Returns how much of a patch lies inside an area, 0 to 1.
 double share_inside(const Patch& patch, const Affine& to_pixels, const FilledOutline& area) {
   constexpr int samples = 9;
@@ -123,7 +132,9 @@ std::optional<Pointed> pointed_at(const Mesh& mesh, const Affine& to_pixels, glm
   std::optional<Pointed> found;
   double least = std::max(just_outside, reach);
   for (const Face face : mesh.faces()) {
-    const Closest c = closest_in(mesh.patch(face), to_pixels, place);
+    const Patch patch = mesh.patch(face);
+    if (distance_to_box(patch, to_pixels, place) > std::max(least, 0.1)) continue;
+    const Closest c = closest_in(patch, to_pixels, place);
     // Of patches that lie over each other the last is on top.
     if (c.distance > std::max(least, 0.1)) continue;
     least = std::min(least, c.distance);

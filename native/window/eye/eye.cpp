@@ -208,6 +208,8 @@ void Eye::step_region(int by) {
 }
 
 void Eye::look_for_news(bool is_moving) {
+  const auto found = curve();
+  is_busy_ = found && !found->is_complete;
   if (!looks.known) return;
   if (!is_moving) {
     session().set_fits(fits);
@@ -216,11 +218,7 @@ void Eye::look_for_news(bool is_moving) {
   const bool is_known = known() != nullptr;
   if (is_known != was_known_) ++revision_;
   was_known_ = is_known;
-}
-
-bool Eye::is_busy() const {
-  const auto found = curve();
-  return (found && !found->is_complete) || (looks.known && !known());
+  is_busy_ = is_busy_ || !is_known;
 }
 
 void Eye::forget() {

@@ -150,8 +150,9 @@ class Eye {
 
   /// Begins to find out what is to be shown, unless `is_moving`. Call this before each frame.
   void look_for_news(bool is_moving);
-  /// Returns true while something is searched for in the background.
-  bool is_busy() const;
+  /// Returns true if something was still searched for in the background when look_for_news() looked
+  /// last: what has been found since is not drawn yet.
+  bool is_busy() const { return is_busy_; }
 
  private:
   void forget();
@@ -167,7 +168,7 @@ class Eye {
   std::optional<MarksPrice> marks_price_;
   /// Of the mesh that is shown; nothing if nobody has asked.
   std::optional<std::vector<WorstPlace>> worst_;
-  bool was_known_ = false;
+  bool was_known_ = false, is_busy_ = false;
   int revision_ = 0;
 };
 

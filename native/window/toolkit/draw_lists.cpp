@@ -134,6 +134,28 @@ void ListPainter::fill_row(int y, int x0, int x1, const Sample& sample) const {
   std::fill(row + x0, row + x1, mixed(0, sample.color, sample.opacity));
 }
 
+constexpr int parts = 256;
+
+/// Returns the place of a pixel's centre in 256ths of a pixel.
+std::int64_t in_parts(int pixel) { return std::int64_t(pixel) * parts + parts / 2; }
+
+std::array<std::int64_t, 2> in_parts(ImVec2 place) {
+  static constexpr double most = 1 << 20;
+  const auto whole = [](double value) {
+    return std::int64_t(std::llround(std::clamp(value, -most, most) * parts));
+  };
+  return {whole(double(place.x)), whole(double(place.y))};
+}
+
+/// Returns the quotient of a number and one above 0, rounded down.
+std::int64_t floored(std::int64_t number, std::int64_t by) {
+  return number >= 0 ? number / by : -((by - 1 - number) / by);
+}
+
+int limited(std::int64_t pixel, int least, int most) {
+  return int(std::clamp<std::int64_t>(pixel, least, most));
+}
+
 /// One side of a triangle whose corners come clockwise, y downwards: which pixels are inside of it.
 /// Places are in 256ths of a pixel, so that two triangles with the same side agree.
 class Edge {
@@ -145,8 +167,16 @@ class Edge {
     least_ = is_top || is_left ? 0 : 1;
   }
 
-  bool has(std::int64_t x, std::int64_t y) const {
-    return dx_ * (y - from_[1]) - dy_ * (x - from_[0]) >= least_;
+  /// Takes of the pixels [x0, x1) of a row those away that are not inside.
+  void clip(int y, int& x0, int& x1) const {
+    // Inside is where dx (y - from.y) - dy (x - from.x) >= least.
+    const std::int64_t room = dx_ * (in_parts(y) - from_[1]) - least_;
+    if (dy_ == 0 && room < 0) x1 = x0;
+    // The last place that is inside, or the first one: counted from the centre of pixel 0.
+    if (dy_ > 0)
+      x1 = limited(floored(from_[0] + floored(room, dy_) - parts / 2, parts) + 1, x0, x1);
+    if (dy_ < 0)
+      x0 = limited(-floored(-(from_[0] - floored(room, -dy_) - parts / 2), parts), x0, x1);
   }
 
  private:
@@ -154,16 +184,6 @@ class Edge {
   const std::int64_t dx_, dy_;
   std::int64_t least_;
 };
-
-constexpr int parts = 256;
-
-std::array<std::int64_t, 2> in_parts(ImVec2 place) {
-  static constexpr double most = 1 << 20;
-  const auto whole = [](double value) {
-    return std::int64_t(std::llround(std::clamp(value, -most, most) * parts));
-  };
-  return {whole(double(place.x)), whole(double(place.y))};
-}
 
 void ListPainter::triangle(const ImDrawVert& first, const ImDrawVert& second,
                            const ImDrawVert& third) {
@@ -197,11 +217,10 @@ void ListPainter::triangle(const ImDrawVert& first, const ImDrawVert& second,
   const int y0 = std::max(first_pixel(std::min({a.y, b.y, c.y})) - 1, clip_.y0);
   const int x1 = std::min(first_pixel(std::max({a.x, b.x, c.x})) + 1, clip_.x1);
   const int y1 = std::min(first_pixel(std::max({a.y, b.y, c.y})) + 1, clip_.y1);
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) {
-      const std::int64_t px = std::int64_t(x) * parts + parts / 2;
-      const std::int64_t py = std::int64_t(y) * parts + parts / 2;
-      if (!std::ranges::all_of(edges, [&](const Edge& edge) { return edge.has(px, py); })) continue;
+  for (int y = y0; y < y1; ++y) {
+    int first_x = x0, end = std::max(x0, x1);
+    for (const Edge& edge : edges) edge.clip(y, first_x, end);
+    for (int x = first_x; x < end; ++x) {
       const float fx = float(x) + 0.5F, fy = float(y) + 0.5F;
       const auto level = [&](const Slope& s) {
         return clamped_int(std::round(double(s.at(fx, fy))), 0, 255);
@@ -210,6 +229,7 @@ void ListPainter::triangle(const ImDrawVert& first, const ImDrawVert& second,
       if (texture_) take_texture(place_in_texture(u.at(fx, fy), w.at(fx, fy)), sample);
       put(x, y, sample);
     }
+  }
 }
 
 /// Returns true if four corners, in turn, are those of a rectangle along the axes from its top left

@@ -15,6 +15,8 @@ namespace gradmesh {
 /// What is held down beside a key or a button.
 struct Held {
   bool control = false, shift = false, alt = false;
+
+  bool operator==(const Held&) const = default;
 };
 
 /// A key that was pressed or let go.

@@ -9,9 +9,9 @@
 namespace gradmesh {
 namespace {
 
-constexpr ImGuiWindowFlags fixed_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                         ImGuiWindowFlags_NoSavedSettings |
-                                         ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags fixed_flags =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 void begin(const char* name, float left, float top, float width, float height,
            ImGuiWindowFlags more = 0) {
@@ -67,7 +67,7 @@ void EyeWindow::show_panel(float left, float width, float height) {
   ui_.heading(Message("This window"));
   ui_.check(Message("Dark"), Message("Dark or light, from now on"), is_dark_);
   ImGui::End();
-  begin("ends", left, height - end, width, end);
+  begin("ends", left, height - end, width, end, ImGuiWindowFlags_NoScrollbar);
   show_ends();
   ImGui::End();
 }
@@ -109,14 +109,15 @@ void EyeWindow::show_question() {
 
 void EyeWindow::show_picture(float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  begin("picture", 0, 0, width, height, ImGuiWindowFlags_NoScrollWithMouse);
+  begin("picture", 0, 0, width, height,
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   area_.show(eye_, toolbox_);
   ImGui::End();
   ImGui::PopStyleVar();
 }
 
 void EyeWindow::show_hint(float top, float width, float height) {
-  begin("hint", 0, top, width, height);
+  begin("hint", 0, top, width, height, ImGuiWindowFlags_NoScrollbar);
   const auto sentence = [&] {
     if (eye_.refusal()) return ui_.said(*eye_.refusal());
     if (eye_.why_not()) return ui_.said(Message("Here nothing can be done: {0}", *eye_.why_not()));

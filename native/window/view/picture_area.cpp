@@ -30,7 +30,7 @@ void PictureArea::show(Eye& eye, Toolbox& toolbox) {
   Tool& tool = toolbox.in_hand();
   if (is_over) take_wheel(eye, at);
   press(eye, tool, at, is_over);
-  if (drag_ == Drag::none && is_over) tool.point(eye, at, held_now());
+  if (drag_ == Drag::none && is_over) point(eye, tool, at);
   if (drag_ == Drag::none && !is_over && was_over_) tool.leave(eye);
   was_over_ = is_over;
 
@@ -39,6 +39,13 @@ void PictureArea::show(Eye& eye, Toolbox& toolbox) {
   list.AddImage(const_cast<Texture*>(&texture), corner,
                 {corner.x + float(texture.width), corner.y + float(texture.height)});
   if (!eye.looks.flickers) tool.draw(eye, Pen(list, {corner.x, corner.y}, eye.density));
+}
+
+void PictureArea::point(Eye& eye, Tool& tool, glm::dvec2 at) {
+  const auto now = [&] { return Told{&tool, at, held_now(), eye.to_pixels(), eye.revision()}; };
+  if (told_ == now()) return;
+  tool.point(eye, at, held_now());
+  told_ = now();
 }
 
 void PictureArea::take_wheel(Eye& eye, glm::dvec2 at) const {

@@ -15,7 +15,18 @@ class PictureArea {
 
  private:
   enum class Drag { none, pending, tool, pan, split };
+  /// What a tool was told of the pointer last: it need not be told again.
+  struct Told {
+    const Tool* tool = nullptr;
+    glm::dvec2 at{0.0};
+    Held held = {};
+    Affine to_pixels = {};
+    int revision = -1;
 
+    bool operator==(const Told&) const = default;
+  };
+
+  void point(Eye& eye, Tool& tool, glm::dvec2 at);
   void take_wheel(Eye& eye, glm::dvec2 at) const;
   /// Goes on with a press of a button.
   void press(Eye& eye, Tool& tool, glm::dvec2 at, bool is_over);
@@ -28,6 +39,7 @@ class PictureArea {
   int button_ = 0;
   glm::dvec2 pressed_at_{0.0}, last_{0.0};
   bool was_over_ = false;
+  Told told_;
 };
 
 }  // namespace gradmesh

@@ -9,7 +9,7 @@ namespace gradmesh {
 /// What of a window stays from one time to the next.
 struct Settings {
   /// In pixels of an ordinary screen.
-  int width = 1200, height = 860;
+  int width = 1200, height = 900;
   /// Nothing if nobody has chosen.
   std::optional<bool> is_dark = std::nullopt;
   bool lines = true, handles = false, by_patches = false;

@@ -22,11 +22,22 @@ class EyeWindows : public testing::Test {
  protected:
   void open(const std::string& name, bool is_dark = false, float density = 1,
             Translation translation = same, glm::ivec2 size = ordinary_size) {
-    document_ = Document::read_file(std::string(GRADMESH_SOURCE_DIR) + "/samples/" + name + ".svg");
+    open_file(std::string(GRADMESH_SOURCE_DIR) + "/samples/" + name + ".svg", is_dark, density,
+              translation, size);
+  }
+  void open_file(const std::filesystem::path& file, bool is_dark = false, float density = 1,
+                 Translation translation = same, glm::ivec2 size = ordinary_size) {
+    // What is looked at refers to the document before.
+    screen_.reset();
+    eye_.reset();
+    document_ = Document::read_file(file);
     std::vector<std::string> ids;
     for (const MeshEntry& entry : document_->selected({})) ids.push_back(entry.id);
     eye_.emplace(ids, [this](const std::string& id) {
-      return edit_by_eye(*document_, document_->selected({id}).front(), {});
+      // What is measured does not matter here.
+      RunOptions options;
+      options.resolution = 100;
+      return edit_by_eye(*document_, document_->selected({id}).front(), options);
     });
     screen_.emplace(*eye_, size.x, size.y, translation, is_dark, density);
   }
@@ -264,6 +275,18 @@ TEST_F(EyeWindows, what_is_known_comes_once_it_is_found_out) {
   EXPECT_EQ(eye_->looks.known, AnalysisKind::regions);
 }
 
+TEST_F(EyeWindows, nobody_stops_drawing_before_what_was_found_is_seen) {
+  open("ellipse");
+  wait_for_curve();
+  EXPECT_FALSE(eye_->is_busy());
+  screen_->frame({{{"S", true}}, false});
+  session().analyses().wait();
+  EXPECT_TRUE(eye_->is_busy()) << "it is found, but no frame has shown it";
+  screen_->frame();
+  EXPECT_FALSE(eye_->is_busy());
+  EXPECT_TRUE(eye_->known());
+}
+
 TEST_F(EyeWindows, the_structure_is_walked_by_buttons) {
   open("ellipse");
   screen_->click("Look");
@@ -343,6 +366,22 @@ TEST_F(EyeWindows, what_cannot_be_done_is_said_and_nothing_is_lost) {
   EXPECT_EQ(handles(), before);
 }
 
+TEST_F(EyeWindows, the_picture_is_the_sessions_to_the_pixel) {
+  open("face");
+  wait_for_curve();
+  screen_->click("Strong");
+  screen_->click("Handles");
+  screen_->move({5, ordinary_size.y - 5});
+  const Image image = paint(session(), eye_->view());
+  ASSERT_GT(image.width, 600);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto [red, green, blue] = image.pixel(x, y);
+      ASSERT_EQ(screen_->pixel(x, y), std::uint32_t(red << 16 | green << 8 | blue))
+          << x << ", " << y;
+    }
+}
+
 TEST_F(EyeWindows, dark_and_light_large_and_small_screens_show_the_same) {
   for (const bool is_dark : {false, true})
     for (const float density : {1.0F, 2.0F}) {
@@ -355,6 +394,48 @@ TEST_F(EyeWindows, dark_and_light_large_and_small_screens_show_the_same) {
       EXPECT_TRUE(screen_->click("Cancel"));
       EXPECT_FALSE(screen_->is_open());
     }
+}
+
+/// Documents that people have made, beside the project.
+std::vector<std::filesystem::path> real_documents() {
+  std::vector<std::filesystem::path> all;
+  for (const std::string folder : {GRADMESH_SHARED_DIR "/real", GRADMESH_SHARED_DIR "/meshes"}) {
+    if (!std::filesystem::exists(folder)) continue;
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+      if (file.path().extension() == ".svg" || file.path().filename() == "global_duck.hemesh")
+        all.push_back(file.path());
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+TEST_F(EyeWindows, all_tools_work_on_documents_that_people_have_made) {
+  const auto files = real_documents();
+  if (files.empty()) GTEST_SKIP() << "the documents are not beside the project";
+  int opened = 0;
+  for (const auto& file : files) {
+    SCOPED_TRACE(file.filename().string());
+    try {
+      open_file(file);
+    } catch (const InputError&) {
+      continue;  // There is no mesh in it that can be read.
+    }
+    ++opened;
+    const glm::dvec2 middle = eye_->viewport().size() / 2.0;
+    for (const char* key : {"M", "R", "C", "B", "G", "K", "T", "I"}) {
+      screen_->key(key);
+      for (const glm::dvec2 aside : {glm::dvec2(0), {-40, 25}, {30, -60}})
+        screen_->move(middle + aside);
+      screen_->click(middle + glm::dvec2(7, 3));
+    }
+    screen_->key("T");
+    screen_->drag({middle, middle + glm::dvec2(90, 40)});
+    screen_->click("Protect");
+    while (session().can_undo()) screen_->key("Z", {.control = true});
+    EXPECT_TRUE(session().is_unchanged());
+    EXPECT_EQ(session().now().error, 0);
+  }
+  EXPECT_GE(opened, 20);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <random>
 #include <vector>
 
 namespace gradmesh {
@@ -67,6 +68,26 @@ TEST_F(DrawLists, triangles_that_meet_leave_no_seam_where_they_are_translucent) 
   EXPECT_EQ(inside + std::ranges::count(pixels, white), width * height);
   // The area of the quadrilateral, by its diagonals.
   EXPECT_NEAR(double(inside), 0.5 * std::abs(47 * 31 - 41 * -51), 40);
+}
+
+TEST_F(DrawLists, triangles_around_any_point_cover_each_pixel_once) {
+  std::mt19937 random(7);
+  const auto number = [&](int least, int most) {
+    return float(int(random() % unsigned(most - least + 1)) + least) / 4;
+  };
+  for (int round = 0; round < 50; ++round) {
+    const ImVec2 middle(number(4, 4 * width - 4), number(4, 4 * height - 4));
+    std::vector<ImVec2> around = {
+        {0, 0},          {number(1, 200), 0},      {width, 0},  {width, number(1, 150)},
+        {width, height}, {number(1, 200), height}, {0, height}, {0, number(1, 150)}};
+    const auto pixels = painted([&](ImDrawList& list) {
+      list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+      for (std::size_t i = 0; i < around.size(); ++i)
+        list.AddTriangleFilled(middle, around[i], around[(i + 1) % around.size()],
+                               IM_COL32(0, 0, 0, 51));
+    });
+    EXPECT_EQ(std::ranges::count(pixels, 0xccccccu), width * height) << round;
+  }
 }
 
 TEST_F(DrawLists, nothing_is_painted_beyond_what_is_clipped_or_the_surface) {
