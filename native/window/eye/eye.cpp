@@ -136,8 +136,7 @@ void Eye::mark(const std::vector<Face>& faces, bool adds) {
   marks_price_.reset();
   marked_.insert(marked_.end(), faces.begin(), faces.end());
   std::ranges::sort(marked_);
-  const auto again = std::ranges::unique(marked_);
-  marked_.erase(again.begin(), again.end());
+  marked_.erase(std::unique(marked_.begin(), marked_.end()), marked_.end());
 }
 
 void Eye::toggle_mark(Face face) {

@@ -26,8 +26,7 @@ void show_history(const Panel& panel) {
 void show_weights(const Panel& panel) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(panel.ui.said(Message("Errors there ×")).c_str());
-  for (const auto& [label, factor] :
-       {std::pair("¼", 0.25), {"½", 0.5}, {"1", 1.0}, {"2", 2.0}, {"4", 4.0}}) {
+  const auto add = [&](const char* label, double factor) {
     Ui::beside();
     const bool is_pressed = panel.ui.button(
         Message("{0}", std::string(label)),
@@ -35,7 +34,12 @@ void show_weights(const Panel& panel) {
                 "than the rest: blue lines show where more, orange lines where less"),
         !panel.eye.marked().empty());
     if (is_pressed) panel.eye.attempt([&](Session& s) { s.weigh(panel.eye.marked(), factor); });
-  }
+  };
+  add("¼", 0.25);
+  add("½", 0.5);
+  add("1", 1);
+  add("2", 2);
+  add("4", 4);
 }
 
 }  // namespace
