@@ -225,6 +225,7 @@ void Eye::forget() {
   why_not_.reset();
   patch_at_pointer = {};
   element = {};
+  chosen_color.reset();
   looks.region = 0;
   was_known_ = false;
   worst_.reset();

@@ -147,6 +147,8 @@ class Eye {
   void step_region(int by);
   /// What of the structure is looked at.
   Element element;
+  /// The colour that is being chosen for the point that is looked at.
+  std::optional<glm::dvec3> chosen_color = std::nullopt;
 
   /// Begins to find out what is to be shown, unless `is_moving`. Call this before each frame.
   void look_for_news(bool is_moving);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <cmath>
 
 #include "base/error.h"
 #include "window/toolkit/desktop.h"
@@ -67,6 +68,22 @@ std::pair<int, int> room_on_the_screen() {
   SDL_Rect room{};
   if (SDL_GetDisplayUsableBounds(0, &room) != 0) return {INT_MAX, INT_MAX};
   return {room.w - frame, room.h - title};
+}
+
+/// Opens a window, and finds the density of its screen; null where that fails.
+SDL_Window* open_window(const std::string& title, int width, int height, float& density) {
+  // It is seen once it has its size, for which the screen has to be known.
+  SDL_Window* const window =
+      SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
+                       SDL_WINDOW_RESIZABLE | SDL_WINDOW_HIDDEN);
+  if (!window) return nullptr;
+  density = density_of(window);
+  const auto [most_width, most_height] = room_on_the_screen();
+  SDL_SetWindowSize(window, std::min(int(std::lround(float(width) * density)), most_width),
+                    std::min(int(std::lround(float(height) * density)), most_height));
+  SDL_SetWindowPosition(window, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
+  SDL_ShowWindow(window);
+  return window;
 }
 
 Held held_with(const SDL_KeyboardEvent& key) {
@@ -132,12 +149,7 @@ SdlWindow::SdlWindow(const std::string& title, int width, int height) {
   SDL_SetHint(SDL_HINT_WINDOWS_DPI_AWARENESS, "permonitorv2");
   // A window of a document is no video: the screen may go dark meanwhile.
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-  if (SDL_Init(SDL_INIT_VIDEO) == 0) {
-    const auto [most_width, most_height] = room_on_the_screen();
-    window_ = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
-                               std::min(width, most_width), std::min(height, most_height),
-                               SDL_WINDOW_RESIZABLE);
-  }
+  if (SDL_Init(SDL_INIT_VIDEO) == 0) window_ = open_window(title, width, height, density_);
   const SDL_Surface* const pixels = window_ ? SDL_GetWindowSurface(window_) : nullptr;
   const bool is_usual = pixels && pixels->format->BytesPerPixel == 4 &&
                         pixels->format->Rmask == 0xff0000 && pixels->format->Bmask == 0xff;
@@ -148,7 +160,6 @@ SdlWindow::SdlWindow(const std::string& title, int width, int height) {
     throw InputError("no window can be shown here: {0}.", why);
   }
   context_ = ImGui::CreateContext();
-  density_ = density_of(window_);
   set_up(ImGui::GetIO(), font_, density_);
 }
 
@@ -156,6 +167,10 @@ SdlWindow::~SdlWindow() {
   ImGui::DestroyContext(context_);
   SDL_DestroyWindow(window_);
   SDL_Quit();
+}
+
+int SdlWindow::in_ordinary_pixels(int length) const {
+  return int(std::lround(float(length) / density_));
 }
 
 Surface SdlWindow::surface() const {

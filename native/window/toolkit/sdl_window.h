@@ -38,8 +38,8 @@ struct Happened {
 /// processor, and while nothing happens it does nothing.
 class SdlWindow {
  public:
-  /// Opens a window of a size in pixels, or one that is as large as the screen allows. Throws
-  /// InputError where there is no display.
+  /// Opens a window of a size in pixels of an ordinary screen, or one that is as large as the
+  /// screen allows. Throws InputError where there is no display.
   SdlWindow(const std::string& title, int width, int height);
   SdlWindow(const SdlWindow&) = delete;
   ~SdlWindow();
@@ -53,14 +53,15 @@ class SdlWindow {
 
   /// Returns how many pixels the screen has for each of an ordinary one.
   float density() const { return density_; }
-  /// Returns how large the window is, in pixels.
-  int width() const { return surface().width; }
-  int height() const { return surface().height; }
+  /// Return how large the window is, in pixels of an ordinary screen.
+  int width() const { return in_ordinary_pixels(surface().width); }
+  int height() const { return in_ordinary_pixels(surface().height); }
 
   /// Returns the pixels that the window has shown last. They may be another window's after run().
   Surface surface() const;
 
  private:
+  int in_ordinary_pixels(int length) const;
   /// Passes all events on that have come.
   Happened take_events();
   bool show(const Frame& frame, const Happened& happened);

@@ -18,7 +18,9 @@ void Ui::text(const std::string& words) {
 bool Ui::button(const Message& label, const Message& tip_words, bool is_enabled, float width) {
   ImGui::PushID(label.english().c_str());
   ImGui::BeginDisabled(!is_enabled);
-  const bool is_pressed = ImGui::Button(said(label).c_str(), {width, 0});
+  const std::string words = said(label);
+  const bool is_pressed = ImGui::Button(words.c_str(), {width, 0});
+  if (width > 0 && ImGui::CalcTextSize(words.c_str()).x > width) clipped_.insert(words);
   ImGui::EndDisabled();
   ImGui::PopID();
   note(label.english());

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "base/message.h"
@@ -18,7 +19,10 @@ class Ui {
   std::string said(const Message& message) const { return message.in(translation_); }
 
   /// Forgets where things were.
-  void begin_frame() { places_.clear(); }
+  void begin_frame() {
+    places_.clear();
+    clipped_.clear();
+  }
 
   void heading(const Message& words);
   /// Writes lines that break where the room ends.
@@ -44,10 +48,13 @@ class Ui {
   /// Returns the middle of what has this name, its English label, in pixels of the window; nothing
   /// if it is not there.
   std::optional<glm::dvec2> place_of(const std::string& label) const;
+  /// Returns the labels, in the language, that do not fit on their buttons.
+  const std::set<std::string>& clipped() const { return clipped_; }
 
  private:
   Translation translation_;
   std::map<std::string, glm::dvec2> places_;
+  std::set<std::string> clipped_;
 };
 
 }  // namespace gradmesh

@@ -83,30 +83,28 @@ void show_color(const Panel& panel, Point point) {
   const Mesh& mesh = eye.session().now().mesh;
   const std::vector<Halfedge> corners = corners_at(mesh, point);
   if (corners.empty()) return;
-  const glm::dvec4 is = mesh[corners.front()].color;
-  static float chosen[3];
-  static bool is_open = false;
-  if (!is_open)
-    for (int c = 0; c < 3; ++c) chosen[c] = float(is[c]);
-  Pointed pointed;
-  pointed.face = mesh.face(corners.front());
-  pointed.corner = corners.front();
+  const glm::dvec3 now = eye.chosen_color.value_or(glm::dvec3(mesh[corners.front()].color));
+  float shown[] = {float(now.r), float(now.g), float(now.b)};
   const bool has_changed =
-      ImGui::ColorEdit3(panel.ui.said(Message("Colour")).c_str(), chosen,
+      ImGui::ColorEdit3(panel.ui.said(Message("Colour")).c_str(), shown,
                         ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoDragDrop |
                             ImGuiColorEditFlags_NoTooltip);
+  const bool is_chosen = ImGui::IsItemDeactivatedAfterEdit();
   panel.ui.note("colour");
   if (has_changed) {
-    is_open = true;
-    eye.propose([&](Session& session) {
-      session.propose_color(pointed, {chosen[0], chosen[1], chosen[2]}, false);
-    });
+    Pointed pointed;
+    pointed.face = mesh.face(corners.front());
+    pointed.corner = corners.front();
+    eye.chosen_color = {shown[0], shown[1], shown[2]};
+    eye.propose(
+        [&](Session& session) { session.propose_color(pointed, *eye.chosen_color, false); });
   }
-  if (!is_open || !ImGui::IsItemDeactivatedAfterEdit()) return;
-  is_open = false;
+  if (!is_chosen) return;
+  // Who has chosen a colour may want another.
   const Element kept = eye.element;
   eye.make();
   eye.element = kept;
+  eye.chosen_color.reset();
 }
 
 void show_point(const Panel& panel, Point point) {

@@ -7,6 +7,7 @@
 
 #include "app/document.h"
 #include "screen.h"
+#include "window/toolkit/catalogue.h"
 
 namespace gradmesh {
 namespace {
@@ -306,6 +307,35 @@ TEST_F(EyeWindows, the_structure_is_walked_by_buttons) {
   EXPECT_EQ(eye_->element.point, mesh.origin(mesh.other_side(side)));
 }
 
+TEST_F(EyeWindows, a_colour_is_chosen_for_a_point) {
+  open("ellipse");
+  screen_->click("Look");
+  const Mesh& mesh = session().now().mesh;
+  const Face face = *mesh.faces().begin();
+  screen_->click(middle_of(face));
+  screen_->click("Right");
+  screen_->click("Start");
+  const Point point = eye_->element.point;
+  ASSERT_TRUE(point.valid());
+  const auto green = [&] {
+    const Mesh& now = session().now().mesh;
+    return now[now[point].halfedge].color.g;
+  };
+  const double before = green();
+  // On the field of the green part, which a drag changes; what is chosen is seen before it is made.
+  const glm::dvec2 at = *screen_->window().ui().place_of("colour") - glm::dvec2(40, 0);
+  screen_->move(at);
+  screen_->hold(true);
+  screen_->move(at - glm::dvec2(30, 0));
+  EXPECT_TRUE(session().proposal());
+  EXPECT_EQ(green(), before);
+  screen_->hold(false);
+  screen_->settle();
+  EXPECT_LT(green(), before);
+  EXPECT_EQ(session().undo_name()->english(), "Set the colour of a point");
+  EXPECT_EQ(eye_->element.point, point) << "another colour can be chosen at once";
+}
+
 TEST_F(EyeWindows, closing_asks_only_where_hand_work_would_be_lost) {
   open("ellipse");
   wait_for_curve();
@@ -380,6 +410,16 @@ TEST_F(EyeWindows, the_picture_is_the_sessions_to_the_pixel) {
       ASSERT_EQ(screen_->pixel(x, y), std::uint32_t(red << 16 | green << 8 | blue))
           << x << ", " << y;
     }
+}
+
+TEST_F(EyeWindows, words_fit_on_their_buttons_in_all_languages) {
+  for (const std::string language : {"en", "de"}) {
+    open("two", false, 1, translation_into({language}));
+    for (const char* key : {"S", "S", "K"}) {
+      screen_->key(key);
+      EXPECT_EQ(screen_->window().ui().clipped(), std::set<std::string>()) << language;
+    }
+  }
 }
 
 TEST_F(EyeWindows, dark_and_light_large_and_small_screens_show_the_same) {
