@@ -13,10 +13,20 @@ constexpr double reach = 8;
 
 Eye::Eye(std::vector<std::string> ids, Open open)
     : ids_(std::move(ids)), open_(std::move(open)), open_ones_(ids_.size()) {
-  choose(0);
+  look_at_mesh(0);
 }
 
 void Eye::choose(std::size_t which) {
+  refusal_.reset();
+  forget_proposal();
+  try {
+    look_at_mesh(which);
+  } catch (const InputError& error) {
+    refusal_ = error.message();
+  }
+}
+
+void Eye::look_at_mesh(std::size_t which) {
   if (!open_ones_[which]) open_ones_[which] = open_(ids_[which]);
   chosen_ = which;
   const glm::dvec2 size = viewport_.size();

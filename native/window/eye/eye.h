@@ -48,7 +48,8 @@ class Eye {
 
   const std::vector<std::string>& ids() const { return ids_; }
   const std::string& id() const { return ids_[chosen_]; }
-  /// Looks at another mesh; what was made of the others stays.
+  /// Looks at another mesh; what was made of the others stays. Where that one cannot be opened, all
+  /// is as it was, and refusal() says why.
   void choose(std::size_t which);
 
   Editing& editing() { return *open_ones_[chosen_]; }
@@ -157,6 +158,7 @@ class Eye {
   bool is_busy() const { return is_busy_; }
 
  private:
+  void look_at_mesh(std::size_t which);
   void forget();
 
   std::vector<std::string> ids_;

@@ -4,6 +4,7 @@
 #include <SDL_syswm.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -24,13 +25,17 @@ std::string environment(const char* name) {
 
 #ifdef _WIN32
 
-bool is_desktop_dark() {
+}  // namespace
+
+bool prefers_dark() {
   DWORD is_light = 1, size = sizeof is_light;
   const LSTATUS found = RegGetValueW(
       HKEY_CURRENT_USER, L"Software\\Microsoft\\Windows\\CurrentVersion\\Themes\\Personalize",
       L"AppsUseLightTheme", RRF_RT_REG_DWORD, nullptr, &is_light, &size);
   return found == ERROR_SUCCESS && is_light == 0;
 }
+
+namespace {
 
 double dpi_of(SDL_Window* window) {
   float dpi = 0;
@@ -45,7 +50,8 @@ bool asks_for_dark(const std::filesystem::path& settings) {
   std::ifstream file(settings);
   for (std::string line; std::getline(file, line);) {
     std::erase(line, ' ');
-    std::ranges::transform(line, line.begin(), [](char c) { return char(std::tolower(c)); });
+    std::ranges::transform(line, line.begin(),
+                           [](unsigned char c) { return char(std::tolower(c)); });
     if (line.starts_with("gtk-application-prefer-dark-theme="))
       if (line.ends_with("=1") || line.ends_with("=true")) return true;
     if (line.starts_with("gtk-theme-name=") && line.find("dark") != line.npos) return true;
@@ -53,7 +59,9 @@ bool asks_for_dark(const std::filesystem::path& settings) {
   return false;
 }
 
-bool is_desktop_dark() {
+}  // namespace
+
+bool prefers_dark() {
   if (const std::string theme = environment("GTK_THEME"); !theme.empty())
     return theme.find("dark") != theme.npos;
   std::filesystem::path folder = environment("XDG_CONFIG_HOME");
@@ -61,6 +69,8 @@ bool is_desktop_dark() {
   return asks_for_dark(folder / "gtk-3.0/settings.ini") ||
          asks_for_dark(folder / "gtk-4.0/settings.ini");
 }
+
+namespace {
 
 /// Returns what X11's desktops set for letters, which SDL does not hand out; 0 if there is nothing.
 double dpi_of(SDL_Window* window) {
@@ -84,8 +94,6 @@ double dpi_of(SDL_Window* window) {
 #endif
 
 }  // namespace
-
-bool prefers_dark() { return is_desktop_dark(); }
 
 std::vector<std::string> preferred_languages() {
   std::vector<std::string> languages;

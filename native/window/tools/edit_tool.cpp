@@ -1,50 +1,38 @@
 #include "window/tools/edit_tool.h"
 
+#include <algorithm>
+
 #include "window/eye/words.h"
 
 namespace gradmesh {
 
-Message EditTool::name() const {
-  switch (edit_) {
-    case HandEdit::merge:
-      return Message("Take out");
-    case HandEdit::split_rows:
-      return Message("New row");
-    case HandEdit::split_columns:
-      return Message("New column");
-    case HandEdit::split_both:
-      break;
-  }
-  return Message("New cross");
+namespace {
+
+struct Kind {
+  HandEdit edit;
+  Message name, tip;
+  const char* key;
+};
+
+const Kind& kind_of(HandEdit edit) {
+  static const Kind all[] = {
+      {HandEdit::merge, Message("Take out"),
+       Message("A click on a line takes it out, or merges the patches beside it (M)"), "M"},
+      {HandEdit::split_rows, Message("New row"),
+       Message("A click puts a line in, from left to right in the mesh (R)"), "R"},
+      {HandEdit::split_columns, Message("New column"),
+       Message("A click puts a line in, from top to bottom in the mesh (C)"), "C"},
+      {HandEdit::split_both, Message("New cross"),
+       Message("A click puts both lines in (B; or hold Ctrl)"), "B"}};
+  return *std::find_if(std::begin(all), std::end(all),
+                       [&](const Kind& kind) { return kind.edit == edit; });
 }
 
-Message EditTool::tip() const {
-  switch (edit_) {
-    case HandEdit::merge:
-      return Message("A click on a line takes it out, or merges the patches beside it (M)");
-    case HandEdit::split_rows:
-      return Message("A click puts a line in, from left to right in the mesh (R)");
-    case HandEdit::split_columns:
-      return Message("A click puts a line in, from top to bottom in the mesh (C)");
-    case HandEdit::split_both:
-      break;
-  }
-  return Message("A click puts both lines in (B; or hold Ctrl)");
-}
+}  // namespace
 
-const char* EditTool::key() const {
-  switch (edit_) {
-    case HandEdit::merge:
-      return "M";
-    case HandEdit::split_rows:
-      return "R";
-    case HandEdit::split_columns:
-      return "C";
-    case HandEdit::split_both:
-      break;
-  }
-  return "B";
-}
+Message EditTool::name() const { return kind_of(edit_).name; }
+Message EditTool::tip() const { return kind_of(edit_).tip; }
+const char* EditTool::key() const { return kind_of(edit_).key; }
 
 void EditTool::point(Eye& eye, glm::dvec2 at, const Held& held) {
   propose(eye, at, held.control ? HandEdit::split_both : edit_);
@@ -57,9 +45,7 @@ void EditTool::propose(Eye& eye, glm::dvec2 at, HandEdit edit) {
   const bool is_line = edit == HandEdit::merge;
   if (!pointed || (is_line && !pointed->edge.valid())) return leave(eye);
   const Asked now{eye.revision(), edit, pointed->edge, is_line ? glm::dvec2(0.0) : at};
-  if (now.revision == asked_.revision && now.edit == asked_.edit && now.edge == asked_.edge &&
-      now.at == asked_.at)
-    return;
+  if (now == asked_) return;
   eye.propose([&](Session& session) { session.propose(*pointed, edit); });
   asked_ = now;
   asked_.revision = eye.revision();

@@ -26,6 +26,8 @@ class EditTool final : public Marking {
     HandEdit edit;
     Halfedge edge;
     glm::dvec2 at;
+
+    bool operator==(const Asked&) const = default;
   };
 
   void propose(Eye& eye, glm::dvec2 at, HandEdit edit);

@@ -38,12 +38,23 @@ bool EyeWindow::show(const Happened& happened) {
 
 void EyeWindow::take_keys(const Happened& happened) {
   if (happened.must_close) ask_to_close();
-  if (must_ask_ || ImGui::GetIO().WantTextInput) return;
+  if (ImGui::GetIO().WantTextInput) return;
   for (const Key& key : happened.keys) {
+    if (must_ask_) {
+      answer(key);
+      continue;
+    }
     const WindowKey meant = press(key, eye_, toolbox_);
     if (meant == WindowKey::apply && !eye_.changed().empty()) end_ = End::apply;
     if (meant == WindowKey::escape) ask_to_close();
   }
+}
+
+void EyeWindow::answer(const Key& key) {
+  if (!key.is_down) return;
+  const bool applies = key.held.control && (key.name == "Return" || key.name == "Keypad Enter");
+  if (applies) end_ = End::apply;
+  if (applies || key.name == "Escape") must_ask_ = false;
 }
 
 void EyeWindow::ask_to_close() {
@@ -92,18 +103,18 @@ void EyeWindow::show_question() {
   ImGui::TextUnformatted(
       ui_.said(Message("Shall what was made of the mesh be written into the document?")).c_str());
   const float width = 9 * ImGui::GetFontSize();
-  const auto answer = [&](const Message& label, const Message& tip, End end) {
+  const auto offer = [&](const Message& label, const Message& tip, End end) {
     if (!ui_.button(label, tip, true, width)) return;
     end_ = end;
     must_ask_ = false;
     ImGui::CloseCurrentPopup();
   };
-  answer(Message("Discard"), Message("Leave the document as it was (Escape)"), End::cancel);
+  offer(Message("Discard"), Message("Leave the document as it was"), End::cancel);
   Ui::beside();
-  answer(Message("Go Back"), Message("Go on with the mesh"), End::not_yet);
+  offer(Message("Go Back"), Message("Go on with the mesh (Escape)"), End::not_yet);
   Ui::beside();
-  answer(Message("Apply"), Message("Write what is shown into the document (Ctrl+Enter)"),
-         End::apply);
+  offer(Message("Apply"), Message("Write what is shown into the document (Ctrl+Enter)"),
+        End::apply);
   ImGui::EndPopup();
 }
 

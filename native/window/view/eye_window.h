@@ -29,6 +29,8 @@ class EyeWindow {
   enum class End { not_yet, apply, cancel };
 
   void take_keys(const Happened& happened);
+  /// Answers the question with a key: Escape goes back, Ctrl+Enter applies.
+  void answer(const Key& key);
   /// Ends without keeping anything, after a question where hand work would be lost.
   void ask_to_close();
   void show_panel(float left, float width, float height);

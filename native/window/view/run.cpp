@@ -14,7 +14,9 @@ Translation translation_for(const WindowChoices& choices) {
 }
 
 bool simplify_by_eye(Eye& eye, const WindowChoices& choices) {
-  const std::filesystem::path file = settings_folder() / "by-eye";
+  const std::filesystem::path folder = settings_folder();
+  // Without a folder nothing is remembered, rather than written where the program was started.
+  const std::filesystem::path file = folder.empty() ? folder : folder / "by-eye";
   Settings settings = read_settings(file);
   eye.looks.lines = settings.lines;
   eye.looks.handles = settings.handles;

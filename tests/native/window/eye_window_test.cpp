@@ -352,6 +352,9 @@ TEST_F(EyeWindows, closing_asks_only_where_hand_work_would_be_lost) {
   screen_->click("Go Back");
   EXPECT_TRUE(screen_->is_open());
   screen_->frame({{}, true});
+  screen_->key("Escape");
+  EXPECT_TRUE(screen_->is_open()) << "Escape goes back";
+  screen_->frame({{}, true});
   screen_->settle();
   screen_->click("Discard");
   EXPECT_FALSE(screen_->is_open());
@@ -384,6 +387,23 @@ TEST_F(EyeWindows, each_mesh_keeps_what_was_made_of_it) {
   eye_->choose(0);
   EXPECT_EQ(handles(), first);
   EXPECT_EQ(eye_->changed().size(), 1u);
+}
+
+TEST_F(EyeWindows, a_mesh_that_cannot_be_opened_takes_nothing_along) {
+  document_ = Document::read_file(std::string(GRADMESH_SOURCE_DIR) + "/samples/two.svg");
+  eye_.emplace(std::vector<std::string>{"stalk", "cap"}, [this](const std::string& id) {
+    if (id == "cap") throw InputError("the mesh covers no pixel.");
+    return edit_by_eye(*document_, document_->selected({id}).front(), {});
+  });
+  screen_.emplace(*eye_, ordinary_size.x, ordinary_size.y, same);
+  screen_->click(on_a_line());
+  const int made = handles();
+  screen_->click("meshes");
+  screen_->click("mesh 2");
+  EXPECT_EQ(eye_->id(), "stalk");
+  EXPECT_EQ(eye_->refusal()->english(), "the mesh covers no pixel.");
+  EXPECT_EQ(handles(), made);
+  EXPECT_TRUE(screen_->is_open());
 }
 
 TEST_F(EyeWindows, what_cannot_be_done_is_said_and_nothing_is_lost) {
