@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/limits.h"
+#include "files/image_picture.h"
 
 namespace gradmesh {
 namespace {
@@ -44,4 +45,4 @@ std::string read(const std::string& path, Image& image) {
 }  // namespace
 }  // namespace gradmesh
 
-const gradmesh::ImageCodec gradmesh_image_codec{gradmesh::read};
+const gradmesh::ImageCodec gradmesh_image_codec{gradmesh::read, gradmesh::decode_with_openimageio};

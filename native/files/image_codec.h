@@ -1,17 +1,24 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "base/image.h"
+#include "base/message.h"
+#include "files/picture_sink.h"
 
 namespace gradmesh {
 
-/// The function that the module `gradmesh_images` offers to image_module.cpp.
+/// The functions that the module `gradmesh_images` offers to image_module.cpp. Errors do not cross
+/// the border of a module as exceptions.
 struct ImageCodec {
   /// Reads any file that OpenImageIO reads, as read_image does. Returns the error in one line, or
-  /// an empty string: errors do not cross the border of a module as exceptions.
+  /// an empty string.
   std::string (*read)(const std::string& path, Image& image);
+  /// Gives the picture of any file that OpenImageIO reads to the sink. Returns what is wrong with
+  /// the file, or nothing, also where the sink has refused it.
+  std::optional<Message> (*read_picture)(const std::string& path, PictureSink& sink);
 };
 
 /// Returns the sample laid over white with this alpha, rounded; both are 0..255. Pictures with

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,11 +49,17 @@ std::string read(const std::string& path, Image& image) {
   return {};
 }
 
+/// Those that are read here are read without a codec.
+std::optional<Message> read_no_picture(const std::string&, PictureSink&) {
+  return Message("it is neither PNG nor JPEG, which are all that can be read here");
+}
+
 }  // namespace
 
-/// A program for other people's machines has no OpenImageIO, and reads PNG alone.
+/// A program for other people's machines has no OpenImageIO: images are PNG alone, pictures PNG and
+/// JPEG.
 const ImageCodec& image_codec() {
-  static const ImageCodec codec{read};
+  static const ImageCodec codec{read, read_no_picture};
   return codec;
 }
 

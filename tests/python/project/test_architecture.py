@@ -55,6 +55,8 @@ OWNERS = {
     r"zlib\.h": {"files"},
     r"OpenImageIO/": {"files"},
     r"png\.h": {"files"},
+    r"jpeglib\.h|jerror\.h": {"files"},
+    r"lcms2\.h": {"files"},
     r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},
