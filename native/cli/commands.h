@@ -22,6 +22,7 @@ void add_color(CLI::App& program);
 void add_one_mesh(CLI::App& program);
 void add_publish(CLI::App& program);
 void add_eye(CLI::App& program);
+void add_trace(CLI::App& program);
 void add_helper(CLI::App& program);
 
 }  // namespace gradmesh

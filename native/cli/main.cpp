@@ -79,6 +79,7 @@ int run(int argc, Character** argv) {
     add_one_mesh(program);
     add_publish(program);
     add_eye(program);
+    add_trace(program);
     add_helper(program);
     std::vector<std::string> arguments = in_utf8(argc, argv);
     check_command(program, arguments);

@@ -23,6 +23,7 @@ RANK = {
     "reference": 5,
     "fit": 6,
     "plain": 7,
+    "trace": 7,
     "trial": 7,
     "pricing": 8,
     "problem": 9,
@@ -122,7 +123,7 @@ def test_targets_link_downwards():
 
 
 #: Folders in which coordinates of a stranger's document become places in pictures.
-MEASURING = ("draw", "fit", "plain", "raster", "reference", "session", "trial")
+MEASURING = ("draw", "fit", "plain", "raster", "reference", "session", "trace", "trial")
 
 #: What is whole already, in these folders: counts, differences of iterators, constants, and these by their names.
 WHOLE = re.compile(

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fit/equations.h"
+#include "trace/line_grid.h"
+#include "trace/target_picture.h"
+
+namespace gradmesh {
+
+/// The columns of what a fit may change of a point: its place in pixels of the target, and its
+/// red, green, blue and, where the target is not opaque, opacity in levels, one after the other. -1
+/// is for what stays.
+struct KnotColumns {
+  int x = -1, y = -1, color = -1;
+};
+
+/// The columns of some points of a grid; all other points stay.
+class GridColumns {
+ public:
+  /// Numbers the points from one line along rows or columns to another, both included.
+  GridColumns(const LineGrid& grid, const TargetPicture& target, Along along, int first, int last);
+  /// Numbers all points.
+  GridColumns(const LineGrid& grid, const TargetPicture& target)
+      : GridColumns(grid, target, Along::rows, 0, grid.rows()) {}
+
+  int count() const { return count_; }
+  const KnotColumns& of(int number) const { return columns_[std::size_t(number)]; }
+
+ private:
+  std::vector<KnotColumns> columns_;
+  int count_ = 0;
+};
+
+/// Returns the sum of the squares by which the pixels of a patch differ from the target, in levels:
+/// colours count by the square of the target's opacity.
+double patch_squares(const LineGrid& grid, int row, int column, const TargetPicture& target);
+
+/// Returns the equations of a patch to first order in what the columns number, as those of
+/// fit/equations.h but pixel by pixel: at a fixed place of the picture the colour changes with the
+/// patch's colours, and with its points as much as colour changes along the way there.
+NormalEquations patch_equations(const LineGrid& grid, int row, int column,
+                                const TargetPicture& target, const GridColumns& columns);
+
+/// Returns the equations of one channel of a patch alone, in columns that are the numbers of the
+/// points. The columns of opacity and colours do not meet, so that each channel is solved alone.
+NormalEquations channel_equations(const LineGrid& grid, int row, int column,
+                                  const TargetPicture& target, int channel);
+
+/// Returns how many channels of a target count: without opacity where it is opaque.
+inline int channels(const TargetPicture& target) { return target.is_opaque ? 3 : 4; }
+
+/// Returns the map from the units of the grid to pixels of the target.
+glm::dvec2 pixels_per_unit(const LineGrid& grid, const TargetPicture& target);
+
+}  // namespace gradmesh

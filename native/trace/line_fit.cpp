@@ -1,0 +1,173 @@
+#include "trace/line_fit.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <numeric>
+
+#include "base/parallel.h"
+
+namespace gradmesh {
+namespace {
+
+/// Calls `f(n, row, column)` for the n-th patch of a grid, row by row, in parallel.
+template <class F>
+void for_each_patch(const LineGrid& grid, const F& f) {
+  const auto columns = std::size_t(grid.columns());
+  parallel_for(std::size_t(grid.rows()), [&](std::size_t i) {
+    for (std::size_t k = 0; k < columns; ++k) f(i * columns + k, int(i), int(k));
+  });
+}
+
+std::size_t patch_count(const LineGrid& grid) {
+  return std::size_t(grid.rows()) * std::size_t(grid.columns());
+}
+
+/// Returns the largest share, 0..1, of a way that a point can go without making a corner around it
+/// smaller than a tenth of what it was, or than a share of a pixel. Each corner's area is linear in
+/// the way.
+double allowed_share(LineGrid& grid, int row, int column, glm::dvec2 way, double pixel_area) {
+  constexpr double least_pixels = 0.25, least_share = 0.1;
+  LineGrid::Knot& knot = grid.knot(row, column);
+  const glm::dvec2 start = knot.position;
+  double share = 1;
+  for (int i = std::max(0, row - 1); i <= std::min(row, grid.rows() - 1); ++i)
+    for (int j = std::max(0, column - 1); j <= std::min(column, grid.columns() - 1); ++j)
+      for (int corner = 0; corner < 4; ++corner) {
+        const double before = grid.corner_area(i, j, corner);
+        knot.position = start + way;
+        const double after = grid.corner_area(i, j, corner);
+        knot.position = start;
+        const double least =
+            std::min(before, std::max(least_pixels * pixel_area, least_share * before));
+        if (after < least) share = std::min(share, (before - least) / (before - after));
+      }
+  return std::max(0.0, share);
+}
+
+/// Adds to the equations of a channel of a patch that colours at the ends of a side cost a little
+/// where they differ: so that a colour which hardly a pixel shows is that of its neighbours.
+void draw_together(NormalEquations& patch, const LineGrid& grid, int channel) {
+  constexpr double weight = 0.005, hold = 1e-6;
+  Eigen::Vector4d levels;
+  for (int k = 0; k < 4; ++k) levels(k) = grid.knot(patch.columns[std::size_t(k)]).color[channel];
+  Eigen::Matrix4d apart = 2 * Eigen::Matrix4d::Identity();
+  for (int k = 0; k < 4; ++k) apart(k, (k + 1) % 4) = apart((k + 1) % 4, k) = -1;
+  patch.matrix += weight * apart;
+  patch.rhs -= weight * apart * levels;
+  patch.matrix.diagonal().array() += hold;
+}
+
+/// One fit: Levenberg and Marquardt, with a damping for all places.
+class LineFit {
+ public:
+  LineFit(LineGrid& grid, const TargetPicture& target, const Evenness& evenness)
+      : grid_(grid), target_(target), evenness_(evenness), columns_(grid, target) {}
+
+  double run(FitLength length) {
+    fit_colors(grid_, target_);
+    squares_ = squares_of(grid_, target_);
+    uneven_ = unevenness(grid_, target_, evenness_);
+    for (int step = 0; step < length.steps && damping_ < most_damping; ++step) {
+      const double before = squares_;
+      if (make_step() && before - squares_ < length.little * before) break;
+    }
+    return squares_;
+  }
+
+ private:
+  static constexpr double least_damping = 1e-4, most_damping = 1e3;
+
+  /// Returns true if the step was accepted.
+  bool make_step() {
+    const Eigen::VectorXd step = this->step();
+    if (!step.allFinite()) return raise_damping();
+    LineGrid moved = grid_;
+    move(moved, step);
+    fit_colors(moved, target_);
+    const double squares = squares_of(moved, target_);
+    const double uneven = unevenness(moved, target_, evenness_);
+    if (!(squares + uneven < squares_ + uneven_)) return raise_damping();
+    grid_ = std::move(moved);
+    squares_ = squares;
+    uneven_ = uneven;
+    damping_ = std::max(least_damping, damping_ / 4);
+    return true;
+  }
+
+  bool raise_damping() {
+    damping_ *= 8;
+    return false;
+  }
+
+  /// Returns by how much to change what the columns number.
+  Eigen::VectorXd step() const {
+    std::vector<NormalEquations> parts(patch_count(grid_));
+    for_each_patch(grid_, [&](std::size_t n, int row, int column) {
+      parts[n] = patch_equations(grid_, row, column, target_, columns_);
+    });
+    for (NormalEquations& part : evenness_equations(grid_, target_, columns_, evenness_))
+      parts.push_back(std::move(part));
+    Eigen::VectorXd damping = Eigen::VectorXd::Zero(columns_.count());
+    for (int number = 0; number < grid_.points(); ++number)
+      for (const int column : {columns_.of(number).x, columns_.of(number).y})
+        if (column >= 0) damping(column) = damping_;
+    return solve(parts, damping);
+  }
+
+  /// Moves the points as far as patches do not fold: one set of points after the other that have no
+  /// patch in common, so that each only needs to look at neighbours that rest.
+  void move(LineGrid& grid, const Eigen::VectorXd& step) const {
+    const glm::dvec2 scale = pixels_per_unit(grid, target_);
+    const double pixel_area = 1 / (scale.x * scale.y);
+    for (const int first_row : {0, 1})
+      for (const int first_column : {0, 1})
+        for (int i = first_row; i <= grid.rows(); i += 2)
+          for (int j = first_column; j <= grid.columns(); j += 2) {
+            const KnotColumns& of = columns_.of(grid.number(i, j));
+            const glm::dvec2 way =
+                glm::dvec2(of.x < 0 ? 0 : step(of.x), of.y < 0 ? 0 : step(of.y)) / scale;
+            grid.knot(i, j).position += allowed_share(grid, i, j, way, pixel_area) * way;
+          }
+  }
+
+  LineGrid& grid_;
+  const TargetPicture& target_;
+  const Evenness evenness_;
+  const GridColumns columns_;
+  double squares_ = 0, uneven_ = 0, damping_ = 1e-2;
+};
+
+}  // namespace
+
+void fit_colors(LineGrid& grid, const TargetPicture& target) {
+  const auto count = std::size_t(channels(target));
+  std::vector<Eigen::VectorXd> steps(count);
+  parallel_for(count, [&](std::size_t channel) {
+    std::vector<NormalEquations> parts(patch_count(grid));
+    for_each_patch(grid, [&](std::size_t n, int row, int column) {
+      parts[n] = channel_equations(grid, row, column, target, int(channel));
+      draw_together(parts[n], grid, int(channel));
+    });
+    steps[channel] = solve(parts, Eigen::VectorXd::Zero(grid.points()));
+  });
+  for (std::size_t channel = 0; channel < count; ++channel)
+    for (int number = 0; number < grid.points() && steps[channel].allFinite(); ++number) {
+      double& level = grid.knot(number).color[int(channel)];
+      level = std::clamp(level + steps[channel](number), 0.0, 255.0);
+    }
+}
+
+double squares_of(const LineGrid& grid, const TargetPicture& target) {
+  std::vector<double> of_patches(patch_count(grid));
+  for_each_patch(grid, [&](std::size_t n, int row, int column) {
+    of_patches[n] = patch_squares(grid, row, column, target);
+  });
+  return std::accumulate(of_patches.begin(), of_patches.end(), 0.0);
+}
+
+double fit_lines(LineGrid& grid, const TargetPicture& target, const Evenness& evenness,
+                 FitLength length) {
+  return LineFit(grid, target, evenness).run(length);
+}
+
+}  // namespace gradmesh

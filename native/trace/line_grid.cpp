@@ -1,0 +1,88 @@
+#include "trace/line_grid.h"
+
+#include <algorithm>
+
+namespace gradmesh {
+namespace {
+
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+Value value_of(const LineGrid::Knot& knot) { return {knot.position, knot.color / 255.0}; }
+
+LineGrid::Knot middle(const LineGrid::Knot& a, const LineGrid::Knot& b) {
+  return {0.5 * (a.position + b.position), 0.5 * (a.color + b.color)};
+}
+
+/// Returns the patch with straight sides whose corners have these values.
+Patch straight_patch(const std::array<LineGrid::Knot, 4>& corners) {
+  const Value a = value_of(corners[0]), b = value_of(corners[1]), c = value_of(corners[2]),
+              d = value_of(corners[3]), top = b - a, bottom = c - d, twist = bottom - top;
+  Patch patch;
+  patch.c = {{{a, top, top, b},
+              {d - a, twist, twist, c - b},
+              {d - a, twist, twist, c - b},
+              {d, bottom, bottom, c}}};
+  return patch;
+}
+
+}  // namespace
+
+LineGrid::LineGrid(int rows, int columns, glm::dvec2 size) : rows_(rows), columns_(columns) {
+  constexpr double grey = 128, opaque = 255;
+  for (int i = 0; i <= rows; ++i)
+    for (int j = 0; j <= columns; ++j)
+      knots_.push_back({size * glm::dvec2(double(j) / columns, double(i) / rows),
+                        glm::dvec4(grey, grey, grey, opaque)});
+}
+
+bool LineGrid::moves_in_x(int number) const {
+  const int column = number % (columns_ + 1);
+  return column > 0 && column < columns_;
+}
+
+bool LineGrid::moves_in_y(int number) const {
+  const int row = number / (columns_ + 1);
+  return row > 0 && row < rows_;
+}
+
+std::array<int, 4> LineGrid::corners(int row, int column) const {
+  const int first = number(row, column), below = number(row + 1, column);
+  return {first, first + 1, below + 1, below};
+}
+
+double LineGrid::corner_area(int row, int column, int corner) const {
+  const std::array<int, 4> at = corners(row, column);
+  const auto position = [&](int k) { return knot(at[std::size_t(k & 3)]).position; };
+  const glm::dvec2 here = position(corner);
+  return cross(position(corner + 1) - here, position(corner + 3) - here);
+}
+
+LineGrid LineGrid::with_line(Along along, int strip) const {
+  LineGrid finer = *this;
+  finer.knots_.clear();
+  const bool is_row = along == Along::rows;
+  (is_row ? finer.rows_ : finer.columns_) += 1;
+  for (int i = 0; i <= finer.rows_; ++i)
+    for (int j = 0; j <= finer.columns_; ++j) {
+      // The line is the one after the strip's first.
+      const int line = is_row ? i : j;
+      const int after = line > strip + 1 ? 1 : 0;
+      const int row = i - (is_row ? after : 0), column = j - (is_row ? 0 : after);
+      finer.knots_.push_back(line != strip + 1
+                                 ? knot(row, column)
+                                 : middle(knot(row - is_row, column - !is_row), knot(row, column)));
+    }
+  return finer;
+}
+
+MeshParts LineGrid::parts() const {
+  MeshParts parts{{}, grid_curves(rows_, columns_)};
+  for (int i = 0; i < rows_; ++i)
+    for (int j = 0; j < columns_; ++j) {
+      const std::array<int, 4> at = corners(i, j);
+      parts.patches.push_back(straight_patch({knot(at[0]), knot(at[1]), knot(at[2]), knot(at[3])}));
+    }
+  return parts;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,55 @@
+#include "trace/target_picture.h"
+
+#include <algorithm>
+#include <glm/vec3.hpp>
+
+namespace gradmesh {
+namespace {
+
+/// How far beyond the middle of a pixel cairo samples in the mean: its steps are 0.35 to 0.7 pixels
+/// long, and the last one within the pixel counts.
+constexpr double cairo_is_beyond = 0.24;
+
+/// Returns the point within a pixel that is `factor` times as long as before.
+double point_of_larger(double point, double factor) { return 0.5 + (point - 0.5) / factor; }
+
+}  // namespace
+
+TargetPicture target_of(const RgbaImage& picture, double scale) {
+  TargetPicture target{
+      picture.width, picture.height, {}, true, point_of_larger(0.5 + cairo_is_beyond, scale)};
+  target.pixels.reserve(picture.pixels());
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const auto [r, g, b, a] = picture.pixel(x, y);
+      target.pixels.emplace_back(r, g, b, a);
+      target.is_opaque = target.is_opaque && a == 255;
+    }
+  return target;
+}
+
+TargetPicture halved(const TargetPicture& target) {
+  TargetPicture half{(target.width + 1) / 2,
+                     (target.height + 1) / 2,
+                     {},
+                     target.is_opaque,
+                     point_of_larger(target.point, 2)};
+  half.pixels.reserve(std::size_t(half.width) * std::size_t(half.height));
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x) {
+      glm::vec3 color(0.0f), plain(0.0f);
+      float opacity = 0;
+      for (const int dy : {0, 1})
+        for (const int dx : {0, 1}) {
+          const glm::vec4& pixel = target.at(std::min(2 * x + dx, target.width - 1),
+                                             std::min(2 * y + dy, target.height - 1));
+          color += pixel.a * glm::vec3(pixel);
+          plain += glm::vec3(pixel);
+          opacity += pixel.a;
+        }
+      half.pixels.emplace_back(opacity > 0 ? color / opacity : plain / 4.0f, opacity / 4);
+    }
+  return half;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "base/image.h"
+
+namespace gradmesh {
+
+/// A picture that a mesh is to look like: of each pixel, row by row, the colour and the opacity,
+/// all in levels, 0..255.
+struct TargetPicture {
+  int width = 0, height = 0;
+  std::vector<glm::vec4> pixels;
+  bool is_opaque = true;
+  /// Where in a pixel, in both directions, the mesh is to have its colour, 0..1.
+  double point = 0.5;
+
+  const glm::vec4& at(int x, int y) const {
+    return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+  }
+  std::size_t samples() const { return pixels.size(); }
+};
+
+/// Returns the target of a picture of which a pixel is `scale` pixels of the picture in the
+/// document, where that is painted at its own size.
+///
+/// Cairo, by which Inkscape paints a mesh gradient, colours a pixel by the last of the samples that
+/// fall into it, a quarter of a pixel beyond the middle in the mean (raster/cairo_like.cpp). A mesh
+/// that has the picture's colours there looks like the picture where a hard edge would otherwise be
+/// off by that much.
+TargetPicture target_of(const RgbaImage& picture, double scale);
+
+/// Returns the target with half as many pixels each way, each the mean of those it covers: colours
+/// count by their opacities.
+TargetPicture halved(const TargetPicture& target);
+
+}  // namespace gradmesh

@@ -1,0 +1,136 @@
+"""A mesh of a picture: `gradmesh trace`."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from built import gradmesh as run
+from in_inkscape import inkscape  # noqa: F401
+from pictures import export
+from program import printed, refused
+
+
+@pytest.fixture
+def picture(tmp_path):
+    """Writes a soft ball on a soft ground, with its opacity in RGBA, and returns the path."""
+
+    def write(name="ball.png", size=(120, 90), mode="RGB", **options):
+        width, height = size
+        y, x = np.mgrid[0:height, 0:width]
+        ball = np.clip(40 - np.hypot(x - 0.45 * width, y - 0.5 * height), 0, 24) / 24
+        pixels = np.stack([80 + 150 * ball, 60 + x / 2, 200 - y, 255 * ball], axis=-1).clip(0, 255)
+        channels = {"RGB": 3, "RGBA": 4}[mode]
+        Image.fromarray(pixels[..., :channels].astype("uint8"), mode).save(tmp_path / name, **options)
+        return tmp_path / name
+
+    return write
+
+
+def traced(picture, *options):
+    """The report and the document of a trace."""
+    out, report = picture.with_suffix(".svg"), picture.with_suffix(".json")
+    printed("trace", picture, "-o", out, "--report", report, *options)
+    return json.loads(report.read_text()), out
+
+
+def over_white(path):
+    image = Image.open(path).convert("RGBA")
+    white = Image.new("RGBA", image.size, "white")
+    return np.asarray(Image.alpha_composite(white, image).convert("RGB"), dtype=float)
+
+
+def test_a_mesh_looks_like_its_picture_and_says_how_much(picture, tmp_path):
+    path = picture()
+    report, out = traced(path, "--handles", "120", "--epsilon", "0")
+    assert report["handles"] == (report["rows"] + 1) * (report["columns"] + 1) <= 120
+    assert report["errors"]["flip"] < 0.03 and report["errors"]["rmse"] < 3
+    text = printed("info", out)
+    assert f"{report['handles']} handles" in text and "1 object" in text
+    assert out.read_text().startswith("<?xml") and 'viewBox="0 0 120 90"' in out.read_text()
+
+
+def test_the_error_is_that_of_what_inkscape_paints(picture, inkscape):  # noqa: F811
+    path = picture("soft.png")
+    report, out = traced(path, "--handles", "100")
+    painted = over_white(export(inkscape, [out.rename(out.with_stem("mesh"))])[0])
+    rmse = np.sqrt(np.mean((painted - over_white(path)) ** 2))
+    assert abs(rmse - report["errors"]["rmse"]) < 0.3
+
+
+def test_no_more_handles_than_the_error_needs(picture):
+    path = picture()
+    soft, _ = traced(path, "--epsilon", "0.06")
+    close, _ = traced(path, "--epsilon", "0.02")
+    assert soft["errors"]["flip"] <= 0.06 and close["errors"]["flip"] <= 0.02
+    assert soft["handles"] < close["handles"] < 1000
+
+
+def test_opacity_is_kept(picture):
+    report, out = traced(picture("cut.png", mode="RGBA"), "--handles", "150")
+    assert report["errors"]["flip"] < 0.06
+    assert "stop-opacity" in out.read_text()
+
+
+def test_large_pictures_are_reduced_and_the_page_is_not(picture):
+    report, out = traced(picture("large.jpg", (1800, 1200), quality=95), "--handles", "60", "--resolution", "150")
+    assert 'viewBox="0 0 1800 1200"' in out.read_text()
+    assert report["errors"]["rmse"] < 12
+
+
+def test_what_is_smaller_than_the_detail_is_not_followed(picture):
+    path = picture("noise.png")
+    pixels = np.asarray(Image.open(path), dtype=float)
+    noise = np.random.default_rng(1).normal(0, 25, pixels.shape)
+    Image.fromarray((pixels + noise).clip(0, 255).astype("uint8")).save(path)
+    report, _ = traced(path, "--handles", "150", "--detail", "6")
+    assert report["errors_without_detail"]["rmse"] < 0.5 * report["errors"]["rmse"]
+
+
+def test_a_picture_that_is_no_gradient_gets_a_sentence(picture):
+    path = picture("checks.png")
+    y, x = np.mgrid[0:90, 0:120]
+    Image.fromarray(((x // 6 + y // 6) % 2 * 255).astype("uint8")).save(path)
+    done = run("trace", path, "-o", path.with_suffix(".svg"), "--handles", "30")
+    assert done.returncode == 0
+    assert done.stderr.startswith(f"gradmesh: {path}: with ") and done.stderr.count("\n") == 1
+    assert "Trace Bitmap" in done.stderr
+
+
+def test_the_same_bytes_on_any_number_of_threads(picture):
+    path = picture()
+    _, out = traced(path, "--handles", "80", "--threads", "1")
+    first = out.read_bytes()
+    traced(path, "--handles", "80", "--threads", "4")
+    assert out.read_bytes() == first
+
+
+@pytest.mark.parametrize("wrong", ["--handles 3", "--epsilon 2", "--detail 0.5", "--resolution 8"])
+def test_options_out_of_range_are_refused(picture, wrong):
+    path = picture()
+    assert run("trace", path, "-o", path.with_suffix(".svg"), *wrong.split()).returncode == 2
+    assert not path.with_suffix(".svg").exists()
+
+
+def test_a_mesh_for_the_papers_programs(picture, tmp_path):
+    out = tmp_path / "ball.hemesh"
+    printed("trace", picture(), "-o", out, "--handles", "40")
+    assert "1 object" in printed("info", out)
+
+
+@pytest.mark.parametrize("size", [(8, 8), (1, 50), (50, 1), (1, 1)], ids=str)
+def test_the_smallest_pictures_become_meshes(picture, size):
+    _, out = traced(picture("small.png", size))
+    assert "handles" in printed("info", out)
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"nothing", b"\x89PNG\r\n\x1a\n" + b"\0" * 40], ids=["empty", "text", "cut off"]
+)
+def test_what_is_no_picture_is_refused_in_a_sentence(tmp_path, content):
+    path = tmp_path / "no.png"
+    path.write_bytes(content)
+    sentence = refused("trace", path, "-o", tmp_path / "out.svg")
+    assert sentence.startswith(f"{path} is not a readable picture: ")
+    assert not (tmp_path / "out.svg").exists()
