@@ -8,6 +8,7 @@
 #include "base/clamped_int.h"
 #include "files/box_reducer.h"
 #include "files/image_codec.h"
+#include "files/picture_file.h"
 #include "mesh/build.h"
 #include "raster/rasterizer.h"
 #include "trace/traced_grid.h"
@@ -92,6 +93,10 @@ std::string document_of(const Mesh& mesh, const Mesh& outline, const Frame& fram
   return format_named("svg").write({mesh, outline, frame, page, english});
 }
 
+nlohmann::ordered_json errors_json(const PictureErrors& errors) {
+  return {{"rmse", errors.rmse}, {"mean", errors.mean}, {"flip", errors.flip}};
+}
+
 }  // namespace
 
 Tracing trace(const RgbaImage& picture, glm::dvec2 size, const std::string& name,
@@ -119,6 +124,25 @@ Tracing trace(const RgbaImage& picture, glm::dvec2 size, const std::string& name
   result.errors_without_detail = coarse.errors(written);
   result.seconds = watch.seconds();
   return result;
+}
+
+Tracing trace_file(const std::filesystem::path& picture, int resolution, const std::string& name,
+                   const TraceOptions& options) {
+  check(options);
+  check_resolution(resolution);
+  const Picture read = read_picture(picture, resolution);
+  return trace(read.image, {read.full_width, read.full_height}, name, options);
+}
+
+nlohmann::ordered_json tracing_json(const Tracing& tracing) {
+  return {{"handles", tracing.counts.handles},
+          {"patches", tracing.counts.patches},
+          {"rows", tracing.rows},
+          {"columns", tracing.columns},
+          {"errors", errors_json(tracing.errors)},
+          {"errors_without_detail", errors_json(tracing.errors_without_detail)},
+          {"stopped", tracing.was_stopped},
+          {"seconds", tracing.seconds}};
 }
 
 std::optional<Message> what_would_help(const Tracing& tracing) {

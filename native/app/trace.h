@@ -1,6 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "app/document.h"
@@ -14,8 +17,9 @@ namespace gradmesh {
 struct TraceOptions {
   /// At most how many points, 4 or more.
   int handles = 1000;
-  /// The FLIP against the picture at which a mesh is close enough, 0..1.
-  double epsilon = 0.01;
+  /// The FLIP against the picture at which a mesh is close enough, 0..1. One level everywhere is
+  /// 0.03, and a picture fills its page.
+  double epsilon = 0.03;
   /// Nothing smaller is followed, in pixels of the picture, 1 or more: noise and texture are no
   /// gradient.
   double detail = 1;
@@ -54,6 +58,15 @@ struct Tracing {
 /// std::invalid_argument if an option is out of range.
 Tracing trace(const RgbaImage& picture, glm::dvec2 size, const std::string& name,
               const TraceOptions& options);
+
+/// Makes a mesh that looks like the picture of a file, which is reduced to `resolution` pixels
+/// along the longer side; `name` is that of the document. Throws InputError where it cannot be read
+/// (files/picture_file.h), std::invalid_argument also if the resolution is out of range.
+Tracing trace_file(const std::filesystem::path& picture, int resolution, const std::string& name,
+                   const TraceOptions& options);
+
+/// Returns all of it but the document, as --report and Python have it.
+nlohmann::ordered_json tracing_json(const Tracing& tracing);
 
 /// Returns what a person is told of a mesh that does not look like its picture, and what would
 /// help; nothing if it does.

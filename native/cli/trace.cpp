@@ -1,14 +1,12 @@
 #include "app/trace.h"
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "app/convert.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
 #include "files/atomic_file.h"
-#include "files/picture_file.h"
 
 namespace gradmesh {
 namespace {
@@ -19,23 +17,6 @@ struct TraceArguments {
   int resolution = usual_resolution;
   bool quiet = false;
 };
-
-nlohmann::ordered_json errors_json(const PictureErrors& errors) {
-  return {{"rmse", errors.rmse}, {"mean", errors.mean}, {"flip", errors.flip}};
-}
-
-std::string report_text(const Tracing& traced) {
-  const nlohmann::ordered_json report{
-      {"handles", traced.counts.handles},
-      {"patches", traced.counts.patches},
-      {"rows", traced.rows},
-      {"columns", traced.columns},
-      {"errors", errors_json(traced.errors)},
-      {"errors_without_detail", errors_json(traced.errors_without_detail)},
-      {"stopped", traced.was_stopped},
-      {"seconds", traced.seconds}};
-  return report.dump(2) + "\n";
-}
 
 void print_result(const Tracing& traced, double detail) {
   const auto print_errors = [](const char* against, const PictureErrors& e) {
@@ -56,15 +37,13 @@ void write(const Document& document, const std::filesystem::path& path) {
 }
 
 void run_trace(TraceArguments& a) {
-  const Picture picture = read_picture(a.in, a.resolution);
   Tracing traced;
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    traced =
-        trace(picture.image, {picture.full_width, picture.full_height}, a.out.string(), a.options);
+    traced = trace_file(a.in, a.resolution, a.out.string(), a.options);
   }
-  if (!a.report.empty()) write_bytes(a.report, report_text(traced));
+  if (!a.report.empty()) write_bytes(a.report, tracing_json(traced).dump(2) + "\n");
   write(*traced.document, a.out);
   if (a.quiet) return;
   print_result(traced, a.options.detail);

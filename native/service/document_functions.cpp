@@ -1,5 +1,6 @@
 #include "app/convert.h"
 #include "app/info.h"
+#include "app/trace.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"
 #include "service/options.h"
@@ -35,6 +36,23 @@ Json convert_document(const Call& call) {
           {"patches", patches},
           {"error", conversion.error},
           {"lost_opacity", conversion.lost_opacity}};
+}
+
+Json trace_picture(const Call& call) {
+  TraceOptions options;
+  options.handles = call.get("handles", options.handles);
+  options.epsilon = call.get("epsilon", options.epsilon);
+  options.detail = call.get("detail", options.detail);
+  options.threads = call.get("threads", options.threads);
+  options.time_budget = call.get("time_budget", options.time_budget);
+  options.progress = call.progress();
+  Tracing traced = trace_file(path_argument(call, "path"), measure_options(call).resolution,
+                              call.get<std::string>("path"), options);
+  Json result = tracing_json(traced);
+  const std::optional<Message> advice = what_would_help(traced);
+  result["advice"] = advice ? Json(advice->english()) : Json();
+  result["document"] = call.add(std::move(traced.document));
+  return result;
 }
 
 Json write_document(const Call& call) {

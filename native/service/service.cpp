@@ -22,6 +22,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"read", read_document},
       {"parse", parse_document},
       {"convert", convert_document},
+      {"trace", trace_picture},
       {"write", write_document},
       {"bytes", document_bytes},
       {"kind", document_kind},

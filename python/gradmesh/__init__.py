@@ -28,6 +28,7 @@ from .errors import HelperError, InputError
 from .pictures import compare, differences, draw, render, report
 from .publishing import Published, publish
 from .session import Pointed, Session, View
+from .tracing import PictureErrors, Tracing, trace
 
 # Fails at once where nothing here can compute.
 _core_in_use()
@@ -46,11 +47,13 @@ __all__ = [
     "HelperError",
     "InputError",
     "MeshInfo",
+    "PictureErrors",
     "Pointed",
     "Progress",
     "Published",
     "Result",
     "Session",
+    "Tracing",
     "Update",
     "View",
     "__version__",
@@ -73,5 +76,6 @@ __all__ = [
     "save",
     "simplify",
     "to_one_mesh",
+    "trace",
     "update",
 ]

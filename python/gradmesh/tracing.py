@@ -1,0 +1,73 @@
+"""Meshes of pictures. Python checks and calls; the core computes."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Optional
+
+from .api import Document, Path, TellProgress, _answers
+from .core import core
+
+
+@dataclass(frozen=True)
+class PictureErrors:
+    """How a painted mesh differs from a picture, both over white."""
+
+    rmse: float  #: the root of the mean square of the differences, in levels, 0 to 255
+    mean: float  #: their mean, in levels
+    flip: float  #: 0 to 1
+
+
+@dataclass(frozen=True)
+class Tracing:
+    """A document of one mesh gradient that looks like a picture."""
+
+    document: Document
+    handles: int
+    patches: int
+    rows: int  #: of patches
+    columns: int
+    errors: PictureErrors
+    errors_without_detail: PictureErrors  #: against the picture without what is smaller than `detail`
+    stopped: bool  #: whether time, or what `progress` returned, ended it early
+    seconds: float
+    advice: Optional[str]  #: what would help, in a sentence, where the mesh does not look like the picture
+
+
+def trace(
+    picture: Path,
+    *,
+    handles: Optional[int] = None,
+    epsilon: Optional[float] = None,
+    detail: Optional[float] = None,
+    resolution: Optional[int] = None,
+    threads: Optional[int] = None,
+    time_budget: Optional[float] = None,
+    progress: Optional[TellProgress] = None,
+) -> Tracing:
+    """Makes an SVG document of the size of a picture, with one mesh gradient that looks like it.
+
+    picture: a file, PNG or JPEG, or what else OpenImageIO reads where the program has it. Raises InputError, whose
+    text is one sentence for the person, where it cannot be read.
+    handles: at most that many, 4 to 100,000; None: 1,000. epsilon: no more handles than this error by FLIP needs,
+    0 to 1; None: 0.03. detail: nothing smaller is followed, in pixels of the picture, 1 or more; None: 1.
+    resolution: the pixels along the longer side at which mesh and picture are compared, 16 or more; None: 700.
+    threads: None or 0 for all cores. time_budget: the seconds after which the best mesh so far is taken; None or 0
+    for no limit. progress: is called with a Progress, and ends the run with the best mesh so far by returning False.
+    Raises ValueError where an option is out of range.
+    """
+    here = core()
+    options = {
+        "handles": handles,
+        "epsilon": epsilon,
+        "detail": detail,
+        "resolution": resolution,
+        "threads": threads,
+        "time_budget": time_budget,
+    }
+    given = {name: value for name, value in options.items() if value is not None}
+    made = here.call("trace", _answers(progress), path=os.fspath(picture), **given)
+    for name in ("errors", "errors_without_detail"):
+        made[name] = PictureErrors(**made[name])
+    return Tracing(**{**made, "document": Document(here.document(made["document"]))})

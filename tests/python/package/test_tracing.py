@@ -1,0 +1,52 @@
+"""A mesh of a picture from Python: gradmesh.trace()."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import gradmesh
+
+
+@pytest.fixture
+def picture(tmp_path):
+    """A file with a soft picture of 90 x 70 pixels."""
+    y, x = np.mgrid[0:70, 0:90]
+    pixels = np.stack([x * 2.5, 255 - y * 3, 128 + 100 * np.sin(x / 20) * np.cos(y / 15)], axis=-1)
+    Image.fromarray(pixels.clip(0, 255).astype("uint8")).save(tmp_path / "soft.png")
+    return tmp_path / "soft.png"
+
+
+def test_a_mesh_that_looks_like_the_picture(picture):
+    traced = gradmesh.trace(picture, handles=100, epsilon=0)
+    (mesh,) = traced.document.meshes
+    assert mesh.handles == traced.handles == (traced.rows + 1) * (traced.columns + 1) <= 100
+    assert traced.patches == traced.rows * traced.columns == mesh.patches
+    assert traced.errors == traced.errors_without_detail
+    assert 0 < traced.errors.mean < traced.errors.rmse < 2 and traced.errors.flip < 0.035
+    assert traced.advice is None and not traced.stopped
+
+
+def test_what_is_not_like_the_picture_comes_with_advice(picture):
+    traced = gradmesh.trace(picture, handles=4)
+    assert traced.handles == 4
+    assert traced.advice.startswith("with 4 handles ") and traced.advice.endswith("Trace Bitmap.")
+
+
+def test_progress_is_told_and_may_end_it(picture):
+    seen = []
+
+    def stop_at_fifty(progress):
+        seen.append(progress.handles)
+        return progress.handles < 50
+
+    traced = gradmesh.trace(picture, epsilon=0, progress=stop_at_fifty)
+    assert traced.stopped and traced.handles == seen[-1] < 80
+    assert seen == sorted(seen)
+
+
+def test_errors_are_python_s_own(picture, tmp_path):
+    for wrong in ({"handles": 3}, {"epsilon": -1}, {"detail": 0}, {"resolution": 1}):
+        with pytest.raises(ValueError):
+            gradmesh.trace(picture, **wrong)
+    with pytest.raises(gradmesh.InputError, match="none.png"):
+        gradmesh.trace(tmp_path / "none.png")
