@@ -87,6 +87,19 @@ RgbaImage without_detail(const RgbaImage& picture, glm::dvec2 page, double detai
   return reducer.image();
 }
 
+/// Returns a narrow picture with each pixel repeated, so that a mesh has the colour of a pixel all
+/// over it, and not only where it is looked at.
+RgbaImage with_wide_pixels(const RgbaImage& picture) {
+  constexpr int narrow = 8;
+  const int times = (narrow + std::min(picture.width, picture.height) - 1) /
+                    std::min(picture.width, picture.height);
+  if (times == 1) return picture;
+  RgbaImage wide(times * picture.width, times * picture.height);
+  for (int y = 0; y < wide.height; ++y)
+    for (int x = 0; x < wide.width; ++x) wide.set_pixel(x, y, picture.pixel(x / times, y / times));
+  return wide;
+}
+
 std::string document_of(const Mesh& mesh, const Mesh& outline, const Frame& frame,
                         glm::dvec2 page) {
   const Translation english = [](const std::string& text) { return text; };
@@ -109,8 +122,9 @@ Tracing trace(const RgbaImage& picture, glm::dvec2 size, const std::string& name
   const GridOptions grid_options{options.handles, [&](const LineGrid& grid) {
                                    return coarse.flip(build_mesh(grid.parts())) <= options.epsilon;
                                  }};
+  const RgbaImage fitted = with_wide_pixels(followed);
   const LineGrid grid =
-      traced_grid(target_of(followed, size.x / followed.width), size, grid_options, watch);
+      traced_grid(target_of(fitted, size.x / fitted.width), size, grid_options, watch);
 
   Tracing result;
   result.rows = grid.rows();

@@ -226,20 +226,30 @@ NormalEquations patch_equations(const LineGrid& grid, int row, int column,
   return equations;
 }
 
-NormalEquations channel_equations(const LineGrid& grid, int row, int column,
-                                  const TargetPicture& target, int channel) {
+std::vector<NormalEquations> channel_equations(const LineGrid& grid, int row, int column,
+                                               const TargetPicture& target) {
   const Surface s = surface_of(grid, row, column, target);
-  NormalEquations equations{{s.corners.begin(), s.corners.end()},
-                            Eigen::MatrixXd::Zero(corner_count, corner_count),
-                            Eigen::VectorXd::Zero(corner_count),
-                            0};
+  const int count = channels(target);
+  // Of colours, and of opacity.
+  std::array<Eigen::Matrix4d, 2> matrix{Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero()};
+  std::array<Eigen::Vector4d, most_channels> rhs;
+  rhs.fill(Eigen::Vector4d::Zero());
+  std::array<double, most_channels> squares{};
   for_each_difference(s, target, [&](glm::dvec2 at, glm::dvec4 weight, glm::dvec4 difference) {
     const Corners w = weights_at(at);
     const Eigen::Map<const Eigen::Vector4d> shares(w.data());
-    equations.matrix += weight[channel] * shares * shares.transpose();
-    equations.rhs -= weight[channel] * difference[channel] * shares;
-    equations.squares += weight[channel] * difference[channel] * difference[channel];
+    const Eigen::Matrix4d product = shares * shares.transpose();
+    matrix[0] += weight[0] * product;
+    if (count == 4) matrix[1] += product;
+    for (int k = 0; k < count; ++k) {
+      const double pull = weight[k] * difference[k];
+      rhs[std::size_t(k)] -= pull * shares;
+      squares[std::size_t(k)] += pull * difference[k];
+    }
   });
+  std::vector<NormalEquations> equations;
+  for (std::size_t k = 0; k < std::size_t(count); ++k)
+    equations.push_back({{s.corners.begin(), s.corners.end()}, matrix[k / 3], rhs[k], squares[k]});
   return equations;
 }
 

@@ -43,10 +43,10 @@ double patch_squares(const LineGrid& grid, int row, int column, const TargetPict
 NormalEquations patch_equations(const LineGrid& grid, int row, int column,
                                 const TargetPicture& target, const GridColumns& columns);
 
-/// Returns the equations of one channel of a patch alone, in columns that are the numbers of the
-/// points. The columns of opacity and colours do not meet, so that each channel is solved alone.
-NormalEquations channel_equations(const LineGrid& grid, int row, int column,
-                                  const TargetPicture& target, int channel);
+/// Returns the equations of a patch for each channel alone, in columns that are the numbers of the
+/// points: colours and opacity do not depend on each other.
+std::vector<NormalEquations> channel_equations(const LineGrid& grid, int row, int column,
+                                               const TargetPicture& target);
 
 /// Returns how many channels of a target count: without opacity where it is opaque.
 inline int channels(const TargetPicture& target) { return target.is_opaque ? 3 : 4; }

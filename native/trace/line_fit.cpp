@@ -141,14 +141,18 @@ class LineFit {
 
 void fit_colors(LineGrid& grid, const TargetPicture& target) {
   const auto count = std::size_t(channels(target));
+  std::vector<std::vector<NormalEquations>> parts(count,
+                                                  std::vector<NormalEquations>(patch_count(grid)));
+  for_each_patch(grid, [&](std::size_t n, int row, int column) {
+    std::vector<NormalEquations> of_patch = channel_equations(grid, row, column, target);
+    for (std::size_t channel = 0; channel < count; ++channel) {
+      draw_together(of_patch[channel], grid, int(channel));
+      parts[channel][n] = std::move(of_patch[channel]);
+    }
+  });
   std::vector<Eigen::VectorXd> steps(count);
   parallel_for(count, [&](std::size_t channel) {
-    std::vector<NormalEquations> parts(patch_count(grid));
-    for_each_patch(grid, [&](std::size_t n, int row, int column) {
-      parts[n] = channel_equations(grid, row, column, target, int(channel));
-      draw_together(parts[n], grid, int(channel));
-    });
-    steps[channel] = solve(parts, Eigen::VectorXd::Zero(grid.points()));
+    steps[channel] = solve(parts[channel], Eigen::VectorXd::Zero(grid.points()));
   });
   for (std::size_t channel = 0; channel < count; ++channel)
     for (int number = 0; number < grid.points() && steps[channel].allFinite(); ++number) {

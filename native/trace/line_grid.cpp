@@ -75,6 +75,17 @@ LineGrid LineGrid::with_line(Along along, int strip) const {
   return finer;
 }
 
+LineGrid LineGrid::without_line(Along along, int line) const {
+  LineGrid coarser = *this;
+  coarser.knots_.clear();
+  const bool is_row = along == Along::rows;
+  (is_row ? coarser.rows_ : coarser.columns_) -= 1;
+  for (int i = 0; i <= rows_; ++i)
+    for (int j = 0; j <= columns_; ++j)
+      if ((is_row ? i : j) != line) coarser.knots_.push_back(knot(i, j));
+  return coarser;
+}
+
 MeshParts LineGrid::parts() const {
   MeshParts parts{{}, grid_curves(rows_, columns_)};
   for (int i = 0; i < rows_; ++i)

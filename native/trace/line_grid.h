@@ -54,6 +54,10 @@ class LineGrid {
   /// of patches of that number. It looks the same.
   LineGrid with_line(Along along, int strip) const;
 
+  /// Returns the grid without the line of points of that number, 1 to rows() - 1 or columns() - 1.
+  /// Patches may fold then.
+  LineGrid without_line(Along along, int line) const;
+
   /// Returns the mesh as build_mesh reads it, row by row.
   MeshParts parts() const;
 

@@ -11,7 +11,9 @@ namespace {
 constexpr double cairo_is_beyond = 0.24;
 
 /// Returns the point within a pixel that is `factor` times as long as before.
-double point_of_larger(double point, double factor) { return 0.5 + (point - 0.5) / factor; }
+double point_of_larger(double point, double factor) {
+  return 0.5 + std::min(0.49, (point - 0.5) / factor);
+}
 
 }  // namespace
 

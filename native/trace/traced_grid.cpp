@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <iterator>
+#include <optional>
 #include <vector>
 
 #include "base/clamped_int.h"
+#include "trace/line_changes.h"
 #include "trace/line_fit.h"
-#include "trace/new_line.h"
 
 namespace gradmesh {
 namespace {
@@ -33,66 +35,93 @@ LineGrid in_whole_levels(LineGrid grid) {
   return grid;
 }
 
+/// Where the lines end up depends on where the first ones were: more than one beginning is tried.
+struct Attempt {
+  /// About how many patches the first grid has each way.
+  double across;
+  std::size_t number, count;
+};
+
+/// What became of an attempt.
+struct Traced {
+  LineGrid grid;
+  double squares;
+  bool is_enough;
+
+  bool is_better_than(const Traced& other) const {
+    if (is_enough != other.is_enough) return is_enough;
+    if (is_enough && grid.points() != other.grid.points())
+      return grid.points() < other.grid.points();
+    return squares < other.squares;
+  }
+};
+
 class Tracer {
  public:
-  Tracer(const TargetPicture& target, glm::dvec2 size, const GridOptions& options, StopWatch& watch)
-      : levels_(pyramid(target)),
+  Tracer(const std::vector<TargetPicture>& levels, glm::dvec2 size, const GridOptions& options,
+         StopWatch& watch, const Attempt& attempt)
+      : levels_(levels),
         options_(options),
         watch_(watch),
-        most_{std::max(1, target.height / 2), std::max(1, target.width / 2), options.points},
+        attempt_(attempt),
+        most_{std::max(1, levels.front().height / 2), std::max(1, levels.front().width / 2),
+              options.points},
         grid_(beginning(size)) {}
 
-  LineGrid run() {
+  Traced run() {
     level_ = std::min<std::size_t>(2, levels_.size() - 1);
     fit({15, 1e-3});
-    while (grow()) {
-    }
+    while (!is_over() && !is_enough() && grow()) fit(shortly);
     while (level_ > 0 && !watch_.is_over()) {
       --level_;
       fit({8, 1e-3});
     }
     settle();
-    while (options_.is_enough && add_line()) fit({10, 1e-3});
-    return in_whole_levels(grid_);
+    while (options_.is_enough && !is_over() && !is_enough() && grow()) fit(longer);
+    while (!watch_.is_over() && take_out()) {
+    }
+    return {in_whole_levels(grid_), squares_, is_enough()};
   }
 
  private:
+  static constexpr FitLength shortly{3, 1e-3}, longer{10, 1e-3}, to_the_end{40, 5e-4};
+
   const TargetPicture& target() const { return levels_[level_]; }
 
   /// Returns an even grid of few, about square patches.
   LineGrid beginning(glm::dvec2 size) const {
-    constexpr double across = 4;
-    const int points = most_.points;
     const double shape = std::sqrt(size.x / size.y);
-    int columns = clamped_int(across * shape + 0.5, 1, std::min(16, most_.columns));
-    int rows = clamped_int(across / shape + 0.5, 1, std::min(16, most_.rows));
-    while ((rows + 1) * (columns + 1) > points && rows + columns > 2)
-      rows >= columns ? --rows : --columns;
+    int columns = clamped_int(attempt_.across * shape + 0.5, 1, std::min(16, most_.columns));
+    int rows = clamped_int(attempt_.across / shape + 0.5, 1, std::min(16, most_.rows));
+    while ((rows + 1) * (columns + 1) > most_.points) rows >= columns ? --rows : --columns;
     return LineGrid(rows, columns, size);
   }
 
   void fit(FitLength length) { squares_ = fit_lines(grid_, target(), evenness_, length); }
 
-  /// Puts one line in, and fits as long as that pays while more lines come. Returns false as
-  /// add_line() does.
-  bool grow() {
-    refine_level();
-    if (!add_line()) return false;
-    fit({3, 1e-3});
-    return true;
+  bool is_over() {
+    const auto points = std::size_t(options_.points);
+    return watch_.should_stop({attempt_.number * points + std::size_t(grid_.points()),
+                               attempt_.count * points, grid_.rows() * grid_.columns(),
+                               rmse(squares_, target()) / 255, grid_.points()});
   }
 
-  /// Puts one line in. Returns false if there is none to put in, or no more are wanted.
-  bool add_line() {
+  bool is_enough() const {
     constexpr double hardly_seen = 0.3;
-    const Progress progress{std::size_t(grid_.points()), std::size_t(options_.points),
-                            grid_.rows() * grid_.columns(), rmse(squares_, target()) / 255,
-                            grid_.points()};
-    if (watch_.should_stop(progress) || rmse(squares_, target()) < hardly_seen) return false;
-    if (options_.is_enough && options_.is_enough(in_whole_levels(grid_))) return false;
-    const std::optional<NewLine> line = best_new_line(grid_, target(), most_);
-    if (!line || !(line->gain > 0)) return false;
-    grid_ = grid_.with_line(line->along, line->strip);
+    return options_.is_enough ? options_.is_enough(in_whole_levels(grid_))
+                              : rmse(squares_, target()) < hardly_seen;
+  }
+
+  /// Puts the best line in. Returns false if there is none that helps.
+  bool grow() {
+    refine_level();
+    return grow(most_);
+  }
+
+  bool grow(const MostLines& most) {
+    const std::optional<LineChange> line = best_new_line(grid_, target(), most);
+    if (!line || !(line->squares > 0)) return false;
+    grid_ = grid_.with_line(line->along, line->number);
     return true;
   }
 
@@ -112,19 +141,58 @@ class Tracer {
 
   /// Fits for long, with less and less that holds the lines even.
   void settle() {
-    constexpr int times = 4;
-    constexpr FitLength to_the_end{40, 5e-4}, some{6, 1e-3};
+    constexpr int times = 4, most_exchanges = 6;
     if (!watch_.is_over()) fit(to_the_end);
+    for (int i = 0; i < most_exchanges && !watch_.is_over() && exchange(); ++i) {
+    }
     for (int i = 0; i < times && !watch_.is_over(); ++i) {
       evenness_ = evenness_.times(0.25);
-      fit(some);
+      fit({6, 1e-3});
     }
     if (!watch_.is_over()) fit(to_the_end);
   }
 
-  const std::vector<TargetPicture> levels_;
+  /// Takes the cheapest line out and puts lines in where they help more now. Returns false if that
+  /// was no better, and nothing has changed.
+  bool exchange() {
+    constexpr double little = 1e-3;
+    const LineGrid before = grid_;
+    const double squares = squares_;
+    MostLines most = most_;
+    if (is_enough()) most.points = before.points();
+    if (!without_cheapest()) return false;
+    fit(shortly);
+    while (grow(most)) fit(shortly);
+    fit(longer);
+    return squares_ < (1 - little) * squares || restore(before, squares);
+  }
+
+  /// Takes the cheapest line out. Returns false if the grid is not enough then, and nothing has
+  /// changed.
+  bool take_out() {
+    const LineGrid before = grid_;
+    const double squares = squares_;
+    if (!is_enough() || !without_cheapest()) return false;
+    fit(longer);
+    return is_enough() || restore(before, squares);
+  }
+
+  bool without_cheapest() {
+    const std::optional<LineChange> line = cheapest_line(grid_, target());
+    if (line) grid_ = grid_.without_line(line->along, line->number);
+    return line.has_value();
+  }
+
+  bool restore(const LineGrid& grid, double squares) {
+    grid_ = grid;
+    squares_ = squares;
+    return false;
+  }
+
+  const std::vector<TargetPicture>& levels_;
   const GridOptions& options_;
   StopWatch& watch_;
+  const Attempt attempt_;
   const MostLines most_;
   LineGrid grid_;
   std::size_t level_ = 0;
@@ -136,7 +204,15 @@ class Tracer {
 
 LineGrid traced_grid(const TargetPicture& target, glm::dvec2 size, const GridOptions& options,
                      StopWatch& watch) {
-  return Tracer(target, size, options, watch).run();
+  const std::vector<TargetPicture> levels = pyramid(target);
+  constexpr double beginnings[] = {6, 5};
+  std::optional<Traced> best;
+  for (std::size_t n = 0; n < std::size(beginnings) && !(best && watch.is_over()); ++n) {
+    Traced found =
+        Tracer(levels, size, options, watch, {beginnings[n], n, std::size(beginnings)}).run();
+    if (!best || found.is_better_than(*best)) best = std::move(found);
+  }
+  return std::move(best->grid);
 }
 
 }  // namespace gradmesh

@@ -9,8 +9,8 @@
 #include "mesh/build.h"
 #include "trace/equations.h"
 #include "trace/evenness.h"
+#include "trace/line_changes.h"
 #include "trace/line_fit.h"
-#include "trace/new_line.h"
 #include "trace/pixels.h"
 #include "trace/traced_grid.h"
 
@@ -178,7 +178,7 @@ TEST(LineFit, finds_the_grid_that_a_picture_was_painted_of) {
   }
 }
 
-TEST(NewLine, goes_where_the_picture_bends) {
+TEST(LineChanges, put_a_line_in_where_the_picture_bends) {
   // Flat, but for a ridge in the lower part.
   const TargetPicture target = painted(80, 80, [](double, double y) {
     const float level = float(255 - 6 * std::min(30.0, std::abs(y - 60)));
@@ -189,10 +189,23 @@ TEST(NewLine, goes_where_the_picture_bends) {
   const auto line = best_new_line(grid, target, {8, 8, 100});
   ASSERT_TRUE(line);
   EXPECT_EQ(line->along, Along::rows);
-  EXPECT_EQ(line->strip, 1);
-  EXPECT_GT(line->gain, 0);
+  EXPECT_EQ(line->number, 1);
+  EXPECT_GT(line->squares, 0);
   EXPECT_FALSE(best_new_line(grid, target, {2, 2, 100}));
   EXPECT_FALSE(best_new_line(grid, target, {8, 8, 11}));
+}
+
+TEST(LineChanges, take_out_the_line_that_is_needed_least) {
+  LineGrid grid = random_grid(3, 3, {90, 90}, 8);
+  const TargetPicture target = picture_of(grid, 90, 90);
+  const LineGrid finer = grid.with_line(Along::columns, 1);
+  const auto line = cheapest_line(finer, target);
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->along, Along::columns);
+  EXPECT_EQ(line->number, 2);
+  EXPECT_NEAR(line->squares, 0, 1);
+  EXPECT_EQ(finer.without_line(line->along, line->number), grid);
+  EXPECT_FALSE(cheapest_line(LineGrid(1, 1, {90, 90}), target));
 }
 
 TEST(TracedGrid, follows_an_edge_with_few_lines) {
@@ -212,6 +225,7 @@ TEST(TracedGrid, needs_four_points_for_what_is_flat) {
   const TargetPicture target =
       painted(40, 30, [](double, double) { return glm::vec4(10, 200, 30, 255); });
   const LineGrid grid = traced(target, {.points = 200});
+  EXPECT_EQ(grid.points(), 4);
   EXPECT_NEAR(rmse(grid, target), 0, 1e-6);
   EXPECT_EQ(grid.knot(0).color, glm::dvec4(10, 200, 30, 255));
 }

@@ -1,0 +1,126 @@
+#include "trace/line_changes.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/parallel.h"
+#include "trace/equations.h"
+
+namespace gradmesh {
+namespace {
+
+/// Strips of patches of a grid, along rows or columns, from one to another, both included.
+struct Strips {
+  Along along;
+  int first, last;
+};
+
+Strips within(const LineGrid& grid, Strips strips) {
+  const int count = strips.along == Along::rows ? grid.rows() : grid.columns();
+  return {strips.along, std::max(0, strips.first), std::min(count - 1, strips.last)};
+}
+
+/// Calls `f(row, column)` for the patches of strips.
+template <class F>
+void for_each_patch(const LineGrid& grid, const Strips& strips, const F& f) {
+  const bool are_rows = strips.along == Along::rows;
+  const int length = are_rows ? grid.columns() : grid.rows();
+  for (int line = strips.first; line <= strips.last; ++line)
+    for (int k = 0; k < length; ++k) are_rows ? f(line, k) : f(k, line);
+}
+
+/// The squares of strips as they are, and as they are expected to be after one step of
+/// Gauss-Newton.
+struct Expected {
+  double before = 0, after = 0;
+};
+
+Expected expected_squares(const LineGrid& grid, const TargetPicture& target, const Strips& strips,
+                          const GridColumns& columns) {
+  // A step of points alone ends before it is whole: lines beside it are in the way.
+  constexpr double place_damping = 0.3;
+  std::vector<NormalEquations> parts;
+  Expected result;
+  Eigen::VectorXd damping = Eigen::VectorXd::Zero(columns.count()), rhs = damping;
+  for_each_patch(grid, strips, [&](int row, int column) {
+    const NormalEquations& part =
+        parts.emplace_back(patch_equations(grid, row, column, target, columns));
+    result.before += part.squares;
+    for (std::size_t a = 0; a < part.columns.size(); ++a)
+      rhs(part.columns[a]) += part.rhs(Eigen::Index(a));
+  });
+  for (int number = 0; number < grid.points(); ++number)
+    for (const int column : {columns.of(number).x, columns.of(number).y})
+      if (column >= 0) damping(column) = place_damping;
+  const Eigen::VectorXd step = solve(parts, damping);
+  result.after = result.before - (step.allFinite() ? rhs.dot(step) : 0);
+  return result;
+}
+
+int points_along(const LineGrid& grid, Along along) {
+  return 1 + (along == Along::rows ? grid.columns() : grid.rows());
+}
+
+double gain_of(const LineGrid& grid, const TargetPicture& target, Along along, int strip) {
+  const LineGrid finer = grid.with_line(along, strip);
+  const Expected expected =
+      expected_squares(finer, target, {along, strip, strip + 1},
+                       GridColumns(finer, target, along, strip + 1, strip + 1));
+  return expected.before - expected.after;
+}
+
+bool folds(const LineGrid& grid, const Strips& strips) {
+  bool any = false;
+  for_each_patch(grid, strips, [&](int row, int column) {
+    for (int corner = 0; corner < 4; ++corner)
+      any = any || !(grid.corner_area(row, column, corner) > 0);
+  });
+  return any;
+}
+
+/// Returns what it costs to take a line out; infinity where a patch would fold.
+double cost_of(const LineGrid& grid, const TargetPicture& target, Along along, int line) {
+  const LineGrid coarser = grid.without_line(along, line);
+  const Strips after = within(coarser, {along, line - 2, line});
+  if (folds(coarser, after)) return std::numeric_limits<double>::infinity();
+  double before = 0;
+  for_each_patch(grid, within(grid, {along, line - 2, line + 1}),
+                 [&](int row, int column) { before += patch_squares(grid, row, column, target); });
+  return expected_squares(coarser, target, after,
+                          GridColumns(coarser, target, along, line - 1, line))
+             .after -
+         before;
+}
+
+}  // namespace
+
+std::optional<LineChange> best_new_line(const LineGrid& grid, const TargetPicture& target,
+                                        const MostLines& most) {
+  std::vector<LineChange> lines;
+  if (grid.rows() < most.rows && (grid.rows() + 2) * (grid.columns() + 1) <= most.points)
+    for (int i = 0; i < grid.rows(); ++i) lines.push_back({Along::rows, i});
+  if (grid.columns() < most.columns && (grid.rows() + 1) * (grid.columns() + 2) <= most.points)
+    for (int j = 0; j < grid.columns(); ++j) lines.push_back({Along::columns, j});
+  parallel_for(lines.size(), [&](std::size_t n) {
+    LineChange& line = lines[n];
+    line.squares = gain_of(grid, target, line.along, line.number) / points_along(grid, line.along);
+  });
+  const auto best = std::ranges::max_element(lines, {}, &LineChange::squares);
+  return best == lines.end() ? std::nullopt : std::optional(*best);
+}
+
+std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPicture& target) {
+  std::vector<LineChange> lines;
+  for (int i = 1; i < grid.rows(); ++i) lines.push_back({Along::rows, i});
+  for (int j = 1; j < grid.columns(); ++j) lines.push_back({Along::columns, j});
+  parallel_for(lines.size(), [&](std::size_t n) {
+    LineChange& line = lines[n];
+    line.squares = cost_of(grid, target, line.along, line.number) / points_along(grid, line.along);
+  });
+  const auto best = std::ranges::min_element(lines, {}, &LineChange::squares);
+  const bool is_there =
+      best != lines.end() && best->squares < std::numeric_limits<double>::infinity();
+  return is_there ? std::optional(*best) : std::nullopt;
+}
+
+}  // namespace gradmesh
