@@ -6,6 +6,8 @@
 
 #include "app/formats.h"
 #include "base/clamped_int.h"
+#include "base/error.h"
+#include "base/limits.h"
 #include "files/box_reducer.h"
 #include "files/image_codec.h"
 #include "files/picture_file.h"
@@ -17,13 +19,17 @@ namespace gradmesh {
 namespace {
 
 void check(const TraceOptions& options) {
-  const auto most = 1e5;
+  constexpr double most = 1e5;
   if (!(options.handles >= 4 && options.handles <= most))
     throw std::invalid_argument("a mesh has 4 to 100000 handles.");
   if (!(options.epsilon >= 0 && options.epsilon <= 1))
     throw std::invalid_argument("epsilon must be between 0 and 1.");
   if (!(options.detail >= 1 && options.detail <= most))
     throw std::invalid_argument("detail must be between 1 and 100000 pixels.");
+  const std::uint64_t patches = limits().patches, handles = std::uint64_t(options.handles);
+  if (handles > patches)
+    throw InputError("{0} handles can be as many patches, {1}.", options.handles,
+                     beyond_limit("patches", patches, handles));
 }
 
 Image on_white(const RgbaImage& picture) {

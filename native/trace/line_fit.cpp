@@ -44,9 +44,9 @@ double allowed_share(LineGrid& grid, int row, int column, glm::dvec2 way, double
   return std::max(0.0, share);
 }
 
-/// Adds to the equations of a channel of a patch that colours at the ends of a side cost a little
-/// where they differ: so that a colour which hardly a pixel shows is that of its neighbours.
-void draw_together(NormalEquations& patch, const LineGrid& grid, int channel) {
+/// Returns the equations of a channel of a patch in which colours at the ends of a side cost a
+/// little where they differ: so that a colour which hardly a pixel shows is that of its neighbours.
+NormalEquations drawn_together(NormalEquations patch, const LineGrid& grid, int channel) {
   constexpr double weight = 0.005, hold = 1e-6;
   Eigen::Vector4d levels;
   for (int k = 0; k < 4; ++k) levels(k) = grid.knot(patch.columns[std::size_t(k)]).color[channel];
@@ -55,6 +55,31 @@ void draw_together(NormalEquations& patch, const LineGrid& grid, int channel) {
   patch.matrix += weight * apart;
   patch.rhs -= weight * apart * levels;
   patch.matrix.diagonal().array() += hold;
+  return patch;
+}
+
+/// Changes a channel of all points by least squares of the patches' equations. Returns the sum of
+/// the squares that is left, which is a square of what changes.
+double fit_channel(LineGrid& grid, int channel, const std::vector<NormalEquations>& patches) {
+  std::vector<NormalEquations> drawn;
+  drawn.reserve(patches.size());
+  for (const NormalEquations& patch : patches)
+    drawn.push_back(drawn_together(patch, grid, channel));
+  Eigen::VectorXd step = solve(drawn, Eigen::VectorXd::Zero(grid.points()));
+  if (!step.allFinite()) step.setZero();
+  for (int number = 0; number < grid.points(); ++number) {
+    double& level = grid.knot(number).color[channel];
+    const double before = level;
+    level = std::clamp(before + step(number), 0.0, 255.0);
+    step(number) = level - before;
+  }
+  double squares = 0;
+  for (const NormalEquations& patch : patches) {
+    Eigen::Vector4d change;
+    for (int k = 0; k < 4; ++k) change(k) = step(patch.columns[std::size_t(k)]);
+    squares += patch.squares - change.dot(2 * patch.rhs - patch.matrix * change);
+  }
+  return squares;
 }
 
 /// One fit: Levenberg and Marquardt, with a damping for all places.
@@ -64,8 +89,7 @@ class LineFit {
       : grid_(grid), target_(target), evenness_(evenness), columns_(grid, target) {}
 
   double run(FitLength length) {
-    fit_colors(grid_, target_);
-    squares_ = squares_of(grid_, target_);
+    squares_ = fit_colors(grid_, target_);
     uneven_ = unevenness(grid_, target_, evenness_);
     for (int step = 0; step < length.steps && damping_ < most_damping; ++step) {
       const double before = squares_;
@@ -83,8 +107,7 @@ class LineFit {
     if (!step.allFinite()) return raise_damping();
     LineGrid moved = grid_;
     move(moved, step);
-    fit_colors(moved, target_);
-    const double squares = squares_of(moved, target_);
+    const double squares = fit_colors(moved, target_);
     const double uneven = unevenness(moved, target_, evenness_);
     if (!(squares + uneven < squares_ + uneven_)) return raise_damping();
     grid_ = std::move(moved);
@@ -139,26 +162,20 @@ class LineFit {
 
 }  // namespace
 
-void fit_colors(LineGrid& grid, const TargetPicture& target) {
+double fit_colors(LineGrid& grid, const TargetPicture& target) {
   const auto count = std::size_t(channels(target));
   std::vector<std::vector<NormalEquations>> parts(count,
                                                   std::vector<NormalEquations>(patch_count(grid)));
   for_each_patch(grid, [&](std::size_t n, int row, int column) {
     std::vector<NormalEquations> of_patch = channel_equations(grid, row, column, target);
-    for (std::size_t channel = 0; channel < count; ++channel) {
-      draw_together(of_patch[channel], grid, int(channel));
+    for (std::size_t channel = 0; channel < count; ++channel)
       parts[channel][n] = std::move(of_patch[channel]);
-    }
   });
-  std::vector<Eigen::VectorXd> steps(count);
+  std::vector<double> squares(count);
   parallel_for(count, [&](std::size_t channel) {
-    steps[channel] = solve(parts[channel], Eigen::VectorXd::Zero(grid.points()));
+    squares[channel] = fit_channel(grid, int(channel), parts[channel]);
   });
-  for (std::size_t channel = 0; channel < count; ++channel)
-    for (int number = 0; number < grid.points() && steps[channel].allFinite(); ++number) {
-      double& level = grid.knot(number).color[int(channel)];
-      level = std::clamp(level + steps[channel](number), 0.0, 255.0);
-    }
+  return std::accumulate(squares.begin(), squares.end(), 0.0);
 }
 
 double squares_of(const LineGrid& grid, const TargetPicture& target) {

@@ -13,8 +13,9 @@ struct FitLength {
   double little;
 };
 
-/// Gives the points of a grid the colours with which its picture is closest to the target.
-void fit_colors(LineGrid& grid, const TargetPicture& target);
+/// Gives the points of a grid the colours with which its picture is closest to the target. Returns
+/// the sum of the squares that is left.
+double fit_colors(LineGrid& grid, const TargetPicture& target);
 
 /// Moves the points of a grid and changes their colours, in steps of Gauss-Newton, so that the
 /// grid's picture comes close to the target (patch_squares) and its lines stay even. No patch folds

@@ -5,9 +5,11 @@
 #include <glm/common.hpp>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/clamped_int.h"
+#include "trace/equations.h"
 #include "trace/line_changes.h"
 #include "trace/line_fit.h"
 
@@ -26,7 +28,7 @@ std::vector<TargetPicture> pyramid(const TargetPicture& target) {
 
 /// Returns the root of the mean of squares, in levels.
 double rmse(double squares, const TargetPicture& target) {
-  return std::sqrt(squares / (3.0 * double(target.samples())));
+  return std::sqrt(squares / (channels(target) * double(target.samples())));
 }
 
 /// Returns the grid with colours as documents have them.
@@ -106,10 +108,13 @@ class Tracer {
                                rmse(squares_, target()) / 255, grid_.points()});
   }
 
-  bool is_enough() const {
+  bool is_enough() {
     constexpr double hardly_seen = 0.3;
-    return options_.is_enough ? options_.is_enough(in_whole_levels(grid_))
-                              : rmse(squares_, target()) < hardly_seen;
+    if (!options_.is_enough) return rmse(squares_, target()) < hardly_seen;
+    // The grid is painted for the answer, which is asked for more than once.
+    if (!judged_ || judged_->first != grid_)
+      judged_ = std::pair(grid_, options_.is_enough(in_whole_levels(grid_)));
+    return judged_->second;
   }
 
   /// Puts the best line in. Returns false if there is none that helps.
@@ -198,6 +203,8 @@ class Tracer {
   std::size_t level_ = 0;
   Evenness evenness_;
   double squares_ = 0;
+  /// The last grid of which it was asked whether it is enough, and the answer.
+  std::optional<std::pair<LineGrid, bool>> judged_;
 };
 
 }  // namespace

@@ -113,6 +113,13 @@ def test_options_out_of_range_are_refused(picture, wrong):
     assert not path.with_suffix(".svg").exists()
 
 
+def test_more_handles_than_a_mesh_may_have_are_refused_before_any_work(picture):
+    path = picture()
+    sentence = refused("trace", path, "-o", path.with_suffix(".svg"), "--handles", "30000")
+    assert sentence.startswith("30000 handles can be as many patches, more than the limit of 20000")
+    assert not path.with_suffix(".svg").exists()
+
+
 def test_a_mesh_for_the_papers_programs(picture, tmp_path):
     out = tmp_path / "ball.hemesh"
     printed("trace", picture(), "-o", out, "--handles", "40")
