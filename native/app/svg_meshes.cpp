@@ -8,6 +8,7 @@
 
 #include "form/handles.h"
 #include "formats/svg/gradient/mesh_gradient.h"
+#include "formats/svg/gradient/paint_shape.h"
 #include "formats/svg/gradient/written_gradient.h"
 #include "formats/svg/group/memory.h"
 #include "formats/svg/group/mesh_group.h"
@@ -213,6 +214,18 @@ std::vector<FilledOutline> SvgMeshes::covered(const std::vector<std::string>& id
   for (const std::string& id : ids)
     for (FilledOutline& filled : covered_area(svg_, id)) all.push_back(std::move(filled));
   return all;
+}
+
+ShapeOnPicture SvgMeshes::shape_on_picture(const std::string& id, glm::dvec2 pixels) const {
+  return gradmesh::shape_on_picture(svg_, id, pixels);
+}
+
+MeshEntry SvgMeshes::paint_shape(const std::string& id, const Mesh& mesh) {
+  const Frame frame = fit_frame(mesh, user_to_document(svg_, id), usual_resolution);
+  gradmesh::paint_shape(changing(), id, mesh, coons_tolerance(frame));
+  mark_changed();
+  list_meshes();
+  return selected({id}).front();
 }
 
 std::shared_ptr<const WritingRules> SvgMeshes::rules(const MeshEntry& entry, bool stays_one) const {

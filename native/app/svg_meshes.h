@@ -5,6 +5,7 @@
 #include "app/document.h"
 #include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/picture/picture.h"
+#include "formats/svg/picture/shape_on_picture.h"
 
 namespace gradmesh {
 
@@ -36,6 +37,13 @@ class SvgMeshes : public Document {
   void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution) override;
   void check_conversion(const Format& to) const override;
   SvgMeshes& as_svg(const Message&) override { return *this; }
+
+  /// Returns where the shape with this id lies on the picture that the document shows, whose file
+  /// is `pixels` large. Throws InputError as shape_to_paint and picture_place do.
+  ShapeOnPicture shape_on_picture(const std::string& id, glm::dvec2 pixels) const;
+  /// Fills the shape with this id by a mesh in its user space (formats/svg/gradient/paint_shape.h),
+  /// and returns its entry. All entries are listed anew.
+  MeshEntry paint_shape(const std::string& id, const Mesh& mesh);
 
   /// Where a mesh is shown.
   struct Place {

@@ -1,18 +1,19 @@
 #include "app/trace.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <stdexcept>
 
 #include "app/formats.h"
+#include "app/picture_part.h"
+#include "app/svg_meshes.h"
 #include "base/clamped_int.h"
 #include "base/error.h"
 #include "base/limits.h"
-#include "files/box_reducer.h"
-#include "files/image_codec.h"
 #include "files/picture_file.h"
+#include "formats/text/excerpt.h"
 #include "mesh/build.h"
-#include "raster/rasterizer.h"
 #include "trace/traced_grid.h"
 
 namespace gradmesh {
@@ -32,84 +33,67 @@ void check(const TraceOptions& options) {
                      beyond_limit("patches", patches, handles));
 }
 
-Image on_white(const RgbaImage& picture) {
-  Image result(picture.width, picture.height);
-  for (int y = 0; y < picture.height; ++y)
-    for (int x = 0; x < picture.width; ++x) {
-      const auto [r, g, b, a] = picture.pixel(x, y);
-      result.set_pixel(x, y, {over_white(r, a), over_white(g, a), over_white(b, a)});
-    }
-  return result;
+glm::dvec2 full_size(const Picture& picture) { return {picture.full_width, picture.full_height}; }
+
+PartOptions part_options(const TraceOptions& options) {
+  return {options.handles, options.epsilon, options.detail};
 }
 
-/// A picture that meshes over (0, 0) to the page's size are compared with.
-class Comparison {
- public:
-  Comparison(const RgbaImage& picture, glm::dvec2 page)
-      : metric_(make_metric(MetricKind::flip, on_white(picture))),
-        // Where a page is painted smaller than it is, cairo's way to sample says nothing of what a
-        // person sees.
-        painter_(page == glm::dvec2(picture.width, picture.height) ? make_cairo_like_rasterizer()
-                                                                   : make_software_rasterizer()) {
-    frame_.width = picture.width;
-    frame_.height = picture.height;
-    frame_.to_pixels = Affine::scaling(glm::dvec2(picture.width, picture.height) / page);
-  }
-
-  const Frame& frame() const { return frame_; }
-  double flip(const Mesh& mesh) const { return mean(metric_->map(painter_->paint(mesh, frame_))); }
-
-  PictureErrors errors(const Mesh& mesh) const {
-    const Image painted = painter_->paint(mesh, frame_);
-    double squares = 0, sum = 0;
-    for (std::size_t i = 0; i < painted.samples.size(); ++i) {
-      const double difference = double(painted.samples[i]) - metric_->reference().samples[i];
-      squares += difference * difference;
-      sum += std::abs(difference);
-    }
-    const auto count = double(painted.samples.size());
-    return {std::sqrt(squares / count), sum / count, mean(metric_->map(painted))};
-  }
-
- private:
-  const std::unique_ptr<Metric> metric_;
-  const std::unique_ptr<Rasterizer> painter_;
-  Frame frame_;
-};
-
-/// Returns the picture without what is smaller than `detail` pixels of the page.
-RgbaImage without_detail(const RgbaImage& picture, glm::dvec2 page, double detail) {
-  const int longest = std::max(picture.width, picture.height);
-  const double wanted = std::max(page.x, page.y) / detail;
-  if (wanted >= longest) return picture;
-  BoxReducer reducer(picture.width, picture.height, clamped_int(wanted + 0.5, 1, longest));
-  std::vector<std::uint16_t> row(4 * std::size_t(picture.width));
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x)
-      for (int k = 0; k < 4; ++k)
-        row[std::size_t(4 * x + k)] = std::uint16_t(257 * *picture.at(x, y, k));
-    reducer.add_row(row.data());
-  }
-  return reducer.image();
-}
-
-/// Returns a narrow picture with each pixel repeated, so that a mesh has the colour of a pixel all
-/// over it, and not only where it is looked at.
-RgbaImage with_wide_pixels(const RgbaImage& picture) {
-  constexpr int narrow = 8;
-  const int times = (narrow + std::min(picture.width, picture.height) - 1) /
-                    std::min(picture.width, picture.height);
-  if (times == 1) return picture;
-  RgbaImage wide(times * picture.width, times * picture.height);
-  for (int y = 0; y < wide.height; ++y)
-    for (int x = 0; x < wide.width; ++x) wide.set_pixel(x, y, picture.pixel(x / times, y / times));
-  return wide;
-}
-
-std::string document_of(const Mesh& mesh, const Mesh& outline, const Frame& frame,
-                        glm::dvec2 page) {
+/// Returns a document of one mesh on a page of this size, all of which its object covers.
+std::string document_of(const Mesh& mesh, glm::dvec2 page, const Frame& frame) {
+  const Mesh outline = build_mesh(LineGrid(1, 1, page).parts());
   const Translation english = [](const std::string& text) { return text; };
   return format_named("svg").write({mesh, outline, frame, page, english});
+}
+
+SvgMeshes& as_svg(Document& document) {
+  return document.as_svg(Message("{0}: only an SVG document holds outlines.", document.name()));
+}
+
+/// Returns the window of a picture's pixels around a shape that is in pixels of its file.
+Window window_around(const Outline& shape, const Picture& picture) {
+  // So many more pixels each way as the metric looks at around those that count.
+  constexpr int around = 8;
+  const RgbaImage& image = picture.image;
+  const Affine to_image =
+      Affine::scaling(glm::dvec2(image.width, image.height) / full_size(picture));
+  const Box box = bounding_box(mapped(shape, to_image));
+  return Window{clamped_int(std::floor(box.low().x), 0, image.width),
+                clamped_int(std::floor(box.low().y), 0, image.height),
+                clamped_int(std::ceil(box.high().x), 0, image.width),
+                clamped_int(std::ceil(box.high().y), 0, image.height)}
+      .grown(around)
+      .clipped(image.window());
+}
+
+/// Returns the part of a picture around a shape.
+PicturePart part_around(const Picture& picture, const ShapeOnPicture& on) {
+  const RgbaImage& image = picture.image;
+  const Window window = window_around(on.shape.outline, picture);
+  const glm::dvec2 pixel = full_size(picture) / glm::dvec2(image.width, image.height);
+  const glm::dvec2 corner = pixel * glm::dvec2(window.x0, window.y0);
+  PicturePart part{RgbaImage(window.width(), window.height()),
+                   pixel * glm::dvec2(window.width(), window.height()),
+                   on.to_mesh * Affine::translation(corner), on.scale,
+                   mapped(on.shape, Affine::translation(-corner))};
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      part.image.set_pixel(x - window.x0, y - window.y0, image.pixel(x, y));
+  return part;
+}
+
+/// Fills in what is told of the mesh that was written into the document.
+void tell(Tracing& result, const TracedPart& traced, const MeshEntry& entry,
+          const PartTracer& tracer, const StopWatch& watch) {
+  const Mesh& written = result.document->mesh(entry);
+  result.id = entry.id;
+  result.rows = traced.rows;
+  result.columns = traced.columns;
+  result.was_stopped = watch.reason() != StopWatch::Reason::none;
+  result.counts = counts_of(written);
+  result.errors = tracer.errors(written);
+  result.errors_without_detail = tracer.errors_without_detail(written);
+  result.seconds = watch.seconds();
 }
 
 nlohmann::ordered_json errors_json(const PictureErrors& errors) {
@@ -118,31 +102,35 @@ nlohmann::ordered_json errors_json(const PictureErrors& errors) {
 
 }  // namespace
 
-Tracing trace(const RgbaImage& picture, glm::dvec2 size, const std::string& name,
-              const TraceOptions& options) {
+Tracing trace(const Picture& picture, const std::string& name, const TraceOptions& options) {
   check(options);
   const ThreadLimit limit(options.threads);
   StopWatch watch(options.time_budget, options.progress);
-  const RgbaImage followed = without_detail(picture, size, options.detail);
-  const Comparison exact(picture, size), coarse(followed, size);
-  const GridOptions grid_options{options.handles, [&](const LineGrid& grid) {
-                                   return coarse.flip(build_mesh(grid.parts())) <= options.epsilon;
-                                 }};
-  const RgbaImage fitted = with_wide_pixels(followed);
-  const LineGrid grid =
-      traced_grid(target_of(fitted, size.x / fitted.width), size, grid_options, watch);
-
+  const glm::dvec2 size = full_size(picture);
+  const PartTracer tracer({picture.image, size, {}}, part_options(options));
+  const TracedPart traced = tracer.run(watch);
+  const std::string content = document_of(traced.mesh, size, tracer.frame());
   Tracing result;
-  result.rows = grid.rows();
-  result.columns = grid.columns();
-  result.was_stopped = watch.reason() != StopWatch::Reason::none;
-  const Mesh mesh = build_mesh(grid.parts()), outline = build_mesh(LineGrid(1, 1, size).parts());
-  result.document = format_named("svg").read(document_of(mesh, outline, exact.frame(), size), name);
-  const Mesh& written = result.document->mesh(result.document->meshes().front());
-  result.counts = counts_of(written);
-  result.errors = exact.errors(written);
-  result.errors_without_detail = coarse.errors(written);
-  result.seconds = watch.seconds();
+  result.document = format_named("svg").read(content, name);
+  tell(result, traced, result.document->meshes().front(), tracer, watch);
+  return result;
+}
+
+Tracing trace_shape(const Picture& picture, std::unique_ptr<Document> document,
+                    const std::string& id, const TraceOptions& options) {
+  check(options);
+  const ThreadLimit limit(options.threads);
+  StopWatch watch(options.time_budget, options.progress);
+  SvgMeshes& svg = as_svg(*document);
+  const PartTracer tracer(part_around(picture, svg.shape_on_picture(id, full_size(picture))),
+                          part_options(options));
+  if (!tracer.has_pixels())
+    throw InputError("{0}: {1} does not lie on the picture.", svg.name(), excerpt(id));
+  const TracedPart traced = tracer.run(watch);
+  const MeshEntry entry = svg.paint_shape(id, traced.mesh);
+  Tracing result;
+  result.document = std::move(document);
+  tell(result, traced, entry, tracer, watch);
   return result;
 }
 
@@ -150,8 +138,25 @@ Tracing trace_file(const std::filesystem::path& picture, int resolution, const s
                    const TraceOptions& options) {
   check(options);
   check_resolution(resolution);
-  const Picture read = read_picture(picture, resolution);
-  return trace(read.image, {read.full_width, read.full_height}, name, options);
+  return trace(read_picture(picture, resolution), name, options);
+}
+
+Tracing trace_file_in_shape(const std::filesystem::path& picture, int resolution,
+                            const std::filesystem::path& outline, const std::string& id,
+                            const TraceOptions& options) {
+  check(options);
+  check_resolution(resolution);
+  std::unique_ptr<Document> document = Document::read_file(outline);
+  Picture read = read_picture(picture, resolution);
+  // The shape is to have the resolution, and not the picture around it.
+  const glm::dvec2 size = full_size(read);
+  const glm::dvec2 shape =
+      bounding_box(as_svg(*document).shape_on_picture(id, size).shape.outline).size();
+  const double longest = std::max(size.x, size.y);
+  const double wanted = resolution * longest / std::max({shape.x, shape.y, 1.0});
+  if (wanted < resolution || longest > resolution)
+    read = read_picture(picture, clamped_int(std::min(wanted, longest), 1, INT_MAX));
+  return trace_shape(read, std::move(document), id, options);
 }
 
 nlohmann::ordered_json tracing_json(const Tracing& tracing) {

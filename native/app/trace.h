@@ -7,8 +7,9 @@
 #include <string>
 
 #include "app/document.h"
-#include "base/image.h"
+#include "app/picture_comparison.h"
 #include "base/progress.h"
+#include "files/picture_file.h"
 #include "form/counts.h"
 #include "simplify/options.h"
 
@@ -30,18 +31,13 @@ struct TraceOptions {
   ProgressCallback progress = {};
 };
 
-/// How a painted mesh differs from a picture, both over white.
-struct PictureErrors {
-  /// The root of the mean square and the mean of the differences, in levels, 0..255.
-  double rmse = 0, mean = 0;
-  /// 0..1.
-  double flip = 0;
-};
-
 /// What became of a picture.
 struct Tracing {
-  /// An SVG document of the size of the picture with one mesh gradient over all of it.
+  /// An SVG document with one mesh gradient: over a page of the size of the picture, or on a shape
+  /// in the document that the shape is in.
   std::unique_ptr<Document> document;
+  /// The object that has the mesh.
+  std::string id;
   MeshCounts counts;
   int rows = 0, columns = 0;
   PictureErrors errors;
@@ -52,18 +48,29 @@ struct Tracing {
   double seconds = 0;
 };
 
-/// Makes a mesh that looks like a picture. `size` is that of the page, in pixels, of which
-/// `picture` may be a smaller image; `name` stands in messages. The errors are those of the
-/// document: where the picture has the size of the page, of what Inkscape paints of it. Throws
-/// std::invalid_argument if an option is out of range.
-Tracing trace(const RgbaImage& picture, glm::dvec2 size, const std::string& name,
-              const TraceOptions& options);
+/// Makes a mesh that looks like a picture, over a page of the size of its file; `name` stands in
+/// messages. The errors are those of the document: where the picture was not reduced, of what
+/// Inkscape paints of it. Throws std::invalid_argument if an option is out of range.
+Tracing trace(const Picture& picture, const std::string& name, const TraceOptions& options);
+
+/// Fills the shape with this id, in an SVG document that shows the picture (SvgMeshes::
+/// shape_on_picture), by a mesh that looks like the picture there. Only what is in the shape counts
+/// in the errors. Throws as trace does, and InputError if the document has no such shape or does
+/// not show the picture, and if none of the picture is in the shape.
+Tracing trace_shape(const Picture& picture, std::unique_ptr<Document> document,
+                    const std::string& id, const TraceOptions& options);
 
 /// Makes a mesh that looks like the picture of a file, which is reduced to `resolution` pixels
 /// along the longer side; `name` is that of the document. Throws InputError where it cannot be read
 /// (files/picture_file.h), std::invalid_argument also if the resolution is out of range.
 Tracing trace_file(const std::filesystem::path& picture, int resolution, const std::string& name,
                    const TraceOptions& options);
+
+/// Fills the shape with this id in the SVG document of a file, as trace_shape does, by a mesh of
+/// the picture of another file, which is reduced so that the shape is `resolution` pixels long.
+Tracing trace_file_in_shape(const std::filesystem::path& picture, int resolution,
+                            const std::filesystem::path& outline, const std::string& id,
+                            const TraceOptions& options);
 
 /// Returns all of it but the document, as --report and Python have it.
 nlohmann::ordered_json tracing_json(const Tracing& tracing);

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/convert.h"
+#include "base/utf8_path.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
@@ -13,10 +14,18 @@ namespace {
 
 struct TraceArguments {
   std::filesystem::path in, out, report;
+  /// FILE.svg#ID; empty for the whole picture.
+  std::string outline;
   TraceOptions options;
   int resolution = usual_resolution;
   bool quiet = false;
 };
+
+std::string check_outline(const std::string& text) {
+  const std::size_t at = text.rfind('#');
+  const bool has_both = at != text.npos && at > 0 && at + 1 < text.size();
+  return has_both ? "" : "a file and the id of a shape in it are needed: FILE.svg#ID";
+}
 
 void print_result(const Tracing& traced, double detail) {
   const auto print_errors = [](const char* against, const PictureErrors& e) {
@@ -29,25 +38,33 @@ void print_result(const Tracing& traced, double detail) {
   if (detail > 1) print_errors(" without detail", traced.errors_without_detail);
 }
 
-/// Writes the mesh in the format that the path's extension names.
-void write(const Document& document, const std::filesystem::path& path) {
+/// Writes the document, or the mesh alone in the format that the path's extension names.
+void write(const Tracing& traced, const std::filesystem::path& path) {
+  const Document& document = *traced.document;
   const Format* format = format_of(path);
   if (!format || *format == document.format()) return document.write_file(path);
-  convert(document, document.meshes().front(), *format, {}).document->write_file(path);
+  convert(document, document.selected({traced.id}).front(), *format, {}).document->write_file(path);
+}
+
+Tracing traced(const TraceArguments& a) {
+  if (a.outline.empty()) return trace_file(a.in, a.resolution, a.out.string(), a.options);
+  const std::size_t at = a.outline.rfind('#');
+  return trace_file_in_shape(a.in, a.resolution, utf8_path(a.outline.substr(0, at)),
+                             a.outline.substr(at + 1), a.options);
 }
 
 void run_trace(TraceArguments& a) {
-  Tracing traced;
+  Tracing made;
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
-    traced = trace_file(a.in, a.resolution, a.out.string(), a.options);
+    made = traced(a);
   }
-  if (!a.report.empty()) write_bytes(a.report, tracing_json(traced).dump(2) + "\n");
-  write(*traced.document, a.out);
+  if (!a.report.empty()) write_bytes(a.report, tracing_json(made).dump(2) + "\n");
+  write(made, a.out);
   if (a.quiet) return;
-  print_result(traced, a.options.detail);
-  if (const std::optional<Message> help = what_would_help(traced))
+  print_result(made, a.options.detail);
+  if (const std::optional<Message> help = what_would_help(made))
     std::fprintf(stderr, "gradmesh: %s: %s\n", a.in.string().c_str(), help->english().c_str());
 }
 
@@ -60,6 +77,12 @@ void add_trace(CLI::App& program) {
   add_path(command, "PICTURE", a->in, "A photograph or another picture: PNG, JPEG and more")
       ->required();
   add_path(command, "-o,--output", a->out, "Where to write the document")->required();
+  command
+      .add_option(
+          "--outline", a->outline,
+          "FILE.svg#ID: a shape on the picture, which becomes the mesh; the document with it "
+          "is written")
+      ->check(check_outline);
   command.add_option("--handles", a->options.handles, "At most that many points")
       ->check(CLI::Range(4, 100000))
       ->capture_default_str();

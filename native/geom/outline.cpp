@@ -1,11 +1,25 @@
 #include "geom/outline.h"
 
+#include <utility>
+
 namespace gradmesh {
 
 Outline mapped(Outline outline, const Affine& map) {
   for (std::vector<glm::dvec2>& polygon : outline)
     for (glm::dvec2& p : polygon) p = map.point(p);
   return outline;
+}
+
+Box bounding_box(const Outline& outline) {
+  Box box;
+  for (const std::vector<glm::dvec2>& polygon : outline)
+    for (const glm::dvec2 p : polygon) box.add(p);
+  return box;
+}
+
+FilledOutline mapped(FilledOutline area, const Affine& map) {
+  area.outline = mapped(std::move(area.outline), map);
+  return area;
 }
 
 bool contains(const FilledOutline& area, glm::dvec2 place) {

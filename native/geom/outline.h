@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/affine.h"
+#include "geom/box.h"
 
 namespace gradmesh {
 
@@ -13,6 +14,9 @@ using Outline = std::vector<std::vector<glm::dvec2>>;
 /// Returns the outline with all its points mapped.
 Outline mapped(Outline outline, const Affine& map);
 
+/// Returns the box around an outline.
+Box bounding_box(const Outline& outline);
+
 /// SVG's fill-rule: which points lie inside an outline.
 enum class FillRule { nonzero, evenodd };
 
@@ -20,6 +24,9 @@ struct FilledOutline {
   Outline outline;
   FillRule rule = FillRule::nonzero;
 };
+
+/// Returns the area with all its points mapped.
+FilledOutline mapped(FilledOutline area, const Affine& map);
 
 /// Returns true if a place lies inside.
 bool contains(const FilledOutline& area, glm::dvec2 place);

@@ -46,9 +46,14 @@ Json trace_picture(const Call& call) {
   options.threads = call.get("threads", options.threads);
   options.time_budget = call.get("time_budget", options.time_budget);
   options.progress = call.progress();
-  Tracing traced = trace_file(path_argument(call, "path"), measure_options(call).resolution,
-                              call.get<std::string>("path"), options);
+  const std::filesystem::path path = path_argument(call, "path");
+  const int resolution = measure_options(call).resolution;
+  Tracing traced = call.has("outline")
+                       ? trace_file_in_shape(path, resolution, path_argument(call, "outline"),
+                                             call.get<std::string>("id"), options)
+                       : trace_file(path, resolution, call.get<std::string>("path"), options);
   Json result = tracing_json(traced);
+  result["id"] = traced.id;
   const std::optional<Message> advice = what_would_help(traced);
   result["advice"] = advice ? Json(advice->english()) : Json();
   result["document"] = call.add(std::move(traced.document));

@@ -63,21 +63,23 @@ Surface surface_of(const LineGrid& grid, int row, int column, const TargetPictur
   return {quad, corners, QuadColors(colors)};
 }
 
-/// How much the channels of a pixel count.
-glm::dvec4 channel_weights(const glm::vec4& pixel) {
-  const double color = double(pixel.a) * double(pixel.a) / (255.0 * 255.0);
-  return {color, color, color, 1.0};
+/// How much the channels of a pixel count that itself counts by its weight.
+glm::dvec4 channel_weights(const glm::vec4& pixel, double weight) {
+  const double color = weight * double(pixel.a) * double(pixel.a) / (255.0 * 255.0);
+  return {color, color, color, weight};
 }
 
 /// Calls `f(weights of corners, weights of channels, difference, map of places, u, v)` at the
 /// pixels of a surface.
 template <class F>
 void for_each_difference(const Surface& s, const TargetPicture& target, const F& f) {
-  for_each_pixel(s.quad, target.width, target.height, target.point,
-                 [&](int x, int y, glm::dvec2 at) {
-                   const glm::vec4& wanted = target.at(x, y);
-                   f(at, channel_weights(wanted), s.colors.at(at.x, at.y) - glm::dvec4(wanted));
-                 });
+  for_each_pixel(
+      s.quad, target.width, target.height, target.point, [&](int x, int y, glm::dvec2 at) {
+        const glm::vec4& wanted = target.at(x, y);
+        const double weight = target.weight(x, y);
+        if (weight == 0) return;
+        f(at, channel_weights(wanted, weight), s.colors.at(at.x, at.y) - glm::dvec4(wanted));
+      });
 }
 
 /// The sums over the pixels of a patch of which its equations consist; of pairs of corners those
@@ -128,7 +130,7 @@ Sums sums_of(const Surface& s, const TargetPicture& target) {
     for_each_pair([&](std::size_t a, std::size_t b, std::size_t n) {
       const double ww = w[a] * w[b];
       sums.color[n] += weight[0] * ww;
-      if (Channels == 4) sums.opacity[n] += ww;
+      if (Channels == 4) sums.opacity[n] += weight[3] * ww;
       sums.place[0][n] += xx * ww;
       sums.place[1][n] += xy * ww;
       sums.place[2][n] += yy * ww;
@@ -240,7 +242,7 @@ std::vector<NormalEquations> channel_equations(const LineGrid& grid, int row, in
     const Eigen::Map<const Eigen::Vector4d> shares(w.data());
     const Eigen::Matrix4d product = shares * shares.transpose();
     matrix[0] += weight[0] * product;
-    if (count == 4) matrix[1] += product;
+    if (count == 4) matrix[1] += weight[3] * product;
     for (int k = 0; k < count; ++k) {
       const double pull = weight[k] * difference[k];
       rhs[std::size_t(k)] -= pull * shares;

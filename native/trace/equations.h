@@ -33,8 +33,8 @@ class GridColumns {
   int count_ = 0;
 };
 
-/// Returns the sum of the squares by which the pixels of a patch differ from the target, in levels:
-/// colours count by the square of the target's opacity.
+/// Returns the sum of the squares by which the pixels of a patch differ from the target, in levels,
+/// each by its weight: colours count by the square of the target's opacity, too.
 double patch_squares(const LineGrid& grid, int row, int column, const TargetPicture& target);
 
 /// Returns the equations of a patch to first order in what the columns number, as those of

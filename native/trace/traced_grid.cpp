@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,7 +27,7 @@ std::vector<TargetPicture> pyramid(const TargetPicture& target) {
 
 /// Returns the root of the mean of squares, in levels.
 double rmse(double squares, const TargetPicture& target) {
-  return std::sqrt(squares / (channels(target) * double(target.samples())));
+  return std::sqrt(squares / (channels(target) * std::max(1.0, target.counted())));
 }
 
 /// Returns the grid with colours as documents have them.
@@ -37,40 +36,33 @@ LineGrid in_whole_levels(LineGrid grid) {
   return grid;
 }
 
-/// Where the lines end up depends on where the first ones were: more than one beginning is tried.
-struct Attempt {
-  /// About how many patches the first grid has each way.
-  double across;
+bool is_better(const TracedGrid& a, const TracedGrid& b) {
+  if (a.is_enough != b.is_enough) return a.is_enough;
+  if (a.is_enough && a.grid.points() != b.grid.points()) return a.grid.points() < b.grid.points();
+  return a.squares < b.squares;
+}
+
+/// Which of the beginnings is tried.
+struct Turn {
   std::size_t number, count;
 };
 
-/// What became of an attempt.
-struct Traced {
-  LineGrid grid;
-  double squares;
-  bool is_enough;
-
-  bool is_better_than(const Traced& other) const {
-    if (is_enough != other.is_enough) return is_enough;
-    if (is_enough && grid.points() != other.grid.points())
-      return grid.points() < other.grid.points();
-    return squares < other.squares;
-  }
-};
+/// At most how many lines and points a grid may have for a target: a patch has two pixels each way.
+MostLines most_lines(const TargetPicture& target, int points) {
+  return {std::max(1, target.height / 2), std::max(1, target.width / 2), points};
+}
 
 class Tracer {
  public:
-  Tracer(const std::vector<TargetPicture>& levels, glm::dvec2 size, const GridOptions& options,
-         StopWatch& watch, const Attempt& attempt)
-      : levels_(levels),
-        options_(options),
+  Tracer(const Beginning& beginning, int points, StopWatch& watch, Turn turn)
+      : levels_(pyramid(*beginning.target)),
+        is_enough_(beginning.is_enough),
         watch_(watch),
-        attempt_(attempt),
-        most_{std::max(1, levels.front().height / 2), std::max(1, levels.front().width / 2),
-              options.points},
-        grid_(beginning(size)) {}
+        turn_(turn),
+        most_(most_lines(*beginning.target, points)),
+        grid_(beginning.grid) {}
 
-  Traced run() {
+  TracedGrid run() {
     level_ = std::min<std::size_t>(2, levels_.size() - 1);
     fit({15, 1e-3});
     while (!is_over() && !is_enough() && grow()) fit(shortly);
@@ -79,10 +71,11 @@ class Tracer {
       fit({8, 1e-3});
     }
     settle();
-    while (options_.is_enough && !is_over() && !is_enough() && grow()) fit(longer);
+    while (is_enough_ && !is_over() && !is_enough() && grow()) fit(longer);
     while (!watch_.is_over() && take_out()) {
     }
-    return {in_whole_levels(grid_), squares_, is_enough()};
+    const bool enough = is_enough();
+    return {in_whole_levels(grid_), turn_.number, squares_, enough};
   }
 
  private:
@@ -90,30 +83,21 @@ class Tracer {
 
   const TargetPicture& target() const { return levels_[level_]; }
 
-  /// Returns an even grid of few, about square patches.
-  LineGrid beginning(glm::dvec2 size) const {
-    const double shape = std::sqrt(size.x / size.y);
-    int columns = clamped_int(attempt_.across * shape + 0.5, 1, std::min(16, most_.columns));
-    int rows = clamped_int(attempt_.across / shape + 0.5, 1, std::min(16, most_.rows));
-    while ((rows + 1) * (columns + 1) > most_.points) rows >= columns ? --rows : --columns;
-    return LineGrid(rows, columns, size);
-  }
-
   void fit(FitLength length) { squares_ = fit_lines(grid_, target(), evenness_, length); }
 
   bool is_over() {
-    const auto points = std::size_t(options_.points);
-    return watch_.should_stop({attempt_.number * points + std::size_t(grid_.points()),
-                               attempt_.count * points, grid_.rows() * grid_.columns(),
+    const auto points = std::size_t(most_.points);
+    return watch_.should_stop({turn_.number * points + std::size_t(grid_.points()),
+                               turn_.count * points, grid_.rows() * grid_.columns(),
                                rmse(squares_, target()) / 255, grid_.points()});
   }
 
   bool is_enough() {
     constexpr double hardly_seen = 0.3;
-    if (!options_.is_enough) return rmse(squares_, target()) < hardly_seen;
+    if (!is_enough_) return rmse(squares_, target()) < hardly_seen;
     // The grid is painted for the answer, which is asked for more than once.
     if (!judged_ || judged_->first != grid_)
-      judged_ = std::pair(grid_, options_.is_enough(in_whole_levels(grid_)));
+      judged_ = std::pair(grid_, is_enough_(in_whole_levels(grid_)));
     return judged_->second;
   }
 
@@ -194,10 +178,10 @@ class Tracer {
     return false;
   }
 
-  const std::vector<TargetPicture>& levels_;
-  const GridOptions& options_;
+  const std::vector<TargetPicture> levels_;
+  const std::function<bool(const LineGrid&)>& is_enough_;
   StopWatch& watch_;
-  const Attempt attempt_;
+  const Turn turn_;
   const MostLines most_;
   LineGrid grid_;
   std::size_t level_ = 0;
@@ -209,17 +193,27 @@ class Tracer {
 
 }  // namespace
 
-LineGrid traced_grid(const TargetPicture& target, glm::dvec2 size, const GridOptions& options,
-                     StopWatch& watch) {
-  const std::vector<TargetPicture> levels = pyramid(target);
-  constexpr double beginnings[] = {6, 5};
-  std::optional<Traced> best;
-  for (std::size_t n = 0; n < std::size(beginnings) && !(best && watch.is_over()); ++n) {
-    Traced found =
-        Tracer(levels, size, options, watch, {beginnings[n], n, std::size(beginnings)}).run();
-    if (!best || found.is_better_than(*best)) best = std::move(found);
+std::vector<LineGrid> even_grids(const TargetPicture& target, glm::dvec2 size, int points) {
+  constexpr int most_at_first = 16;
+  const MostLines most = most_lines(target, points);
+  std::vector<LineGrid> grids;
+  const double shape = std::sqrt(size.x / size.y);
+  for (const double across : {6.0, 5.0}) {
+    int columns = clamped_int(across * shape + 0.5, 1, std::min(most_at_first, most.columns));
+    int rows = clamped_int(across / shape + 0.5, 1, std::min(most_at_first, most.rows));
+    while ((rows + 1) * (columns + 1) > points) rows >= columns ? --rows : --columns;
+    grids.emplace_back(rows, columns, size);
   }
-  return std::move(best->grid);
+  return grids;
+}
+
+TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, StopWatch& watch) {
+  std::optional<TracedGrid> best;
+  for (std::size_t n = 0; n < beginnings.size() && !(best && watch.is_over()); ++n) {
+    TracedGrid found = Tracer(beginnings[n], points, watch, {n, beginnings.size()}).run();
+    if (!best || is_better(found, *best)) best = std::move(found);
+  }
+  return *std::move(best);
 }
 
 }  // namespace gradmesh

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "base/progress.h"
 #include "trace/line_grid.h"
@@ -8,20 +9,36 @@
 
 namespace gradmesh {
 
-struct GridOptions {
-  /// At most how many points the grid may have, at least 4.
-  int points = 1000;
+/// A grid with which a trace begins, and the picture that it is to look like. Where lines end up
+/// depends on where the first ones were, so more than one beginning is tried.
+struct Beginning {
+  const TargetPicture* target;
+  LineGrid grid;
   /// Returns true if a grid is close enough to the picture, which then is not followed further, and
   /// of whose lines those are taken out that it does not need. Nothing for what is no difference in
   /// whole levels.
   std::function<bool(const LineGrid&)> is_enough = {};
 };
 
-/// Returns a grid over (0, 0) to `size` whose picture is close to the target, with colours in whole
-/// levels. Lines are put in one after the other where they gain most, exchanged and taken out, and
-/// all is fitted again, on smaller pictures first. Where the watch stops it, returns the best grid
-/// so far.
-LineGrid traced_grid(const TargetPicture& target, glm::dvec2 size, const GridOptions& options,
-                     StopWatch& watch);
+/// Returns even grids for a target over (0, 0) to `size`, of few, about square patches and at most
+/// `points` points.
+std::vector<LineGrid> even_grids(const TargetPicture& target, glm::dvec2 size, int points);
+
+/// What became of a beginning.
+struct TracedGrid {
+  LineGrid grid;
+  /// Which one it was.
+  std::size_t beginning;
+  /// The sum of the squares that is left (patch_squares).
+  double squares;
+  bool is_enough;
+};
+
+/// Returns the grid of at most `points` points, 4 or more, that came of the beginnings and is the
+/// best: of the fewest points if one is enough, else the closest to its picture. Colours are in
+/// whole levels. Lines are put in one after the other where they gain most, exchanged and taken
+/// out, and all is fitted again, on smaller pictures first. Where the watch stops it, returns the
+/// best grid so far.
+TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, StopWatch& watch);
 
 }  // namespace gradmesh

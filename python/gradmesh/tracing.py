@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Optional
+from typing import Optional, Tuple
 
 from .api import Document, Path, TellProgress, _answers
 from .core import core
@@ -21,9 +21,10 @@ class PictureErrors:
 
 @dataclass(frozen=True)
 class Tracing:
-    """A document of one mesh gradient that looks like a picture."""
+    """A document with a mesh gradient that looks like a picture, or like what of it is in a shape."""
 
     document: Document
+    id: str  #: of the object that has the mesh
     handles: int
     patches: int
     rows: int  #: of patches
@@ -38,6 +39,7 @@ class Tracing:
 def trace(
     picture: Path,
     *,
+    outline: Optional[Tuple[Path, str]] = None,
     handles: Optional[int] = None,
     epsilon: Optional[float] = None,
     detail: Optional[float] = None,
@@ -50,6 +52,9 @@ def trace(
 
     picture: a file, PNG or JPEG, or what else OpenImageIO reads where the program has it. Raises InputError, whose
     text is one sentence for the person, where it cannot be read.
+    outline: an SVG file and the id of a shape in it, which becomes the mesh: the document is that one. It lies on the
+    picture where the file shows one, or else on the page, which the picture fills. Raises InputError where there is no
+    such shape, or where it does not lie on the picture. None: the whole picture.
     handles: at most that many, 4 to 100,000; None: 1,000. epsilon: no more handles than this error by FLIP needs,
     0 to 1; None: 0.03. detail: nothing smaller is followed, in pixels of the picture, 1 or more; None: 1.
     resolution: the pixels along the longer side at which mesh and picture are compared, 16 or more; None: 700.
@@ -66,6 +71,9 @@ def trace(
         "threads": threads,
         "time_budget": time_budget,
     }
+    if outline is not None:
+        file, options["id"] = outline
+        options["outline"] = os.fspath(file)
     given = {name: value for name, value in options.items() if value is not None}
     made = here.call("trace", _answers(progress), path=os.fspath(picture), **given)
     for name in ("errors", "errors_without_detail"):

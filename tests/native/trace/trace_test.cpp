@@ -21,7 +21,10 @@ using Paint = std::function<glm::vec4(double, double)>;
 
 /// A picture of what `paint` says of the places where a mesh has its colours.
 TargetPicture painted(int width, int height, const Paint& paint, double point = 0.5) {
-  TargetPicture target{width, height, {}, true, point};
+  TargetPicture target;
+  target.width = width;
+  target.height = height;
+  target.point = point;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       target.pixels.push_back(paint(x + point, y + point));
@@ -77,9 +80,19 @@ bool folds(const LineGrid& grid) {
   return false;
 }
 
-LineGrid traced(const TargetPicture& target, GridOptions options) {
+using IsEnough = std::function<bool(const LineGrid&)>;
+
+LineGrid traced(const TargetPicture& target, int points, StopWatch& watch,
+                const IsEnough& is_enough = {}) {
+  std::vector<Beginning> beginnings;
+  for (const LineGrid& grid : even_grids(target, {target.width, target.height}, points))
+    beginnings.push_back({&target, grid, is_enough});
+  return traced_grid(beginnings, points, watch).grid;
+}
+
+LineGrid traced(const TargetPicture& target, int points, const IsEnough& is_enough = {}) {
   StopWatch watch(0, {});
-  return traced_grid(target, {target.width, target.height}, options, watch);
+  return traced(target, points, watch, is_enough);
 }
 
 TEST(LineGrid, looks_the_same_with_one_line_more) {
@@ -213,7 +226,7 @@ TEST(TracedGrid, follows_an_edge_with_few_lines) {
     const float level = x + 0.3 * y > 80 ? 230.0f : 40.0f;
     return glm::vec4(level, level / 2, 255 - level, 255);
   });
-  const LineGrid grid = traced(target, {.points = 60});
+  const LineGrid grid = traced(target, 60);
   EXPECT_LE(grid.points(), 60);
   EXPECT_FALSE(folds(grid));
   LineGrid even(5, 9, {120, 100});
@@ -224,7 +237,7 @@ TEST(TracedGrid, follows_an_edge_with_few_lines) {
 TEST(TracedGrid, needs_four_points_for_what_is_flat) {
   const TargetPicture target =
       painted(40, 30, [](double, double) { return glm::vec4(10, 200, 30, 255); });
-  const LineGrid grid = traced(target, {.points = 200});
+  const LineGrid grid = traced(target, 200);
   EXPECT_EQ(grid.points(), 4);
   EXPECT_NEAR(rmse(grid, target), 0, 1e-6);
   EXPECT_EQ(grid.knot(0).color, glm::dvec4(10, 200, 30, 255));
@@ -236,7 +249,7 @@ TEST(TracedGrid, keeps_opacities) {
     return glm::vec4(200, 80, 20, std::clamp(255 - 10 * (away - 20), 0.0, 255.0));
   });
   ASSERT_FALSE(target.is_opaque);
-  const LineGrid grid = traced(target, {.points = 144});
+  const LineGrid grid = traced(target, 144);
   EXPECT_LT(rmse(grid, target), 12);
   EXPECT_LT(grid.knot(0).color.a, 20);
   EXPECT_FALSE(folds(grid));
@@ -247,7 +260,7 @@ TEST(TracedGrid, is_made_of_the_smallest_and_narrowest_pictures) {
     return (int(x) + int(y)) % 2 ? glm::vec4(255) : glm::vec4(0, 0, 0, 255);
   };
   for (const auto& [width, height] : {std::pair(1, 1), {1, 90}, {90, 1}, {8, 8}, {3, 200}}) {
-    const LineGrid grid = traced(painted(width, height, checks), {.points = 100});
+    const LineGrid grid = traced(painted(width, height, checks), 100);
     EXPECT_FALSE(folds(grid)) << width << " x " << height;
     EXPECT_LE(grid.points(), 100);
   }
@@ -259,16 +272,15 @@ TEST(TracedGrid, of_noise_neither_folds_nor_fails) {
   const TargetPicture target = painted(64, 64, [&](double, double) {
     return glm::vec4(level(random), level(random), level(random), 255);
   });
-  EXPECT_FALSE(folds(traced(target, {.points = 120})));
+  EXPECT_FALSE(folds(traced(target, 120)));
 }
 
 TEST(TracedGrid, ends_when_it_is_enough_or_told_to_stop) {
   const TargetPicture target = picture_of(random_grid(6, 6, {100, 100}, 4), 100, 100);
-  const LineGrid enough = traced(
-      target, {.points = 400, .is_enough = [](const LineGrid& g) { return g.points() >= 40; }});
+  const LineGrid enough = traced(target, 400, [](const LineGrid& g) { return g.points() >= 40; });
   EXPECT_LT(enough.points(), 60);
   StopWatch watch(0, [](const Progress& progress) { return progress.done < 30; });
-  const LineGrid stopped = traced_grid(target, {100, 100}, {.points = 400}, watch);
+  const LineGrid stopped = traced(target, 400, watch);
   EXPECT_GE(stopped.points(), 30);
   EXPECT_LT(stopped.points(), 50);
   EXPECT_FALSE(folds(stopped));
@@ -276,9 +288,9 @@ TEST(TracedGrid, ends_when_it_is_enough_or_told_to_stop) {
 
 TEST(TracedGrid, is_the_same_on_any_number_of_threads) {
   const TargetPicture target = picture_of(random_grid(7, 7, {90, 70}, 6), 90, 70);
-  const LineGrid some = traced(target, {.points = 80});
+  const LineGrid some = traced(target, 80);
   const ThreadLimit one(1);
-  EXPECT_EQ(traced(target, {.points = 80}), some);
+  EXPECT_EQ(traced(target, 80), some);
 }
 
 }  // namespace

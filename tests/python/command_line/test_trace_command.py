@@ -1,6 +1,7 @@
 """A mesh of a picture: `gradmesh trace`."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -141,3 +142,105 @@ def test_what_is_no_picture_is_refused_in_a_sentence(tmp_path, content):
     sentence = refused("trace", path, "-o", tmp_path / "out.svg")
     assert sentence.startswith(f"{path} is not a readable picture: ")
     assert not (tmp_path / "out.svg").exists()
+
+
+@pytest.fixture
+def outline(tmp_path):
+    """Writes a document with a stroked ellipse around the ball of the picture, and returns FILE#ID."""
+
+    def write(inside='<ellipse id="ball" {shape} style="fill:none;stroke:#f00"/>', page='width="120" height="90"'):
+        shape = 'cx="54" cy="45" rx="30" ry="26"'
+        path = tmp_path / "outline.svg"
+        path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {page}>{inside.format(shape=shape)}</svg>')
+        return f"{path}#ball"
+
+    return write
+
+
+def picture_of_shape(tmp_path, out, inkscape):  # noqa: F811
+    return export(inkscape, [out.rename(tmp_path / "mesh.svg")])[0]
+
+
+def test_a_shape_on_the_picture_becomes_the_mesh(picture, outline, tmp_path, inkscape):  # noqa: F811
+    """Its inside looks like the picture there, and around it there is nothing."""
+    path = picture()
+    report, out = traced(path, "--outline", outline(), "--handles", "64", "--epsilon", "0")
+    assert report["handles"] <= 64 and report["errors"]["rmse"] < 2
+    text = out.read_text()
+    assert '<ellipse id="ball" cx="54"' in text and "stroke:none" in text
+    painted = np.asarray(Image.open(picture_of_shape(tmp_path, out, inkscape)).convert("RGBA"), dtype=float)
+    y, x = np.mgrid[0:90, 0:120] + 0.5
+    away = np.hypot((x - 54) / 30, (y - 45) / 26)
+    inside = away < 0.94
+    assert painted[away > 1.06][:, 3].max() == 0 and painted[inside][:, 3].min() == 255
+    difference = painted[inside][:, :3] - over_white(path)[inside]
+    assert abs(np.sqrt(np.mean(difference**2)) - report["errors"]["rmse"]) < 0.3
+
+
+PLACED = (
+    '<g transform="translate(300,200) rotate(25)"><image x="10" y="20" width="240" height="180"'
+    ' transform="scale(0.5)" href="ball.png"/>'
+    '<g id="above" transform="translate(5,10)"><ellipse id="ball" {shape} fill="#000" opacity="0.5"/></g></g>'
+)
+
+
+def corner(out):
+    """Where the gradient in a document begins."""
+    return re.search(r'<meshgradient [^>]* x="(.*?)" y="(.*?)"', out.read_text()).groups()
+
+
+def test_the_picture_lies_where_the_document_shows_it(picture, outline):
+    """The same shape on the picture gives the same mesh, wherever both are."""
+    path = picture()
+    plain, out = traced(path, "--outline", outline(), "--handles", "49", "--epsilon", "0")
+    at = corner(out)
+    placed, out = traced(path, "--outline", outline(PLACED), "--handles", "49", "--epsilon", "0")
+    text = out.read_text()
+    assert corner(out) == at
+    assert "<image" in text and 'id="above"' in text and 'opacity="0.5"' in text
+    assert placed["errors"]["rmse"] == pytest.approx(plain["errors"]["rmse"], abs=0.3)
+
+
+def test_a_page_without_a_picture_is_filled_by_it(picture, outline):
+    path = picture()
+    plain, _ = traced(path, "--outline", outline(), "--handles", "49", "--epsilon", "0")
+    scaled, out = traced(
+        path,
+        "--outline",
+        outline(
+            '<ellipse id="ball" cx="5.4" cy="4.5" rx="3" ry="2.6"/>',
+            'width="12mm" height="9mm" viewBox="0 0 12 9"',
+        ),
+        *("--handles", "49", "--epsilon", "0"),
+    )
+    assert scaled["errors"]["rmse"] == pytest.approx(plain["errors"]["rmse"], abs=0.5)
+
+
+def test_only_the_mesh_of_the_shape_goes_to_the_papers_programs(picture, outline, tmp_path):
+    out = tmp_path / "ball.hemesh"
+    printed("trace", picture(), "--outline", outline(), "-o", out, "--handles", "40")
+    assert "1 object" in printed("info", out)
+
+
+@pytest.mark.parametrize(
+    ("inside", "reason"),
+    [
+        ("<g/>", "outline.svg: there is no object with the id \"ball\"."),
+        ('<line id="ball" x2="9"/>', 'outline.svg: "ball" is no closed shape, such as a path, that a mesh'),
+        ('<path id="ball" d="M0,0H9"/>', "outline.svg: \"ball\" is no closed shape, such as a path, that a mesh"),
+        ('<g id="ball"><rect width="9" height="9"/></g>', "outline.svg: \"ball\" is no closed shape"),
+        ('<rect id="ball" x="500" width="9" height="9"/>', "outline.svg: \"ball\" does not lie on the picture."),
+        ('<image/><image/><rect id="ball" width="9" height="9"/>', "outline.svg: it holds 2 pictures; leave the one"),
+    ],
+)
+def test_what_is_no_outline_is_refused_in_a_sentence(picture, outline, tmp_path, inside, reason):
+    sentence = refused("trace", picture(), "--outline", outline(inside), "-o", tmp_path / "out.svg")
+    assert reason in sentence
+    assert not (tmp_path / "out.svg").exists()
+
+
+def test_an_outline_needs_a_file_and_an_id(picture, tmp_path):
+    path = picture()
+    assert run("trace", path, "--outline", "outline.svg", "-o", tmp_path / "out.svg").returncode == 2
+    sentence = refused("trace", path, "--outline", f"{path}#ball", "-o", tmp_path / "out.svg")
+    assert "ball.png" in sentence

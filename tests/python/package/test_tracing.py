@@ -44,6 +44,19 @@ def test_progress_is_told_and_may_end_it(picture):
     assert seen == sorted(seen)
 
 
+def test_a_shape_on_the_picture_becomes_the_mesh(picture, tmp_path):
+    outline = tmp_path / "outline.svg"
+    outline.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="70">'
+        '<circle id="spot" cx="40" cy="35" r="22"/><rect id="other" width="9" height="9"/></svg>'
+    )
+    traced = gradmesh.trace(picture, outline=(outline, "spot"), handles=36, epsilon=0)
+    assert traced.id == "spot" and traced.handles <= 36 and traced.errors.mean < 1
+    assert [mesh.id for mesh in traced.document.meshes] == ["spot"]
+    with pytest.raises(gradmesh.InputError, match="no object with the id"):
+        gradmesh.trace(picture, outline=(outline, "none"))
+
+
 def test_errors_are_python_s_own(picture, tmp_path):
     for wrong in ({"handles": 3}, {"epsilon": -1}, {"detail": 0}, {"resolution": 1}):
         with pytest.raises(ValueError):

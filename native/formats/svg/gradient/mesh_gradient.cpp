@@ -235,10 +235,9 @@ std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
   return list;
 }
 
-MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
-                               double coons_tolerance, GradientsByOrigin* by_origin) {
-  xmlNode* gradient = add_gradient(tree, object);
-  const BlockForm form = gradient_form(mesh, coons_tolerance, mesh_to_gradient(tree, object));
+void write_grid(const SvgTree& tree, xmlNode* gradient, const Mesh& mesh, double coons_tolerance,
+                const Affine& to_gradient) {
+  const BlockForm form = gradient_form(mesh, coons_tolerance, to_gradient);
   write_rows(gradient, mesh, form.blocks.front(),
              {.precision = form.precision,
               .in_style = !tree.styles().is_empty(),
@@ -247,6 +246,12 @@ MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Me
                               ? no_rounding
                               : rounding_within(bounding_box(mesh, form.precision.to_written)),
               .is_relative = form.precision.step > 0 && form.precision.last_bits == 0});
+}
+
+MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
+                               double coons_tolerance, GradientsByOrigin* by_origin) {
+  xmlNode* gradient = add_gradient(tree, object);
+  write_grid(tree, gradient, mesh, coons_tolerance, mesh_to_gradient(tree, object));
   forget_original(object);
   const char* property = paint_name(object.role);
   const std::string old = attribute(object.gradient, "id").value_or("");

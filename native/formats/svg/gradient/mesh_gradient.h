@@ -55,6 +55,11 @@ struct UnusedGradient {
 std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
                                              const std::vector<MeshObject>& objects);
 
+/// Writes a mesh that is a grid, bilinear and with one colour at each point, into a meshgradient
+/// without rows, in its gradient_form(). `to_gradient` maps the mesh to the gradient's coordinates.
+void write_grid(const SvgTree& tree, xmlNode* gradient, const Mesh& mesh, double coons_tolerance,
+                const Affine& to_gradient);
+
 /// The gradients that were written, by the id of the one that each was made of.
 using GradientsByOrigin = std::map<std::string, std::vector<xmlNode*>>;
 

@@ -90,15 +90,34 @@ Affine to_pixels(const xmlNode* root) {
   // With one side only the document keeps its proportions; with none a unit is a pixel.
   if (!(page.x > 0)) page.x = page.y > 0 ? page.y * size.x / size.y : size.x;
   if (!(page.y > 0)) page.y = page.x * size.y / size.x;
-  const std::string fit = attribute(root, "preserveAspectRatio").value_or("");
-  glm::dvec2 scale = page / size;
+  return fitted(size, page, attribute(root, "preserveAspectRatio").value_or("")) *
+         Affine::translation(-box->low());
+}
+
+Affine fitted(glm::dvec2 size, glm::dvec2 room, const std::string& fit) {
+  glm::dvec2 scale = room / size;
   if (fit.find("none") == fit.npos)
     scale = glm::dvec2(fit.find("slice") == fit.npos ? std::min(scale.x, scale.y)
                                                      : std::max(scale.x, scale.y));
-  const glm::dvec2 room = page - scale * size;
-  const glm::dvec2 corner =
-      room * glm::dvec2(share(fit, "xMin", "xMax"), share(fit, "YMin", "YMax"));
-  return Affine::translation(corner) * Affine::scaling(scale) * Affine::translation(-box->low());
+  const glm::dvec2 left = room - scale * size;
+  return Affine::translation(left *
+                             glm::dvec2(share(fit, "xMin", "xMax"), share(fit, "YMin", "YMax"))) *
+         Affine::scaling(scale);
+}
+
+std::optional<Box> page_box(const xmlNode* root) {
+  if (const auto text = attribute(root, "viewBox"))
+    if (const auto box = parse_view_box(*text); box && box->size().x > 0 && box->size().y > 0)
+      return box;
+  const auto side = [&](const char* name) {
+    return parse_length(attribute(root, name).value_or(""), std::nullopt).value_or(0);
+  };
+  const glm::dvec2 size(side("width"), side("height"));
+  if (!(size.x > 0 && size.y > 0)) return {};
+  Box box;
+  box.add(glm::dvec2(0.0));
+  box.add(size);
+  return box;
 }
 
 }  // namespace gradmesh

@@ -2,7 +2,12 @@
 
 #include <libxml/tree.h>
 
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
 #include "base/affine.h"
+#include "geom/box.h"
 
 namespace gradmesh {
 
@@ -22,5 +27,12 @@ double read_box_length(const xmlNode* node, const char* name);
 /// Returns the map from units of the outermost <svg> to pixels of the document as it is shown in
 /// its own size; a unit is a pixel if that is not known.
 Affine to_pixels(const xmlNode* root);
+
+/// Returns the map from what is `size` large to the room from (0, 0) in which it is shown, as a
+/// preserveAspectRatio says.
+Affine fitted(glm::dvec2 size, glm::dvec2 room, const std::string& preserve_aspect_ratio);
+
+/// Returns the page in units of the outermost <svg>; nothing if it has no size.
+std::optional<Box> page_box(const xmlNode* root);
 
 }  // namespace gradmesh

@@ -1,0 +1,74 @@
+#include "app/picture_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "files/image_codec.h"
+
+namespace gradmesh {
+namespace {
+
+Image on_white(const RgbaImage& picture) {
+  Image result(picture.width, picture.height);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const auto [r, g, b, a] = picture.pixel(x, y);
+      result.set_pixel(x, y, {over_white(r, a), over_white(g, a), over_white(b, a)});
+    }
+  return result;
+}
+
+/// Returns the painter for pixels of which one is `scale` pixels of the document: cairo's where the
+/// document is painted at its own size, or enlarged until pixels are the same. Where they are
+/// larger than the document's, its way to sample says nothing of what a person sees.
+std::unique_ptr<Rasterizer> painter_at(double scale) {
+  constexpr double last_bits = 1e-6;
+  return scale < 1 + last_bits ? make_cairo_like_rasterizer() : make_software_rasterizer();
+}
+
+}  // namespace
+
+PictureComparison::PictureComparison(const RgbaImage& picture, const Affine& to_pixels,
+                                     double scale, std::vector<float> counted)
+    : counted_(std::move(counted)),
+      pixels_(counted_.empty()
+                  ? picture.pixels()
+                  : std::size_t(std::ranges::count_if(counted_, [](float c) { return c != 0; }))),
+      metric_(make_metric(MetricKind::flip, on_white(picture))),
+      painter_(painter_at(scale)) {
+  frame_.width = picture.width;
+  frame_.height = picture.height;
+  frame_.to_pixels = to_pixels;
+}
+
+Image PictureComparison::painted(const Mesh& mesh) const {
+  Image image = painter_->paint(mesh, frame_);
+  const Image& picture = metric_->reference();
+  for (std::size_t i = 0; i < image.samples.size(); ++i)
+    if (!counts(i % image.pixels())) image.samples[i] = picture.samples[i];
+  return image;
+}
+
+double PictureComparison::flip_of(const Image& painted) const {
+  const auto map = metric_->map(painted);
+  double sum = 0;
+  for (std::size_t i = 0; i < map.samples.size(); ++i)
+    if (counts(i)) sum += double(map.samples[i]);
+  return sum / double(std::max<std::size_t>(pixels_, 1));
+}
+
+double PictureComparison::flip(const Mesh& mesh) const { return flip_of(painted(mesh)); }
+
+PictureErrors PictureComparison::errors(const Mesh& mesh) const {
+  const Image painted = this->painted(mesh);
+  double squares = 0, sum = 0;
+  for (std::size_t i = 0; i < painted.samples.size(); ++i) {
+    const double difference = double(painted.samples[i]) - metric_->reference().samples[i];
+    squares += difference * difference;
+    sum += std::abs(difference);
+  }
+  const double count = 3.0 * double(std::max<std::size_t>(pixels_, 1));
+  return {std::sqrt(squares / count), sum / count, flip_of(painted)};
+}
+
+}  // namespace gradmesh

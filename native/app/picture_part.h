@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+
+#include "app/picture_comparison.h"
+#include "base/affine.h"
+#include "base/image.h"
+#include "base/progress.h"
+#include "geom/outline.h"
+#include "mesh/mesh.h"
+#include "trace/target_picture.h"
+
+namespace gradmesh {
+
+/// A picture, or a part of one, of which a mesh is made, and where the mesh is to lie. Places are
+/// in pixels of the file, before it was reduced, from the upper left corner of the part.
+struct PicturePart {
+  RgbaImage image;
+  glm::dvec2 size;
+  /// The map from these places to the mesh's coordinates.
+  Affine to_mesh;
+  /// How many pixels of the document a pixel of the file is, where that is painted at its own size.
+  double scale = 1;
+  /// What of the part counts; nothing if all of it does.
+  std::optional<FilledOutline> shape = std::nullopt;
+};
+
+struct PartOptions {
+  /// As in TraceOptions.
+  int handles;
+  double epsilon, detail;
+};
+
+/// A mesh that looks like a part of a picture.
+struct TracedPart {
+  Mesh mesh;
+  int rows, columns;
+};
+
+/// Makes meshes of one part, and says how far they are from it.
+class PartTracer {
+ public:
+  explicit PartTracer(PicturePart part, const PartOptions& options);
+
+  /// Returns whether a pixel counts.
+  bool has_pixels() const { return exact_.pixels() > 0; }
+  /// Returns the best mesh of straight lines (trace/traced_grid.h), in its own coordinates.
+  TracedPart run(StopWatch& watch) const;
+
+  /// The frame in which meshes are compared with the picture.
+  const Frame& frame() const { return exact_.frame(); }
+  PictureErrors errors(const Mesh& mesh) const { return exact_.errors(mesh); }
+  /// Returns the errors against the picture without what is smaller than the detail.
+  PictureErrors errors_without_detail(const Mesh& mesh) const { return coarse_.errors(mesh); }
+
+ private:
+  /// A target, and the map from the grids that are to look like it to the mesh's coordinates.
+  struct Start {
+    TargetPicture target;
+    glm::dvec2 size;
+    Affine place;
+  };
+
+  std::vector<Start> starts() const;
+  PictureComparison compared_with(const RgbaImage& image) const;
+
+  const PicturePart part_;
+  const PartOptions options_;
+  /// The picture without what is smaller than the detail.
+  const RgbaImage followed_;
+  const PictureComparison exact_, coarse_;
+};
+
+}  // namespace gradmesh
