@@ -116,7 +116,7 @@ class Converter {
   Problem problem(const Conversion& conversion) const {
     const auto mesh = std::make_shared<const Mesh>(build_mesh(parts(1)));
     const Layout layout{{}, to_ == from_.format() ? from_.padding() : FramePadding{}};
-    Problem result(mesh, std::make_shared<const Mesh>(conversion.original), layout,
+    Problem result(mesh, original_of(std::make_shared<const Mesh>(conversion.original)), layout,
                    options_.resolution, options_.metric);
     result.bounds.epsilon = options_.epsilon;
     result.rules = to_.rules(from_.name());

@@ -27,7 +27,7 @@ ConvertedRun convert_for_run(const Document& from, const MeshEntry& entry, const
     throw InputError("{0}: written as {1} its error is {2} at least, above epsilon.", from.name(),
                      to.label, std::to_string(conversion.error));
   conversion.document->set_translation(from.translation());
-  options.original = std::make_shared<const Mesh>(std::move(conversion.original));
+  options.original = original_of(std::make_shared<const Mesh>(std::move(conversion.original)));
   if (!options.color_model) options.color_model = ColorModel::bilinear;
   return {std::move(conversion.document), std::move(options)};
 }

@@ -54,7 +54,7 @@ std::vector<MeshReport> write_states(Document& document, std::vector<TakenState>
     SimplifyResult result = result_of(problem, method_of(kind), std::move(candidate));
     const MeshCounts before{result.handles_before, result.patches_before};
     if (result.changed) {
-      changed.push_back({entry, result, before, problem.frame(), problem.original()});
+      changed.push_back({entry, result, before, problem.frame(), problem.original()->mesh()});
     } else {
       result.stopped = Stopped::nothing_to_merge;
       result.objects = document.objects(entry);

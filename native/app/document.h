@@ -69,7 +69,8 @@ struct ChangedMesh {
   MeshEntry entry;
   Candidate written;
   MeshCounts before;
-  /// The frame in which it was measured, and the mesh against which.
+  /// The frame in which it was measured, and the mesh against which; null if against a picture,
+  /// which no document remembers.
   Frame frame;
   std::shared_ptr<const Mesh> original;
 };

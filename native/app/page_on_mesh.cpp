@@ -86,7 +86,7 @@ Page page_on_mesh(const Document& before, const MeshEntry& entry, const Document
     for (Frame* frame : {&first, &second})
       frame->hidden = std::make_shared<HiddenPixels>(*layout.visible, *frame);
   page.id = before.title(entry);
-  if (problem.original().get() != &problem.mesh()) page.original = problem.original();
+  page.original = problem.original();
   page.metric = pricing.metric;
   page.epsilon = pricing.epsilon;
   return page;

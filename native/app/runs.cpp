@@ -185,7 +185,7 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
                              result,
                              {result.handles_before, result.patches_before},
                              problem.frame(),
-                             problem.original()});
+                             problem.original()->mesh()});
     all.reports.push_back({entry.id, std::move(result)});
   }
   for (const MeshEntry& entry : document.refused(ids)) {
@@ -205,11 +205,11 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   const Mesh& read = document.mesh(entry);
   const ColorModel model = asked.color_model.value_or(read.color_model());
   if (asked.color_model) document.check_color_model(model);
-  if (!options.original) options.original = document.original(entry);
+  if (!options.original) options.original = original_of(document.original(entry));
   std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
   mesh = protecting(document, entry, std::move(mesh), asked);
   if (!options.original && model != read.color_model())
-    options.original = std::make_shared<const Mesh>(read);
+    options.original = original_of(std::make_shared<const Mesh>(read));
   static_cast<Layout&>(options) = document.layout(entry, asked.visible_only);
   options.weighted = weighted_areas(document, entry, asked);
   options.count = what_is_counted(asked, document.format().count);

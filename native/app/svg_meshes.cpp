@@ -257,6 +257,7 @@ void SvgMeshes::replace(const std::vector<ChangedMesh>& meshes, MetricKind metri
 }
 
 std::string SvgMeshes::new_memory(const ChangedMesh& m) const {
+  if (!m.original) return "";
   const bool stays_one = !m.written.form.blocks;
   const bool stays_what_it_is = stays_one != m.entry.simplified;
   if (stays_what_it_is && !has_given_originals() && remembered_original(m.entry))

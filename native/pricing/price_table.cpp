@@ -24,16 +24,15 @@ void add(Hash& hash, const Plane& weights) {
 
 }  // namespace
 
-PriceTableKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
+PriceTableKey analysis_key(const Original& original, const Mesh& mesh, const Frame& frame,
                            MetricKind metric) {
-  Hash picture, content;
-  add(picture, original);
+  Hash content;
   add(content, mesh);
   for (const glm::dvec2 p : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)})
     for (int i = 0; i < 2; ++i) content.add(frame.to_pixels.point(p)[i]);
   if (frame.hidden) add(content, *frame.hidden, frame.height);
   if (frame.weights) add(content, *frame.weights);
-  return {picture.value(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
+  return {original.hash(), content.value(), metric, frame.width, frame.height, mesh.color_model()};
 }
 
 Price find_price(RegionTrial& trial, const Region& region, double limit) {

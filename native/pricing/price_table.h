@@ -8,13 +8,14 @@
 #include "mesh/region.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
+#include "reference/original.h"
 #include "trial/merge_trial.h"
 
 namespace gradmesh {
 
 /// What the prices of an analysis depend on.
 struct PriceTableKey {
-  /// Hash of the original mesh, whose picture counts.
+  /// Hash of the original, whose picture counts.
   std::uint64_t original = 0;
   /// Hash of the mesh that is merged, of where it lies in the frame, of what is hidden
   /// there and of the weights of its pixels.
@@ -27,7 +28,7 @@ struct PriceTableKey {
   bool operator==(const PriceTableKey&) const = default;
 };
 
-PriceTableKey analysis_key(const Mesh& original, const Mesh& mesh, const Frame& frame,
+PriceTableKey analysis_key(const Original& original, const Mesh& mesh, const Frame& frame,
                            MetricKind metric);
 
 /// By how much merging a region alone raises the error; infinity if it cannot be merged.

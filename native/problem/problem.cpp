@@ -33,9 +33,9 @@ int Candidate::effort() const {
   return counts().handles + handles_of_an_object * form.object_count();
 }
 
-Problem::Problem(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Mesh> original,
+Problem::Problem(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Original> original,
                  const Layout& layout, int resolution, MetricKind metric) {
-  if (!original) original = mesh;
+  if (!original) original = original_of(mesh);
   const Frame frame = laid_out(*original, layout, resolution);
   shared_ = std::make_shared<Shared>(
       Shared{std::move(mesh), std::move(original), layout, resolution, metric, frame, {}, {}});
@@ -111,7 +111,7 @@ EditError& Problem::start() const {
   const bool masks = rules && rules->may_mask_opacity();
   std::optional<EditError>& start = shared_->starts[masks];
   if (!start) {
-    start.emplace(reference(), mesh(), masks, bounds.local, original() == shared_->mesh);
+    start.emplace(reference(), mesh(), masks, bounds.local, is_of_itself());
     if (is_blank(start->state()->painting)) check_painted(mesh(), frame(), shared_->resolution);
   }
   return *start;
@@ -166,7 +166,8 @@ Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const
 
 Candidate Problem::unchanged() const {
   Candidate found{.mesh = mesh(), .error_added_up = start().error()};
-  if (original() == shared_->mesh || are_same_but_for_fixed(*original(), mesh())) return found;
+  const std::shared_ptr<const Mesh> same = original()->mesh();
+  if (is_of_itself() || (same && are_same_but_for_fixed(*same, mesh()))) return found;
   take(start().whole_frame(mesh()), found);
   return found;
 }

@@ -17,6 +17,7 @@
 #include "problem/candidate.h"
 #include "problem/writing_rules.h"
 #include "reference/layout.h"
+#include "reference/original.h"
 #include "reference/reference.h"
 #include "trial/merge_trial.h"
 
@@ -64,9 +65,9 @@ struct Pricing {
 /// and all that is found out on the way, so that a method may run with other bounds or rules.
 class Problem {
  public:
-  /// `original` is the mesh whose picture counts; null if it is `mesh` itself. Throws InputError if
-  /// the original has no size.
-  Problem(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Mesh> original,
+  /// `original` is what has the picture that counts; null if that is `mesh` itself. Throws
+  /// InputError if the original has no size.
+  Problem(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Original> original,
           const Layout& layout, int resolution, MetricKind metric);
 
   Bounds bounds;
@@ -81,8 +82,8 @@ class Problem {
   std::shared_ptr<const WritingRules> gradient_rules;
 
   const Mesh& mesh() const { return *shared_->mesh; }
-  /// Returns the mesh whose picture counts.
-  const std::shared_ptr<const Mesh>& original() const { return shared_->original; }
+  /// Returns what has the picture that counts.
+  const std::shared_ptr<const Original>& original() const { return shared_->original; }
   const Frame& frame() const { return shared_->frame; }
   MetricKind metric() const { return shared_->metric; }
   /// Returns the picture that counts, which is painted at the first call.
@@ -138,7 +139,8 @@ class Problem {
 
  private:
   struct Shared {
-    std::shared_ptr<const Mesh> mesh, original;
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Original> original;
     Layout layout;
     int resolution;
     MetricKind metric;
@@ -152,6 +154,8 @@ class Problem {
     int evaluations = 0;
   };
 
+  /// Returns true if the original is the very mesh of the problem.
+  bool is_of_itself() const { return shared_->original->mesh() == shared_->mesh; }
   /// Returns the error of the mesh as it was, from which all edits start.
   EditError& start() const;
   /// Gives a candidate its errors, and finds out whether it keeps to the bounds.

@@ -5,13 +5,13 @@
 
 #include "base/affine.h"
 #include "geom/outline.h"
-#include "mesh/mesh.h"
 #include "raster/frame.h"
+#include "reference/original.h"
 #include "reference/weights.h"
 
 namespace gradmesh {
 
-/// How a mesh is laid out on a picture.
+/// How an original is laid out on a picture.
 struct Layout {
   /// The map from mesh units to what the person sees, up to scale.
   Affine view = {};
@@ -23,8 +23,8 @@ struct Layout {
   std::vector<WeightedArea> weighted = {};
 };
 
-/// Returns the frame of `resolution` pixels along the longer side in which the mesh lies as
-/// `layout` says. Throws InputError as fit_frame does.
-Frame laid_out(const Mesh& mesh, const Layout& layout, int resolution);
+/// Returns the frame of `resolution` pixels along the longer side in which the original lies
+/// as `layout` says. Throws InputError as fit_frame does.
+Frame laid_out(const Original& original, const Layout& layout, int resolution);
 
 }  // namespace gradmesh

@@ -64,14 +64,19 @@ Frame on_black(Frame frame) {
   return frame;
 }
 
-Reference::Reference(const Mesh& original, const Frame& frame, MetricKind metric)
+Reference::Reference(const Original& original, const Frame& frame, MetricKind metric)
     : frame_(frame),
-      painting_(paint_whole(original, frame)),
-      on_black_(is_translucent(original) ? paint_whole(original, on_black(frame)).image : Image()),
+      painting_(original.painted(frame)),
+      on_black_(original.is_translucent() ? original.painted(on_black(frame)).image : Image()),
       texels_(texels_of(painting_)),
       away_from_outline_(away_from_outline_of(painting_.top)),
       metric_kind_(metric),
-      outlines_(original, frame) {}
+      outlines_(original.outlines(frame)) {}
+
+// Nothing keeps the original, so that the mesh need not be shared.
+Reference::Reference(const Mesh& original, const Frame& frame, MetricKind metric)
+    : Reference(*original_of(std::shared_ptr<const Mesh>(std::shared_ptr<const Mesh>(), &original)),
+                frame, metric) {}
 
 const Metric& Reference::metric() const {
   std::call_once(metric_is_made_,

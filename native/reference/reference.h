@@ -11,6 +11,7 @@
 #include "metric/metric.h"
 #include "raster/frame.h"
 #include "raster/painting.h"
+#include "reference/original.h"
 #include "reference/outlines.h"
 
 namespace gradmesh {
@@ -24,6 +25,7 @@ Frame on_black(Frame frame);
 class Reference {
  public:
   /// Paints `original`, without a mask of opacities.
+  Reference(const Original& original, const Frame& frame, MetricKind metric);
   Reference(const Mesh& original, const Frame& frame, MetricKind metric);
 
   const Frame& frame() const { return frame_; }

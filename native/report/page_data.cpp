@@ -139,8 +139,7 @@ Json worst_json(const std::vector<WorstPlace>& places) {
 Json page_data(const Page& page) {
   constexpr int most_places = 5;
   const PageMesh &before = page.before, &after = page.after;
-  const Reference reference(page.original ? *page.original : before.mesh, before.frame,
-                            page.metric);
+  const Reference reference(*page.original, before.frame, page.metric);
   const Image& first = reference.painting().image;
   const Image second = paint_whole(after.mesh, after.frame).image;
   const Plane map = reference.metric().map(second);

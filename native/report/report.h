@@ -10,6 +10,7 @@
 #include "methods/regions.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
+#include "reference/original.h"
 
 namespace gradmesh {
 
@@ -29,8 +30,8 @@ struct Page {
   /// Name of the mesh on the page.
   std::string id;
   PageMesh before, after;
-  /// The mesh whose picture counts, in the frame of `before`; null if it is `before` itself.
-  std::shared_ptr<const Mesh> original;
+  /// What has the picture that counts, in the frame of `before`.
+  std::shared_ptr<const Original> original;
   MetricKind metric = MetricKind::flip;
   /// Prices of the mesh before.
   std::vector<EdgePrice> edges;

@@ -88,7 +88,7 @@ class PicturePainter {
       case Ground::result:
         return painted(shown());
       case Ground::original:
-        return painted(*session_.problem().original());
+        return session_.problem().original()->painted(frame_).image;
       case Ground::error:
         return error_map();
       case Ground::halves:
@@ -97,7 +97,7 @@ class PicturePainter {
     Image image = painted(shown());
     const int split = clamped_int(std::round(view_.split * view_.width), 0, view_.width);
     Painting left(Window{0, 0, split, view_.height});
-    paint_whole(*session_.problem().original(), frame_, left);
+    session_.problem().original()->paint(frame_, left);
     copy(left.image, left.window(), image);
     Canvas(image, view_.density)
         .lines({{glm::dvec2(split, 0), glm::dvec2(split, view_.height)}},

@@ -29,8 +29,8 @@ struct RunOptions : SimplifyOptions, Layout {
 
   /// The rules by which the mesh will be written (Problem).
   std::shared_ptr<const WritingRules> rules, gradient_rules;
-  /// The mesh whose picture is the reference; null if that is the mesh that is simplified.
-  std::shared_ptr<const Mesh> original;
+  /// What has the picture that counts; null if that is the mesh that is simplified.
+  std::shared_ptr<const Original> original;
   /// The prices that earlier runs have found (Pricing::table). The table's key must be that of the
   /// mesh and these options, or the table must be empty. May be null.
   PriceTable* analysis = nullptr;

@@ -165,7 +165,7 @@ TEST(AnalysisFile, says_what_differs) {
   parts.color_model = ColorModel::bicubic;
   const Mesh bicubic = build_mesh(parts);
   other = options;
-  other.original = std::make_shared<const Mesh>(mesh);
+  other.original = original_of(std::make_shared<const Mesh>(mesh));
   EXPECT_EQ(refused(bicubic, other), start + "was made in the color model bilinear, not bicubic.");
 }
 

@@ -108,7 +108,7 @@ bool leaves_nothing(const std::string& method) {
 /// The patches that are left where a method runs once more on what it has made of the original.
 int patches_of_second_run(const Mesh& original, Mesh mesh, RunOptions options) {
   options.analysis = nullptr;
-  options.original = std::make_shared<const Mesh>(original);
+  options.original = original_of(std::make_shared<const Mesh>(original));
   return simplify(mesh, options).patches_after;
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "mesh/mesh.h"
+#include "raster/frame.h"
+#include "raster/painting.h"
+#include "reference/outlines.h"
+
+namespace gradmesh {
+
+/// What meshes are measured against, at whatever resolution: something that has a picture and lies
+/// in the units of the meshes. Originals never change, and their members may be called
+/// concurrently.
+class Original {
+ public:
+  virtual ~Original() = default;
+
+  /// Returns the frame in which the original lies as fit_frame says. Throws InputError as fit_frame
+  /// does.
+  virtual Frame frame(const Affine& view, int resolution, const FramePadding& padding) const = 0;
+  /// Paints the whole of the painting's window, which lies inside the frame, without a mask of
+  /// opacities.
+  virtual void paint(const Frame& frame, Painting& painting) const = 0;
+  /// Returns true if the ground of a frame shows through somewhere inside the original.
+  virtual bool is_translucent() const = 0;
+  /// Returns the outlines that are known as curves.
+  virtual OutlinePoints outlines(const Frame& frame) const = 0;
+  /// Returns a hash of all that the original's picture depends on.
+  virtual std::uint64_t hash() const = 0;
+  /// Returns the mesh whose picture the original is; null if it is no mesh.
+  virtual std::shared_ptr<const Mesh> mesh() const { return nullptr; }
+
+  /// Paints the whole frame.
+  Painting painted(const Frame& frame) const;
+};
+
+/// Returns the original that is the picture of a mesh; null if the mesh is null.
+std::shared_ptr<const Original> original_of(std::shared_ptr<const Mesh> mesh);
+
+}  // namespace gradmesh
