@@ -7,10 +7,17 @@
 #include "base/clamped_int.h"
 #include "base/error.h"
 #include "base/limits.h"
-#include "geom/box.h"
 
 namespace gradmesh {
 namespace {
+
+// Far from where products of a few such numbers leave the range of a double.
+constexpr double smallest = 1e-60, largest = 1e60;
+
+void check_place(glm::dvec2 p) {
+  if (!(std::abs(p.x) < largest && std::abs(p.y) < largest))
+    throw InputError("the mesh is too large, as its transforms place it.");
+}
 
 void check_size(const Frame& frame) {
   const Limits& most = limits();
@@ -33,20 +40,23 @@ std::uint64_t measuring_bytes(const Frame& frame, std::size_t threads) {
 
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding) {
   constexpr int steps = 8;
-  // Far from where products of a few such numbers leave the range of a double.
-  constexpr double smallest = 1e-60, largest = 1e60;
   Box box;
   for (const Face f : mesh.faces()) {
     const Patch patch = mesh.patch(f);
     for (int i = 0; i <= steps; ++i)
       for (int j = 0; j <= steps; ++j) {
         const glm::dvec2 p = view.point(patch.at(double(i) / steps, double(j) / steps).position);
-        if (!(std::abs(p.x) < largest && std::abs(p.y) < largest))
-          throw InputError("the mesh is too large, as its transforms place it.");
+        check_place(p);
         box.add(p);
       }
   }
-  const glm::dvec2 size = box.size();
+  return fit_frame(box, view, resolution, padding);
+}
+
+Frame fit_frame(const Box& seen, const Affine& view, int resolution, FramePadding padding) {
+  check_place(seen.low());
+  check_place(seen.high());
+  const glm::dvec2 size = seen.size();
   const double longer = std::max(size.x, size.y);
   if (!(longer > smallest)) throw InputError("the mesh has no size.");
 
@@ -58,7 +68,7 @@ Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePaddi
   frame.height = clamped_int((size.y + 2 * pad) * scale + 1e-9, 1, INT_MAX);
   check_size(frame);
   const Affine fit =
-      Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - box.low());
+      Affine::scaling({scale, scale}) * Affine::translation(glm::dvec2(pad) - seen.low());
   frame.to_pixels = fit * view;
   return frame;
 }

@@ -5,6 +5,7 @@
 
 #include "base/affine.h"
 #include "base/image.h"
+#include "geom/box.h"
 #include "mesh/mesh.h"
 
 namespace gradmesh {
@@ -43,6 +44,9 @@ struct FramePadding {
 /// the mesh has no size, or one beyond reason, or if the frame is beyond the limits on resolution
 /// or memory.
 Frame fit_frame(const Mesh& mesh, const Affine& view, int resolution, FramePadding padding = {});
+
+/// Returns the frame of something else with that bounding box as `view` maps it, in the same way.
+Frame fit_frame(const Box& seen, const Affine& view, int resolution, FramePadding padding = {});
 
 /// Returns how far an interior control point may be from the Coons patch's, in mesh units, for a
 /// writer to leave `tensor` out: a hundredth of a pixel of the frame. Painting a mesh of the colour
