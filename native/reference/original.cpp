@@ -1,8 +1,13 @@
 #include "reference/original.h"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "mesh/mesh_hash.h"
+#include "reference/paint_picture.h"
 
 namespace gradmesh {
 namespace {
@@ -30,6 +35,49 @@ class OriginalMesh final : public Original {
   const std::shared_ptr<const Mesh> mesh_;
 };
 
+class OriginalPicture final : public Original {
+ public:
+  OriginalPicture(RgbaImage picture, const Affine& to_units)
+      : picture_(std::move(picture)), to_units_(to_units) {
+    if (picture_.pixels() == 0) throw std::invalid_argument("a picture has a pixel or more.");
+    const double area = to_units.determinant();
+    if (!(std::isfinite(area) && area != 0))
+      throw std::invalid_argument("the place of a picture has an area.");
+  }
+
+  Frame frame(const Affine& view, int resolution, const FramePadding& padding) const override {
+    const Affine to_view = view * to_units_;
+    Box box;
+    for (const double x : {0, picture_.width})
+      for (const double y : {0, picture_.height}) box.add(to_view.point({x, y}));
+    return fit_frame(box, view, resolution, padding);
+  }
+  void paint(const Frame& frame, Painting& painting) const override {
+    paint_picture(picture_, to_units_, frame, painting);
+  }
+  bool is_translucent() const override {
+    const std::uint8_t* const opacities = picture_.samples.data() + 3 * picture_.pixels();
+    return std::any_of(opacities, opacities + picture_.pixels(),
+                       [](std::uint8_t opacity) { return opacity < 255; });
+  }
+  /// A picture knows no curves.
+  OutlinePoints outlines(const Frame&) const override { return {}; }
+  std::uint64_t hash() const override {
+    Hash hash;
+    hash.add(picture_.width);
+    hash.add(picture_.height);
+    const auto* const bytes = reinterpret_cast<const char*>(picture_.samples.data());
+    hash.add(std::string_view(bytes, picture_.samples.size()));
+    for (const glm::dvec2 v : {to_units_.linear[0], to_units_.linear[1], to_units_.offset})
+      for (int i = 0; i < 2; ++i) hash.add(v[i]);
+    return hash.value();
+  }
+
+ private:
+  const RgbaImage picture_;
+  const Affine to_units_;
+};
+
 }  // namespace
 
 Painting Original::painted(const Frame& frame) const {
@@ -40,6 +88,10 @@ Painting Original::painted(const Frame& frame) const {
 
 std::shared_ptr<const Original> original_of(std::shared_ptr<const Mesh> mesh) {
   return mesh ? std::make_shared<OriginalMesh>(std::move(mesh)) : nullptr;
+}
+
+std::shared_ptr<const Original> original_of(RgbaImage picture, const Affine& to_units) {
+  return std::make_shared<OriginalPicture>(std::move(picture), to_units);
 }
 
 }  // namespace gradmesh

@@ -39,4 +39,9 @@ class Original {
 /// Returns the original that is the picture of a mesh; null if the mesh is null.
 std::shared_ptr<const Original> original_of(std::shared_ptr<const Mesh> mesh);
 
+/// Returns the original that is a picture, such as a photograph from which a mesh was traced.
+/// `to_units` maps its pixels, of which (x, y) has its centre at (x + 0.5, y + 0.5), to the units
+/// of the meshes. Throws std::invalid_argument if the picture has no pixels or the map no inverse.
+std::shared_ptr<const Original> original_of(RgbaImage picture, const Affine& to_units);
+
 }  // namespace gradmesh

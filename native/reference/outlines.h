@@ -24,6 +24,8 @@ struct OutlinePoint {
 /// Points along the outlines of a mesh, a pixel apart, found by their places.
 class OutlinePoints {
  public:
+  /// There are none.
+  OutlinePoints() = default;
   OutlinePoints(const Mesh& mesh, const Frame& frame);
 
   /// Returns the closest point of an outline; nothing where there is none within a few pixels.
@@ -37,7 +39,7 @@ class OutlinePoints {
   void add(const Cubic<glm::dvec2>& outline);
   Cell cell_of(glm::dvec2 place) const;
 
-  int columns_, rows_;
+  int columns_ = 0, rows_ = 0;
   /// By the square cells of a grid over the frame.
   std::vector<std::vector<OutlinePoint>> cells_;
 };
