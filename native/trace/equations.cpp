@@ -143,23 +143,29 @@ Sums sums_of(const Surface& s, const TargetPicture& target) {
   return sums;
 }
 
-/// What an unknown of a patch is: which corner's, and 0 and 1 for x and y, or 2 and more for
-/// channels.
+/// What an unknown of a patch is: which corner's, and of which channel, or its place along a way.
 struct PatchUnknown {
   std::size_t corner;
-  int kind;
+  /// The channel, or -1 for the place.
+  int channel;
   int column;
+  glm::dvec2 way{0.0};
+
+  bool is_place() const { return channel < 0; }
 };
 
-std::vector<PatchUnknown> unknowns_of(const std::array<int, 4>& corners, const GridColumns& columns,
+std::vector<PatchUnknown> unknowns_of(const LineGrid& grid, const std::array<int, 4>& corners,
+                                      glm::dvec2 scale, const GridColumns& columns,
                                       int channel_count) {
   std::vector<PatchUnknown> unknowns;
   for (std::size_t corner = 0; corner < corner_count; ++corner) {
     const KnotColumns& of = columns.of(corners[corner]);
-    if (of.x >= 0) unknowns.push_back({corner, 0, of.x});
-    if (of.y >= 0) unknowns.push_back({corner, 1, of.y});
+    for (std::size_t way = 0; way < of.place.size(); ++way)
+      if (of.place[way] >= 0)
+        unknowns.push_back(
+            {corner, -1, of.place[way], way_in_pixels(grid.knot(corners[corner]), way, scale)});
     for (int k = 0; of.color >= 0 && k < channel_count; ++k)
-      unknowns.push_back({corner, 2 + k, of.color + k});
+      unknowns.push_back({corner, k, of.color + k});
   }
   return unknowns;
 }
@@ -167,16 +173,22 @@ std::vector<PatchUnknown> unknowns_of(const std::array<int, 4>& corners, const G
 double coefficient(const Sums& sums, const PatchUnknown& p, const PatchUnknown& q) {
   const std::size_t a = std::max(p.corner, q.corner), b = std::min(p.corner, q.corner);
   const std::size_t pair = a * (a + 1) / 2 + b;
-  const int first = std::min(p.kind, q.kind), second = std::max(p.kind, q.kind);
-  if (second < 2) return sums.place[std::size_t(first + second)][pair];
-  if (first < 2) return sums.both[std::size_t(second - 2)][std::size_t(first)][pair];
-  if (first != second) return 0;
-  return first == 5 ? sums.opacity[pair] : sums.color[pair];
+  if (p.is_place() && q.is_place())
+    return p.way.x * q.way.x * sums.place[0][pair] + p.way.y * q.way.y * sums.place[2][pair] +
+           (p.way.x * q.way.y + p.way.y * q.way.x) * sums.place[1][pair];
+  if (p.is_place() || q.is_place()) {
+    const PatchUnknown &place = p.is_place() ? p : q, &color = p.is_place() ? q : p;
+    const auto& both = sums.both[std::size_t(color.channel)];
+    return place.way.x * both[0][pair] + place.way.y * both[1][pair];
+  }
+  if (p.channel != q.channel) return 0;
+  return p.channel == 3 ? sums.opacity[pair] : sums.color[pair];
 }
 
 double right_hand_side(const Sums& sums, const PatchUnknown& p) {
-  return p.kind < 2 ? sums.place_rhs[std::size_t(p.kind)][p.corner]
-                    : sums.color_rhs[std::size_t(p.kind - 2)][p.corner];
+  return p.is_place()
+             ? p.way.x * sums.place_rhs[0][p.corner] + p.way.y * sums.place_rhs[1][p.corner]
+             : sums.color_rhs[std::size_t(p.channel)][p.corner];
 }
 
 }  // namespace
@@ -189,8 +201,7 @@ GridColumns::GridColumns(const LineGrid& grid, const TargetPicture& target, Alon
       const int line = along == Along::rows ? row : column, number = grid.number(row, column);
       if (line < first || line > last) continue;
       KnotColumns& of = columns_[std::size_t(number)];
-      if (grid.moves_in_x(number)) of.x = count_++;
-      if (grid.moves_in_y(number)) of.y = count_++;
+      for (int way = 0; way < grid.knot(number).ways; ++way) of.place[std::size_t(way)] = count_++;
       of.color = count_;
       count_ += channels(target);
     }
@@ -198,6 +209,10 @@ GridColumns::GridColumns(const LineGrid& grid, const TargetPicture& target, Alon
 
 glm::dvec2 pixels_per_unit(const LineGrid& grid, const TargetPicture& target) {
   return glm::dvec2(target.width, target.height) / grid.size();
+}
+
+glm::dvec2 way_in_pixels(const LineGrid::Knot& knot, std::size_t way, glm::dvec2 pixels_per_unit) {
+  return glm::normalize(pixels_per_unit * knot.way[way]);
 }
 
 double patch_squares(const LineGrid& grid, int row, int column, const TargetPicture& target) {
@@ -215,7 +230,8 @@ NormalEquations patch_equations(const LineGrid& grid, int row, int column,
                                 const TargetPicture& target, const GridColumns& columns) {
   const Surface s = surface_of(grid, row, column, target);
   const Sums sums = target.is_opaque ? sums_of<3>(s, target) : sums_of<4>(s, target);
-  const std::vector<PatchUnknown> unknowns = unknowns_of(s.corners, columns, channels(target));
+  const std::vector<PatchUnknown> unknowns =
+      unknowns_of(grid, s.corners, pixels_per_unit(grid, target), columns, channels(target));
   const auto size = Eigen::Index(unknowns.size());
   NormalEquations equations{{}, Eigen::MatrixXd(size, size), Eigen::VectorXd(size), sums.squares};
   for (Eigen::Index a = 0; a < size; ++a) {

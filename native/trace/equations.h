@@ -9,11 +9,12 @@
 
 namespace gradmesh {
 
-/// The columns of what a fit may change of a point: its place in pixels of the target, and its
-/// red, green, blue and, where the target is not opaque, opacity in levels, one after the other. -1
-/// is for what stays.
+/// The columns of what a fit may change of a point: how far it goes along its ways
+/// (LineGrid::Knot), in pixels of the target, and its red, green, blue and, where the target is not
+/// opaque, opacity in levels, one after the other. -1 is for what stays.
 struct KnotColumns {
-  int x = -1, y = -1, color = -1;
+  std::array<int, 2> place{-1, -1};
+  int color = -1;
 };
 
 /// The columns of some points of a grid; all other points stay.
@@ -50,6 +51,9 @@ std::vector<NormalEquations> channel_equations(const LineGrid& grid, int row, in
 
 /// Returns how many channels of a target count: without opacity where it is opaque.
 inline int channels(const TargetPicture& target) { return target.is_opaque ? 3 : 4; }
+
+/// Returns a way of a point in pixels, of length 1.
+glm::dvec2 way_in_pixels(const LineGrid::Knot& knot, std::size_t way, glm::dvec2 pixels_per_unit);
 
 /// Returns the map from the units of the grid to pixels of the target.
 glm::dvec2 pixels_per_unit(const LineGrid& grid, const TargetPicture& target);

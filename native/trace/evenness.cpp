@@ -69,6 +69,7 @@ void for_each_residual(const LineGrid& grid, const TargetPicture& target, const 
 std::vector<NormalEquations> evenness_equations(const LineGrid& grid, const TargetPicture& target,
                                                 const GridColumns& columns, const Evenness& by) {
   std::vector<NormalEquations> all;
+  const glm::dvec2 scale = pixels_per_unit(grid, target);
   for_each_residual(
       grid, target, by, [&](const Triple& t, const Residual& residual, double weight) {
         std::vector<double> shares;
@@ -76,11 +77,13 @@ std::vector<NormalEquations> evenness_equations(const LineGrid& grid, const Targ
         one.squares = weight * residual.value * residual.value;
         for (std::size_t k = 0; k < 3; ++k) {
           const KnotColumns& of = columns.of(t.numbers[k]);
-          for (const int axis : {0, 1}) {
-            const int column = axis == 0 ? of.x : of.y;
-            if (column < 0 || residual.by[k][axis] == 0) continue;
-            one.columns.push_back(column);
-            shares.push_back(residual.by[k][axis]);
+          for (std::size_t way = 0; way < of.place.size(); ++way) {
+            if (of.place[way] < 0) continue;
+            const double share =
+                glm::dot(residual.by[k], way_in_pixels(grid.knot(t.numbers[k]), way, scale));
+            if (share == 0) continue;
+            one.columns.push_back(of.place[way]);
+            shares.push_back(share);
           }
         }
         const Eigen::Map<const Eigen::VectorXd> row(shares.data(), Eigen::Index(shares.size()));

@@ -50,7 +50,7 @@ Expected expected_squares(const LineGrid& grid, const TargetPicture& target, con
       rhs(part.columns[a]) += part.rhs(Eigen::Index(a));
   });
   for (int number = 0; number < grid.points(); ++number)
-    for (const int column : {columns.of(number).x, columns.of(number).y})
+    for (const int column : columns.of(number).place)
       if (column >= 0) damping(column) = place_damping;
   const Eigen::VectorXd step = solve(parts, damping);
   result.after = result.before - (step.allFinite() ? rhs.dot(step) : 0);
@@ -111,8 +111,9 @@ std::optional<LineChange> best_new_line(const LineGrid& grid, const TargetPictur
 
 std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPicture& target) {
   std::vector<LineChange> lines;
-  for (int i = 1; i < grid.rows(); ++i) lines.push_back({Along::rows, i});
-  for (int j = 1; j < grid.columns(); ++j) lines.push_back({Along::columns, j});
+  for (const Along along : {Along::rows, Along::columns})
+    for (int line = 1; line < (along == Along::rows ? grid.rows() : grid.columns()); ++line)
+      if (grid.can_lose(along, line)) lines.push_back({along, line});
   parallel_for(lines.size(), [&](std::size_t n) {
     LineChange& line = lines[n];
     line.squares = cost_of(grid, target, line.along, line.number) / points_along(grid, line.along);

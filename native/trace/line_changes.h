@@ -27,8 +27,8 @@ std::optional<LineChange> best_new_line(const LineGrid& grid, const TargetPictur
                                         const MostLines& most);
 
 /// Returns the line that costs least for each of its points where it is taken out, after one step
-/// of Gauss-Newton of the lines on both sides of it; nothing where there is none, or none without
-/// which no patch folds.
+/// of Gauss-Newton of the lines on both sides of it; nothing where there is none that can be
+/// lost, or none without which no patch folds.
 std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPicture& target);
 
 }  // namespace gradmesh

@@ -132,7 +132,7 @@ class LineFit {
       parts.push_back(std::move(part));
     Eigen::VectorXd damping = Eigen::VectorXd::Zero(columns_.count());
     for (int number = 0; number < grid_.points(); ++number)
-      for (const int column : {columns_.of(number).x, columns_.of(number).y})
+      for (const int column : columns_.of(number).place)
         if (column >= 0) damping(column) = damping_;
     return solve(parts, damping);
   }
@@ -146,10 +146,13 @@ class LineFit {
       for (const int first_column : {0, 1})
         for (int i = first_row; i <= grid.rows(); i += 2)
           for (int j = first_column; j <= grid.columns(); j += 2) {
+            LineGrid::Knot& knot = grid.knot(i, j);
             const KnotColumns& of = columns_.of(grid.number(i, j));
-            const glm::dvec2 way =
-                glm::dvec2(of.x < 0 ? 0 : step(of.x), of.y < 0 ? 0 : step(of.y)) / scale;
-            grid.knot(i, j).position += allowed_share(grid, i, j, way, pixel_area) * way;
+            glm::dvec2 way(0.0);
+            for (std::size_t k = 0; k < of.place.size(); ++k)
+              if (of.place[k] >= 0) way += step(of.place[k]) * way_in_pixels(knot, k, scale);
+            way /= scale;
+            knot.position += allowed_share(grid, i, j, way, pixel_area) * way;
           }
   }
 

@@ -1,6 +1,7 @@
 #include "trace/line_grid.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace gradmesh {
 namespace {
@@ -11,6 +12,12 @@ Value value_of(const LineGrid::Knot& knot) { return {knot.position, knot.color /
 
 LineGrid::Knot middle(const LineGrid::Knot& a, const LineGrid::Knot& b) {
   return {0.5 * (a.position + b.position), 0.5 * (a.color + b.color)};
+}
+
+void let_slide(LineGrid::Knot& knot, glm::dvec2 along) {
+  const double length = glm::length(along);
+  knot.ways = length > 0 ? 1 : 0;
+  if (length > 0) knot.way[0] = along / length;
 }
 
 /// Returns the patch with straight sides whose corners have these values.
@@ -27,22 +34,25 @@ Patch straight_patch(const std::array<LineGrid::Knot, 4>& corners) {
 
 }  // namespace
 
-LineGrid::LineGrid(int rows, int columns, glm::dvec2 size) : rows_(rows), columns_(columns) {
+LineGrid::LineGrid(int rows, int columns, glm::dvec2 size)
+    : rows_(rows), columns_(columns), size_(size) {
   constexpr double grey = 128, opaque = 255;
   for (int i = 0; i <= rows; ++i)
-    for (int j = 0; j <= columns; ++j)
-      knots_.push_back({size * glm::dvec2(double(j) / columns, double(i) / rows),
-                        glm::dvec4(grey, grey, grey, opaque)});
+    for (int j = 0; j <= columns; ++j) {
+      Knot& knot =
+          knots_.emplace_back(Knot{size * glm::dvec2(double(j) / columns, double(i) / rows),
+                                   glm::dvec4(grey, grey, grey, opaque)});
+      const bool is_at_side = j == 0 || j == columns, is_at_end = i == 0 || i == rows;
+      if (is_at_side || is_at_end) let_slide(knot, {is_at_side ? 0 : 1, is_at_end ? 0 : 1});
+    }
 }
 
-bool LineGrid::moves_in_x(int number) const {
-  const int column = number % (columns_ + 1);
-  return column > 0 && column < columns_;
-}
-
-bool LineGrid::moves_in_y(int number) const {
-  const int row = number / (columns_ + 1);
-  return row > 0 && row < rows_;
+LineGrid::LineGrid(int rows, int columns, glm::dvec2 size, const std::vector<glm::dvec2>& places)
+    : LineGrid(rows, columns, size) {
+  for (int n = 0; n < points(); ++n) {
+    knot(n).position = places[std::size_t(n)];
+    if (knot(n).ways < 2) knot(n).ways = 0;
+  }
 }
 
 std::array<int, 4> LineGrid::corners(int row, int column) const {
@@ -68,11 +78,24 @@ LineGrid LineGrid::with_line(Along along, int strip) const {
       const int line = is_row ? i : j;
       const int after = line > strip + 1 ? 1 : 0;
       const int row = i - (is_row ? after : 0), column = j - (is_row ? 0 : after);
-      finer.knots_.push_back(line != strip + 1
-                                 ? knot(row, column)
-                                 : middle(knot(row - is_row, column - !is_row), knot(row, column)));
+      if (line != strip + 1) {
+        finer.knots_.push_back(knot(row, column));
+        continue;
+      }
+      const Knot &before = knot(row - is_row, column - !is_row), &next = knot(row, column);
+      Knot& end = finer.knots_.emplace_back(middle(before, next));
+      const bool is_on_border =
+          is_row ? column == 0 || column == columns_ : row == 0 || row == rows_;
+      if (is_on_border) let_slide(end, next.position - before.position);
     }
   return finer;
+}
+
+bool LineGrid::can_lose(Along along, int line) const {
+  const bool is_row = along == Along::rows;
+  const Knot& first = is_row ? knot(line, 0) : knot(0, line);
+  const Knot& last = is_row ? knot(line, columns_) : knot(rows_, line);
+  return first.ways > 0 && last.ways > 0;
 }
 
 LineGrid LineGrid::without_line(Along along, int line) const {

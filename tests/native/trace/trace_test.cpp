@@ -39,8 +39,9 @@ LineGrid random_grid(int rows, int columns, glm::dvec2 size, unsigned seed) {
   std::uniform_real_distribution<double> share(-0.2, 0.2), level(20, 235);
   LineGrid grid(rows, columns, size);
   for (int n = 0; n < grid.points(); ++n) {
-    if (grid.moves_in_x(n)) grid.knot(n).position.x += share(random) * size.x / columns;
-    if (grid.moves_in_y(n)) grid.knot(n).position.y += share(random) * size.y / rows;
+    for (int way = 0; way < grid.knot(n).ways; ++way)
+      grid.knot(n).position +=
+          share(random) * size / glm::dvec2(columns, rows) * grid.knot(n).way[std::size_t(way)];
     for (int k = 0; k < 4; ++k) grid.knot(n).color[k] = level(random);
   }
   return grid;
@@ -162,10 +163,11 @@ TEST(Equations, know_how_the_squares_change) {
       EXPECT_NEAR(slope([&](LineGrid& g, double by) { g.knot(middle).color[k] += by; }, 0.01),
                   -2 * rhs(columns.of(middle).color + k), 1);
     // A pixel that passes from one patch to another makes the squares a little uneven.
-    const double scale = std::abs(rhs(columns.of(middle).x)) + std::abs(rhs(columns.of(middle).y));
+    const double scale =
+        std::abs(rhs(columns.of(middle).place[0])) + std::abs(rhs(columns.of(middle).place[1]));
     for (const int axis : {0, 1})
       EXPECT_NEAR(slope([&](LineGrid& g, double by) { g.knot(middle).position[axis] += by; }, 0.05),
-                  -2 * rhs(axis == 0 ? columns.of(middle).x : columns.of(middle).y), 0.05 * scale);
+                  -2 * rhs(columns.of(middle).place[std::size_t(axis)]), 0.05 * scale);
   }
 }
 
