@@ -4,6 +4,7 @@
     make_trace_pictures.py [--again [--meshes FOLDER]] [--look FOLDER]      (after scripts/setup)
 
 traced.png   in docs/images/: pictures, the lines of their meshes, and what Inkscape paints of these
+outlined.png likewise of what is in an outline
 
 With --again all samples, and the authors' meshes, which FOLDER holds as .hemesh files, are painted and traced
 too; --look keeps every picture, mesh and result. The photographs are those of python3-skimage, the middle square
@@ -11,10 +12,12 @@ of each at 512 x 512 pixels.
 """
 
 import argparse
+import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 from PIL import Image
@@ -34,6 +37,8 @@ SIDE = 512
 PHOTOGRAPHS = {"coffee": 600, "chelsea": 600, "rocket": 400, "astronaut": 600}
 DRAWINGS = {"photo": ("photo.svg", None, 450), "pear": ("fruit.svg", "pear", 200), "face": ("face.svg", None, 400)}
 SHOWN = ("photo", "face", "rocket", "coffee")
+#: What lies in an outline: the handles of its goal.
+OUTLINED = {"pear": 120, "yolk": 270}
 
 
 def photograph(name, path):
@@ -54,6 +59,65 @@ def drawing(document, element, path):
         if max(Image.open(path).size) == SIDE:
             break
     on_white(path)
+
+
+def yolk(path):
+    """Renders the yolk of an egg from above: a dome under a lamp, with two highlights and light through its rim. Its
+    outline is returned as path data."""
+    y, x = (np.mgrid[0:SIDE, 0:SIDE] + 0.5) / SIDE * 2 - 1
+
+    def radius(a):
+        return 0.82 + 0.03 * np.cos(2 * a + 0.5) + 0.02 * np.cos(3 * a) + 0.012 * np.sin(5 * a)
+
+    share = np.hypot(x, y) / radius(np.arctan2(y, x))
+    height = np.sqrt(np.clip(1.02 - share**2, 0.02, None)) ** 0.8 * 0.6
+    slope_y, slope_x = np.gradient(height, 2 / SIDE)
+    normal = np.stack([-slope_x, -slope_y, np.ones_like(x)], axis=-1)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+
+    def towards(*way):
+        return np.clip(normal @ (np.array(way) / np.linalg.norm(way)), 0, 1)
+
+    light = 0.45 + 0.6 * towards(-0.5, -0.6, 0.9)
+    shine = 200 * towards(-0.35, -0.4, 1) ** 60 + 60 * towards(0.5, 0.45, 1) ** 30
+    rim = 40 * np.clip(share, 0, 1) ** 6
+    base = np.array([236, 158, 22]) * light[..., None] + shine[..., None] + rim[..., None] * [0.6, 0.5, 0.1]
+    inside = (share <= 1)[..., None]
+    Image.fromarray(np.where(inside, base, 255).clip(0, 255).astype("uint8")).save(path)
+    angles = np.linspace(0, 2 * np.pi, 240, endpoint=False)
+    around = (np.stack([np.cos(angles), np.sin(angles)], axis=-1) * radius(angles)[:, None] + 1) * SIDE / 2
+    return "M" + " ".join(f"{px:.2f},{py:.2f}" for px, py in around) + "Z"
+
+
+def pear_outline():
+    """The outline of the pear as path data, and the page that its picture fills."""
+    d = ElementTree.parse(SAMPLES / "fruit.svg").find(".//*[@id='pear']").get("d")
+    numbers = [float(n) for n in re.findall(r"-?[\d.]+", d)]
+    (left, right), (top, bottom) = ((min(n), max(n)) for n in (numbers[::2], numbers[1::2]))
+    return d, f"{left} {top} {right - left} {bottom - top}"
+
+
+def outlined(name, handles, folder, inkscape):
+    """Traces what is in an outline, and prints how Inkscape's painting of it differs."""
+    picture = folder / f"{name}.png"
+    path, page = (yolk(picture), f"0 0 {SIDE} {SIDE}") if name == "yolk" else pear_outline()
+    width, height = Image.open(picture).size
+    outline = folder / f"{name}-outline.svg"
+    outline.write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="{page}"'
+        f' preserveAspectRatio="none"><path id="{name}" d="{path}" fill="none" stroke="red"/></svg>'
+    )
+    mesh = folder / f"{name}-in-outline.svg"
+    tracing = gradmesh.trace(picture, outline=(outline, name), handles=handles, epsilon=0)
+    tracing.document.save(mesh)
+    (result,) = export(inkscape, [mesh])
+    flip = gradmesh.compare(pixels(picture), pixels(on_white(result)))
+    print(
+        f"| {name} | {tracing.handles} | {tracing.errors.mean:.2f}, {tracing.errors.rmse:.2f} |"
+        f" {tracing.errors.flip:.3f} | {flip:.4f} | {tracing.seconds:.1f} |",
+        flush=True,
+    )
+    return [picture, with_lines(mesh, inkscape, name), result]
 
 
 def pixels(path):
@@ -77,10 +141,10 @@ def traced(picture, handles, inkscape):
     return mesh, result
 
 
-def with_lines(mesh, inkscape):
+def with_lines(mesh, inkscape, element="mesh"):
     """The picture of a mesh with its lines."""
     lines = mesh.with_name(f"{mesh.stem}-lines.svg")
-    with_patches(mesh, lines, "mesh")
+    with_patches(mesh, lines, element)
     return on_white(export(inkscape, [lines])[0])
 
 
@@ -140,6 +204,8 @@ def main():
             mesh, result = rows[name]
             shown.append([folder / f"{name}.png", with_lines(mesh, inkscape), result])
         side_by_side(shown, ROOT / "docs" / "images" / "traced.png")
+        shown = [outlined(name, handles, folder, inkscape) for name, handles in OUTLINED.items()]
+        side_by_side(shown, ROOT / "docs" / "images" / "outlined.png")
         if arguments.again:
             samples(folder, arguments.meshes, inkscape)
 

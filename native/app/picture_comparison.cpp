@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files/image_codec.h"
+#include "trace/target_picture.h"
 
 namespace gradmesh {
 namespace {
@@ -18,14 +19,6 @@ Image on_white(const RgbaImage& picture) {
   return result;
 }
 
-/// Returns the painter for pixels of which one is `scale` pixels of the document: cairo's where the
-/// document is painted at its own size, or enlarged until pixels are the same. Where they are
-/// larger than the document's, its way to sample says nothing of what a person sees.
-std::unique_ptr<Rasterizer> painter_at(double scale) {
-  constexpr double last_bits = 1e-6;
-  return scale < 1 + last_bits ? make_cairo_like_rasterizer() : make_software_rasterizer();
-}
-
 }  // namespace
 
 PictureComparison::PictureComparison(const RgbaImage& picture, const Affine& to_pixels,
@@ -35,10 +28,12 @@ PictureComparison::PictureComparison(const RgbaImage& picture, const Affine& to_
                   ? picture.pixels()
                   : std::size_t(std::ranges::count_if(counted_, [](float c) { return c != 0; }))),
       metric_(make_metric(MetricKind::flip, on_white(picture))),
-      painter_(painter_at(scale)) {
+      painter_(make_cairo_like_rasterizer()) {
   frame_.width = picture.width;
   frame_.height = picture.height;
-  frame_.to_pixels = to_pixels;
+  // Where pixels are larger than the document's, cairo looks less far beyond their middles.
+  const double nearer = point_of_pixels(1) - point_of_pixels(scale);
+  frame_.to_pixels = Affine::translation(glm::dvec2(nearer)) * to_pixels;
 }
 
 Image PictureComparison::painted(const Mesh& mesh) const {

@@ -18,7 +18,7 @@ struct PictureErrors {
   double flip = 0;
 };
 
-/// A picture that meshes are compared with.
+/// A picture that meshes are compared with, as Inkscape paints them.
 class PictureComparison {
  public:
   /// `to_pixels` maps meshes to the picture's pixels, of which one is `scale` pixels of the

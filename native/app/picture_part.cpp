@@ -5,6 +5,7 @@
 #include "base/clamped_int.h"
 #include "files/box_reducer.h"
 #include "mesh/build.h"
+#include "trace/outline_grid.h"
 #include "trace/shape_target.h"
 #include "trace/traced_grid.h"
 
@@ -66,38 +67,48 @@ PictureComparison PartTracer::compared_with(const RgbaImage& image) const {
                            part_.scale * part_.size.x / image.width, std::move(counted));
 }
 
-std::vector<PartTracer::Start> PartTracer::starts() const {
-  const glm::dvec2 pixel = part_.size / pixels_of(followed_);
+PartTracer::Goal PartTracer::goal() const {
   if (!part_.shape) {
     const RgbaImage wide = with_wide_pixels(followed_);
-    return {{target_of(wide, part_.scale * part_.size.x / wide.width), part_.size, part_.to_mesh}};
+    const glm::dvec2 pixel = part_.size / pixels_of(wide);
+    return {target_of(wide, part_.scale * pixel.x),
+            {{}, wide.width, wide.height},
+            part_.to_mesh * Affine::scaling(pixel)};
   }
-  const FilledOutline shape = mapped(*part_.shape, Affine::scaling(glm::dvec2(1.0) / pixel));
-  std::vector<ShapeFrame> frames{straight_frame(shape.outline)};
-  if (const auto turned = turned_frame(shape.outline)) frames.push_back(*turned);
-  std::vector<Start> starts;
-  for (const ShapeFrame& frame : frames)
-    starts.push_back({target_of_shape(followed_, shape, frame, part_.scale * pixel.x), frame.size(),
-                      part_.to_mesh * Affine::scaling(pixel) * frame.to_picture});
-  return starts;
+  const glm::dvec2 pixel = part_.size / pixels_of(followed_);
+  const FilledOutline shape = shape_in_pixels();
+  const ShapeFrame frame = turned_frame(shape.outline).value_or(straight_frame(shape.outline));
+  return {target_of_shape(followed_, shape, frame, part_.scale * pixel.x), frame,
+          part_.to_mesh * Affine::scaling(pixel) * frame.to_picture};
+}
+
+std::vector<Beginning> PartTracer::beginnings(const Goal& goal) const {
+  // A grid that follows the outline has no points far from what they are to change.
+  constexpr double nicer_to_edit = 0.7;
+  const auto is_enough = [this, &goal](const LineGrid& grid) {
+    return coarse_.flip(mesh_of(grid, goal.place)) <= options_.epsilon;
+  };
+  std::vector<Beginning> beginnings;
+  for (const LineGrid& even : even_grids(goal.target, goal.frame.size(), options_.handles)) {
+    beginnings.push_back({&goal.target, even, is_enough});
+    if (!part_.shape) continue;
+    // One line less each way, as those of the beginning stay.
+    const auto following = outline_grid(
+        mapped(shape_in_pixels().outline, goal.frame.to_picture.inverse()),
+        std::max(1, even.rows() - 1), std::max(1, even.columns() - 1), goal.frame.size());
+    if (following) beginnings.push_back({&goal.target, *following, is_enough, nicer_to_edit});
+  }
+  return beginnings;
+}
+
+FilledOutline PartTracer::shape_in_pixels() const {
+  return mapped(*part_.shape, Affine::scaling(pixels_of(followed_) / part_.size));
 }
 
 TracedPart PartTracer::run(StopWatch& watch) const {
-  const std::vector<Start> starts = this->starts();
-  std::vector<Beginning> beginnings;
-  std::vector<const Affine*> places;
-  for (const Start& start : starts) {
-    const auto is_enough = [this, &start](const LineGrid& grid) {
-      return coarse_.flip(mesh_of(grid, start.place)) <= options_.epsilon;
-    };
-    for (LineGrid& grid : even_grids(start.target, start.size, options_.handles)) {
-      beginnings.push_back({&start.target, std::move(grid), is_enough});
-      places.push_back(&start.place);
-    }
-  }
-  const TracedGrid traced = traced_grid(beginnings, options_.handles, watch);
-  return {mesh_of(traced.grid, *places[traced.beginning]), traced.grid.rows(),
-          traced.grid.columns()};
+  const Goal goal = this->goal();
+  const LineGrid grid = traced_grid(beginnings(goal), options_.handles, watch).grid;
+  return {mesh_of(grid, goal.place), grid.rows(), grid.columns()};
 }
 
 }  // namespace gradmesh

@@ -8,7 +8,8 @@
 #include "base/progress.h"
 #include "geom/outline.h"
 #include "mesh/mesh.h"
-#include "trace/target_picture.h"
+#include "trace/shape_target.h"
+#include "trace/traced_grid.h"
 
 namespace gradmesh {
 
@@ -54,14 +55,17 @@ class PartTracer {
   PictureErrors errors_without_detail(const Mesh& mesh) const { return coarse_.errors(mesh); }
 
  private:
-  /// A target, and the map from the grids that are to look like it to the mesh's coordinates.
-  struct Start {
+  /// What meshes are to look like, and the map from grids over it to the mesh's coordinates.
+  struct Goal {
     TargetPicture target;
-    glm::dvec2 size;
+    ShapeFrame frame;
     Affine place;
   };
 
-  std::vector<Start> starts() const;
+  Goal goal() const;
+  std::vector<Beginning> beginnings(const Goal& goal) const;
+  /// Returns the shape in pixels of the picture that is followed.
+  FilledOutline shape_in_pixels() const;
   PictureComparison compared_with(const RgbaImage& image) const;
 
   const PicturePart part_;

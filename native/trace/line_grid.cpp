@@ -67,6 +67,14 @@ double LineGrid::corner_area(int row, int column, int corner) const {
   return cross(position(corner + 1) - here, position(corner + 3) - here);
 }
 
+bool LineGrid::folds() const {
+  for (int i = 0; i < rows_; ++i)
+    for (int j = 0; j < columns_; ++j)
+      for (int corner = 0; corner < 4; ++corner)
+        if (!(corner_area(i, j, corner) > 0)) return true;
+  return false;
+}
+
 LineGrid LineGrid::with_line(Along along, int strip) const {
   LineGrid finer = *this;
   finer.knots_.clear();

@@ -53,6 +53,8 @@ class LineGrid {
   /// Returns twice the area of the triangle at a corner of a patch, which is positive at all four
   /// corners where the patch does not fold: then it is convex.
   double corner_area(int row, int column, int corner) const;
+  /// Returns whether a patch does.
+  bool folds() const;
 
   /// Returns the grid with one line more, along rows or columns, through the middles of the strip
   /// of patches of that number. It looks the same. The line's ends slide along the border.

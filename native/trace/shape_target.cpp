@@ -82,7 +82,7 @@ double main_angle(const Outline& outline) {
   return angle - quarter * std::round(angle / quarter);
 }
 
-/// Returns the picture's colour and opacity at a place between the centres of its pixels.
+/// Returns what a mesh is to be (level_for) at a place between the centres of its pixels.
 glm::vec4 sample(const RgbaImage& picture, glm::dvec2 place) {
   const double x = place.x - 0.5, y = place.y - 0.5;
   const int x0 = clamped_int(std::floor(x), 0, picture.width - 1);
@@ -92,12 +92,12 @@ glm::vec4 sample(const RgbaImage& picture, glm::dvec2 place) {
   double opacity = 0;
   for (const int dy : {0, 1})
     for (const int dx : {0, 1}) {
-      const auto [r, g, b, a] = picture.pixel(std::min(x0 + dx, picture.width - 1),
-                                              std::min(y0 + dy, picture.height - 1));
+      const glm::dvec4 pixel = level_for(picture.pixel(std::min(x0 + dx, picture.width - 1),
+                                                       std::min(y0 + dy, picture.height - 1)));
       const double share = (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy);
-      color += share * a * glm::dvec3(r, g, b);
-      plain += share * glm::dvec3(r, g, b);
-      opacity += share * a;
+      color += share * pixel.a * glm::dvec3(pixel);
+      plain += share * glm::dvec3(pixel);
+      opacity += share * pixel.a;
     }
   return {glm::vec3(opacity > 0 ? color / opacity : plain), float(opacity)};
 }

@@ -27,6 +27,11 @@ double point_of_pixels(double scale) {
   return point_of_larger(0.5 + cairo_is_beyond, std::max(1.0, scale));
 }
 
+glm::vec4 level_for(const std::array<std::uint8_t, 4>& pixel) {
+  const auto mixed = [](std::uint8_t level) { return (float(level) + 0.5f) * (256.0f / 257.0f); };
+  return {mixed(pixel[0]), mixed(pixel[1]), mixed(pixel[2]), pixel[3]};
+}
+
 TargetPicture target_of(const RgbaImage& picture, double scale) {
   TargetPicture target;
   target.width = picture.width;
@@ -35,9 +40,8 @@ TargetPicture target_of(const RgbaImage& picture, double scale) {
   target.pixels.reserve(picture.pixels());
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
-      const auto [r, g, b, a] = picture.pixel(x, y);
-      target.pixels.emplace_back(r, g, b, a);
-      target.is_opaque = target.is_opaque && a == 255;
+      target.pixels.push_back(level_for(picture.pixel(x, y)));
+      target.is_opaque = target.is_opaque && target.pixels.back().a == 255;
     }
   return target;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -7,8 +9,8 @@
 
 namespace gradmesh {
 
-/// A picture that a mesh is to look like: of each pixel, row by row, the colour and the opacity,
-/// all in levels, 0..255.
+/// What a mesh is to look like a picture: of each pixel, row by row, the colour and the opacity
+/// that the mesh is to have there, in levels, 0..255.
 struct TargetPicture {
   int width = 0, height = 0;
   std::vector<glm::vec4> pixels;
@@ -39,6 +41,11 @@ struct TargetPicture {
 /// that has the picture's colours there looks like the picture where a hard edge would otherwise be
 /// off by that much.
 double point_of_pixels(double scale);
+
+/// Returns the colour and opacity, in levels, that a mesh is to have where a pixel is to be of this
+/// colour. Cairo mixes in 16 bits and keeps the upper 8: it paints a level of x as 257/256 x,
+/// rounded down, which in the mean is half a level too dark in black and too bright in white.
+glm::vec4 level_for(const std::array<std::uint8_t, 4>& pixel);
 
 /// Returns the target of a whole picture of which a pixel is `scale` pixels of the document.
 TargetPicture target_of(const RgbaImage& picture, double scale);

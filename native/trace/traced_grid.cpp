@@ -36,10 +36,12 @@ LineGrid in_whole_levels(LineGrid grid) {
   return grid;
 }
 
-bool is_better(const TracedGrid& a, const TracedGrid& b) {
+/// Returns whether the first of two results is better, where the squares of each count so many
+/// times.
+bool is_better(const TracedGrid& a, double a_counts, const TracedGrid& b, double b_counts) {
   if (a.is_enough != b.is_enough) return a.is_enough;
   if (a.is_enough && a.grid.points() != b.grid.points()) return a.grid.points() < b.grid.points();
-  return a.squares < b.squares;
+  return a_counts * a.squares < b_counts * b.squares;
 }
 
 /// Which of the beginnings is tried.
@@ -211,7 +213,8 @@ TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, Sto
   std::optional<TracedGrid> best;
   for (std::size_t n = 0; n < beginnings.size() && !(best && watch.is_over()); ++n) {
     TracedGrid found = Tracer(beginnings[n], points, watch, {n, beginnings.size()}).run();
-    if (!best || is_better(found, *best)) best = std::move(found);
+    if (!best || is_better(found, beginnings[n].counts, *best, beginnings[best->beginning].counts))
+      best = std::move(found);
   }
   return *std::move(best);
 }

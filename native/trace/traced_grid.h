@@ -18,6 +18,9 @@ struct Beginning {
   /// of whose lines those are taken out that it does not need. Nothing for what is no difference in
   /// whole levels.
   std::function<bool(const LineGrid&)> is_enough = {};
+  /// How many times its squares count where it is compared with others: below 1 for a grid that is
+  /// nicer to edit.
+  double counts = 1;
 };
 
 /// Returns even grids for a target over (0, 0) to `size`, of few, about square patches and at most

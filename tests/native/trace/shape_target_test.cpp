@@ -66,7 +66,7 @@ TEST(ShapeTarget, a_straight_frame_has_the_pixels_of_the_picture) {
   });
   const TargetPicture target = target_of_shape(image, shape, frame, 1);
   for (const glm::ivec2 at : {glm::ivec2(0, 0), {13, 10}, {25, 19}})
-    EXPECT_EQ(target.at(at.x, at.y), glm::vec4(4 * (17 + at.x), 5 * (10 + at.y), 9, 255));
+    EXPECT_EQ(target.at(at.x, at.y), level_for(image.pixel(17 + at.x, 10 + at.y)));
   EXPECT_EQ(target.weight(0, 0), 0);
   EXPECT_EQ(target.weight(13, 10), 1);
   EXPECT_EQ(target.point, point_of_pixels(1));
@@ -91,9 +91,24 @@ TEST(ShapeTarget, a_turned_frame_lies_along_the_shape) {
       for (int x = 0; x < target.width; x += 5) {
         if (target.weight(x, y) == 0) continue;
         const glm::dvec2 place = frame->to_picture.point({x + 0.5, y + 0.5}) - beyond;
-        EXPECT_NEAR(target.at(x, y).r, place.x, 1e-3);
-        EXPECT_NEAR(target.at(x, y).g, place.y, 1e-3);
+        EXPECT_NEAR(target.at(x, y).r, (place.x + 0.5) * 256 / 257, 1e-3);
+        EXPECT_NEAR(target.at(x, y).g, (place.y + 0.5) * 256 / 257, 1e-3);
       }
+  }
+}
+
+/// Inkscape paints a level that lies between two now as one and now as the other (raster/
+/// cairo_like.cpp): as often as it should be, but for this.
+TEST(ShapeTarget, levels_are_those_that_cairo_paints_in_the_mean) {
+  for (const int level : {0, 1, 100, 200, 254, 255}) {
+    const auto wanted = std::uint8_t(level);
+    const double asked = double(level_for({wanted, wanted, wanted, 255}).r);
+    EXPECT_EQ(std::lround(asked), level);
+    double sum = 0;
+    constexpr int steps = 1000;
+    for (int k = 0; k < steps; ++k)
+      sum += std::floor((asked + (k + 0.5) / steps - 0.5) * 257 / 256);
+    EXPECT_NEAR(sum / steps, level, 2.0 / steps);
   }
 }
 

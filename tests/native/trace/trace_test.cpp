@@ -73,14 +73,6 @@ double rmse(const LineGrid& grid, const TargetPicture& target) {
   return std::sqrt(squares_of(grid, target) / (3.0 * double(target.samples())));
 }
 
-bool folds(const LineGrid& grid) {
-  for (int i = 0; i < grid.rows(); ++i)
-    for (int j = 0; j < grid.columns(); ++j)
-      for (int corner = 0; corner < 4; ++corner)
-        if (!(grid.corner_area(i, j, corner) > 0)) return true;
-  return false;
-}
-
 using IsEnough = std::function<bool(const LineGrid&)>;
 
 LineGrid traced(const TargetPicture& target, int points, StopWatch& watch,
@@ -189,7 +181,7 @@ TEST(LineFit, finds_the_grid_that_a_picture_was_painted_of) {
     const double before = rmse(grid, target);
     fit_lines(grid, target, Evenness().times(1e-3), {60, 1e-5});
     EXPECT_LT(rmse(grid, target), 0.1 * before);
-    EXPECT_FALSE(folds(grid));
+    EXPECT_FALSE(grid.folds());
   }
 }
 
@@ -230,7 +222,7 @@ TEST(TracedGrid, follows_an_edge_with_few_lines) {
   });
   const LineGrid grid = traced(target, 60);
   EXPECT_LE(grid.points(), 60);
-  EXPECT_FALSE(folds(grid));
+  EXPECT_FALSE(grid.folds());
   LineGrid even(5, 9, {120, 100});
   fit_colors(even, target);
   EXPECT_LT(rmse(grid, target), 0.3 * rmse(even, target));
@@ -254,7 +246,7 @@ TEST(TracedGrid, keeps_opacities) {
   const LineGrid grid = traced(target, 144);
   EXPECT_LT(rmse(grid, target), 12);
   EXPECT_LT(grid.knot(0).color.a, 20);
-  EXPECT_FALSE(folds(grid));
+  EXPECT_FALSE(grid.folds());
 }
 
 TEST(TracedGrid, is_made_of_the_smallest_and_narrowest_pictures) {
@@ -263,7 +255,7 @@ TEST(TracedGrid, is_made_of_the_smallest_and_narrowest_pictures) {
   };
   for (const auto& [width, height] : {std::pair(1, 1), {1, 90}, {90, 1}, {8, 8}, {3, 200}}) {
     const LineGrid grid = traced(painted(width, height, checks), 100);
-    EXPECT_FALSE(folds(grid)) << width << " x " << height;
+    EXPECT_FALSE(grid.folds()) << width << " x " << height;
     EXPECT_LE(grid.points(), 100);
   }
 }
@@ -274,7 +266,7 @@ TEST(TracedGrid, of_noise_neither_folds_nor_fails) {
   const TargetPicture target = painted(64, 64, [&](double, double) {
     return glm::vec4(level(random), level(random), level(random), 255);
   });
-  EXPECT_FALSE(folds(traced(target, 120)));
+  EXPECT_FALSE(traced(target, 120).folds());
 }
 
 TEST(TracedGrid, ends_when_it_is_enough_or_told_to_stop) {
@@ -285,7 +277,7 @@ TEST(TracedGrid, ends_when_it_is_enough_or_told_to_stop) {
   const LineGrid stopped = traced(target, 400, watch);
   EXPECT_GE(stopped.points(), 30);
   EXPECT_LT(stopped.points(), 50);
-  EXPECT_FALSE(folds(stopped));
+  EXPECT_FALSE(stopped.folds());
 }
 
 TEST(TracedGrid, is_the_same_on_any_number_of_threads) {

@@ -85,7 +85,7 @@ def test_what_is_smaller_than_the_detail_is_not_followed(picture):
     pixels = np.asarray(Image.open(path), dtype=float)
     noise = np.random.default_rng(1).normal(0, 25, pixels.shape)
     Image.fromarray((pixels + noise).clip(0, 255).astype("uint8")).save(path)
-    report, _ = traced(path, "--handles", "150", "--detail", "6")
+    report, _ = traced(path, "--handles", "60", "--detail", "6")
     assert report["errors_without_detail"]["rmse"] < 0.5 * report["errors"]["rmse"]
 
 
