@@ -4,6 +4,7 @@
 
 #include "app/document.h"
 #include "formats/svg/gradient/mesh_gradient.h"
+#include "formats/svg/picture/document_image.h"
 #include "formats/svg/picture/picture.h"
 #include "formats/svg/picture/shape_on_picture.h"
 
@@ -41,6 +42,9 @@ class SvgMeshes : public Document {
   /// Returns where the shape with this id lies on the picture that the document shows, whose file
   /// is `pixels` large. Throws InputError as shape_to_paint and picture_place do.
   ShapeOnPicture shape_on_picture(const std::string& id, glm::dvec2 pixels) const;
+  /// Returns the file of the picture that the document shows (formats/svg/picture/
+  /// document_image.h). Throws InputError as image_file does.
+  ImageFile image_file() const { return gradmesh::image_file(svg_); }
   /// Fills the shape with this id by a mesh in its user space (formats/svg/gradient/paint_shape.h),
   /// and returns its entry. All entries are listed anew.
   MeshEntry paint_shape(const std::string& id, const Mesh& mesh);

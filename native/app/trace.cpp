@@ -4,6 +4,7 @@
 #include <climits>
 #include <cmath>
 #include <stdexcept>
+#include <variant>
 
 #include "app/formats.h"
 #include "app/picture_part.h"
@@ -48,6 +49,14 @@ std::string document_of(const Mesh& mesh, glm::dvec2 page, const Frame& frame) {
 
 SvgMeshes& as_svg(Document& document) {
   return document.as_svg(Message("{0}: only an SVG document holds outlines.", document.name()));
+}
+
+/// Returns the picture that a document in this folder shows.
+Picture shown_picture(Document& document, const std::filesystem::path& folder, int longest) {
+  const ImageFile file = as_svg(document).image_file();
+  if (const auto* bytes = std::get_if<std::string>(&file))
+    return picture_of_bytes(*bytes, document.name(), longest);
+  return read_picture(folder / std::get<std::filesystem::path>(file), longest);
 }
 
 /// Returns the window of a picture's pixels around a shape that is in pixels of its file.
@@ -147,7 +156,11 @@ Tracing trace_file_in_shape(const std::filesystem::path& picture, int resolution
   check(options);
   check_resolution(resolution);
   std::unique_ptr<Document> document = Document::read_file(outline);
-  Picture read = read_picture(picture, resolution);
+  const auto reduced_to = [&](int longest) {
+    return picture.empty() ? shown_picture(*document, outline.parent_path(), longest)
+                           : read_picture(picture, longest);
+  };
+  Picture read = reduced_to(resolution);
   // The shape is to have the resolution, and not the picture around it.
   const glm::dvec2 size = full_size(read);
   const glm::dvec2 shape =
@@ -155,7 +168,7 @@ Tracing trace_file_in_shape(const std::filesystem::path& picture, int resolution
   const double longest = std::max(size.x, size.y);
   const double wanted = resolution * longest / std::max({shape.x, shape.y, 1.0});
   if (wanted < resolution || longest > resolution)
-    read = read_picture(picture, clamped_int(std::min(wanted, longest), 1, INT_MAX));
+    read = reduced_to(clamped_int(std::min(wanted, longest), 1, INT_MAX));
   return trace_shape(read, std::move(document), id, options);
 }
 

@@ -47,6 +47,7 @@ void write(const Tracing& traced, const std::filesystem::path& path) {
 }
 
 Tracing traced(const TraceArguments& a) {
+  if (a.in.empty() && a.outline.empty()) throw CLI::RequiredError("PICTURE or --outline");
   if (a.outline.empty()) return trace_file(a.in, a.resolution, a.out.string(), a.options);
   const std::size_t at = a.outline.rfind('#');
   return trace_file_in_shape(a.in, a.resolution, utf8_path(a.outline.substr(0, at)),
@@ -74,8 +75,9 @@ void add_trace(CLI::App& program) {
   const auto a = std::make_shared<TraceArguments>();
   CLI::App& command =
       *program.add_subcommand("trace", "Make a gradient mesh that looks like a picture");
-  add_path(command, "PICTURE", a->in, "A photograph or another picture: PNG, JPEG and more")
-      ->required();
+  add_path(
+      command, "PICTURE", a->in,
+      "A photograph or another picture: PNG, JPEG and more; with --outline that of its document");
   add_path(command, "-o,--output", a->out, "Where to write the document")->required();
   command
       .add_option(

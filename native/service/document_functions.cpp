@@ -46,7 +46,8 @@ Json trace_picture(const Call& call) {
   options.threads = call.get("threads", options.threads);
   options.time_budget = call.get("time_budget", options.time_budget);
   options.progress = call.progress();
-  const std::filesystem::path path = path_argument(call, "path");
+  const std::filesystem::path path =
+      call.has("path") || !call.has("outline") ? path_argument(call, "path") : "";
   const int resolution = measure_options(call).resolution;
   Tracing traced = call.has("outline")
                        ? trace_file_in_shape(path, resolution, path_argument(call, "outline"),

@@ -37,7 +37,7 @@ class Tracing:
 
 
 def trace(
-    picture: Path,
+    picture: Optional[Path] = None,
     *,
     outline: Optional[Tuple[Path, str]] = None,
     handles: Optional[int] = None,
@@ -51,7 +51,8 @@ def trace(
     """Makes an SVG document of the size of a picture, with one mesh gradient that looks like it.
 
     picture: a file, PNG or JPEG, or what else OpenImageIO reads where the program has it. Raises InputError, whose
-    text is one sentence for the person, where it cannot be read.
+    text is one sentence for the person, where it cannot be read. With `outline` it may be None: the one picture that
+    the document there shows.
     outline: an SVG file and the id of a shape in it, which becomes the mesh: the document is that one. It lies on the
     picture where the file shows one, or else on the page, which the picture fills. Raises InputError where there is no
     such shape, or where it does not lie on the picture. None: the whole picture.
@@ -75,7 +76,11 @@ def trace(
         file, options["id"] = outline
         options["outline"] = os.fspath(file)
     given = {name: value for name, value in options.items() if value is not None}
-    made = here.call("trace", _answers(progress), path=os.fspath(picture), **given)
+    if picture is not None:
+        given["path"] = os.fspath(picture)
+    elif outline is None:
+        raise TypeError("a picture or an outline is needed")
+    made = here.call("trace", _answers(progress), **given)
     for name in ("errors", "errors_without_detail"):
         made[name] = PictureErrors(**made[name])
     return Tracing(**{**made, "document": Document(here.document(made["document"]))})

@@ -1,5 +1,6 @@
 """A mesh of a picture: `gradmesh trace`."""
 
+import base64
 import json
 import re
 
@@ -214,6 +215,41 @@ def test_a_page_without_a_picture_is_filled_by_it(picture, outline):
         *("--handles", "49", "--epsilon", "0"),
     )
     assert scaled["errors"]["rmse"] == pytest.approx(plain["errors"]["rmse"], abs=0.5)
+
+
+@pytest.mark.parametrize("how", ["linked", "named in full", "in the document", "in broken lines"])
+def test_the_document_s_own_picture_need_not_be_named(picture, outline, tmp_path, how):
+    path = picture("a ball.png")
+    data = base64.encodebytes(path.read_bytes()).decode()
+    reference = {
+        "linked": "a%20ball.png",
+        "named in full": path.as_uri(),
+        "in the document": "data:image/png;base64," + data.replace("\n", ""),
+        "in broken lines": "data:image/png;base64," + data.replace("\n", "&#10;"),
+    }[how]
+    attribute = 'xmlns:x="http://www.w3.org/1999/xlink" x:href' if how == "linked" else "href"
+    shape = f'<image width="120" height="90" {attribute}="{reference}"/><ellipse id="ball" {{shape}}/>'
+    made = [tmp_path / "named.svg", tmp_path / "own.svg"]
+    for out, named in zip(made, ([path], [])):
+        printed("trace", *named, "--outline", outline(shape), "-o", out, "--handles", "36")
+    assert made[0].read_bytes() == made[1].read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("inside", "reason"),
+    [
+        ("", "outline.svg: it shows no picture, so that one has to be named."),
+        ('<image href="https://example.org/a.png"/>', 'its picture "https://example.org/a.png" is no file of'),
+        ('<image href="data:image/png;base64,?"/>', "outline.svg: what it holds of its picture cannot be read."),
+        ('<image href="data:image/png;base64,AAAA"/>', "outline.svg is not a readable picture"),
+        ('<image href="none.png"/>', "none.png cannot be read"),
+        ("<image/>", "is no file of this machine"),
+    ],
+)
+def test_a_picture_that_the_document_does_not_have_is_told(outline, tmp_path, inside, reason):
+    sentence = refused("trace", "--outline", outline(inside + '<ellipse id="ball" {shape}/>'), "-o", tmp_path / "x.svg")
+    assert reason in sentence
+    assert run("trace", "-o", tmp_path / "x.svg").returncode == 2
 
 
 def test_only_the_mesh_of_the_shape_goes_to_the_papers_programs(picture, outline, tmp_path):

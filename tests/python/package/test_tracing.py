@@ -55,6 +55,10 @@ def test_a_shape_on_the_picture_becomes_the_mesh(picture, tmp_path):
     assert [mesh.id for mesh in traced.document.meshes] == ["spot"]
     with pytest.raises(gradmesh.InputError, match="no object with the id"):
         gradmesh.trace(picture, outline=(outline, "none"))
+    with pytest.raises(gradmesh.InputError, match="it shows no picture"):
+        gradmesh.trace(outline=(outline, "spot"))
+    with pytest.raises(TypeError):
+        gradmesh.trace()
 
 
 def test_errors_are_python_s_own(picture, tmp_path):

@@ -2,10 +2,10 @@
 
 #include <glm/geometric.hpp>
 #include <optional>
-#include <vector>
 
 #include "base/error.h"
 #include "formats/svg/gradient/paint_shape.h"
+#include "formats/svg/picture/document_image.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/visible.h"
 #include "formats/svg/values/length.h"
@@ -13,11 +13,6 @@
 
 namespace gradmesh {
 namespace {
-
-void collect_images(const xmlNode* node, std::vector<const xmlNode*>& images) {
-  if (svg_name(node) == "image") images.push_back(node);
-  for (const xmlNode* child : child_elements(node)) collect_images(child, images);
-}
 
 Affine image_place(const SvgTree& tree, const xmlNode* image, glm::dvec2 size) {
   glm::dvec2 room(read_length(image, "width", LengthAxis::x),
@@ -38,12 +33,7 @@ Affine image_place(const SvgTree& tree, const xmlNode* image, glm::dvec2 size) {
 /// Returns the map from pixels of a picture, which is `size` large, to units of the outermost
 /// <svg>.
 Affine picture_place(const SvgTree& tree, glm::dvec2 size) {
-  std::vector<const xmlNode*> images;
-  collect_images(tree.root(), images);
-  if (images.size() > 1)
-    throw InputError("{0}: it holds {1} pictures; leave the one that the outline lies on.",
-                     tree.name(), images.size());
-  if (!images.empty()) return image_place(tree, images.front(), size);
+  if (const xmlNode* image = only_image(tree)) return image_place(tree, image, size);
   const std::optional<Box> page = page_box(tree.root());
   if (!page) throw InputError("{0}: it has neither a picture nor a page with a size.", tree.name());
   return Affine::translation(page->low()) * Affine::scaling(page->size() / size);
