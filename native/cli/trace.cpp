@@ -88,10 +88,19 @@ void add_trace(CLI::App& program) {
   command.add_option("--handles", a->options.handles, "At most that many points")
       ->check(CLI::Range(4, 100000))
       ->capture_default_str();
+  CLI::Option* const epsilon = command
+                                   .add_option("--epsilon", a->options.epsilon,
+                                               "No more points than this error by FLIP needs")
+                                   ->check(CLI::Range(0.0, 1.0))
+                                   ->capture_default_str();
+  const auto set_amount = [a](const std::string& name) {
+    a->options.epsilon = amount_named(name).traced_epsilon;
+  };
   command
-      .add_option("--epsilon", a->options.epsilon, "No more points than this error by FLIP needs")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+      .add_option_function<std::string>("--amount", set_amount,
+                                        "Instead of --epsilon: how much a person may see")
+      ->check(CLI::IsMember(std::get<NamedValue>(option_named("amount").value).names()))
+      ->excludes(epsilon);
   command
       .add_option("--detail", a->options.detail,
                   "Follow nothing smaller, in pixels of the picture: noise and texture")

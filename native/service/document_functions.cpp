@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "app/convert.h"
 #include "app/info.h"
 #include "app/trace.h"
@@ -40,6 +42,10 @@ Json convert_document(const Call& call) {
 
 Json trace_picture(const Call& call) {
   TraceOptions options;
+  if (call.has("amount") && call.has("epsilon"))
+    throw std::invalid_argument("an amount has an epsilon of its own, beside which there is none.");
+  if (call.has("amount"))
+    options.epsilon = amount_named(call.get<std::string>("amount")).traced_epsilon;
   options.handles = call.get("handles", options.handles);
   options.epsilon = call.get("epsilon", options.epsilon);
   options.detail = call.get("detail", options.detail);

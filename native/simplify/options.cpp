@@ -40,16 +40,7 @@ Count count_named(const std::string& wanted) {
 }
 
 void set_amount(Options& options, const std::string& wanted) {
-  const auto& amounts = all_amounts();
-  const auto found = std::ranges::find(amounts, wanted, &Amount::name);
-  if (found == amounts.end()) {
-    std::string known;
-    for (const Amount& amount : amounts)
-      known.append(known.empty() ? "" : ", ").append(amount.name);
-    throw std::invalid_argument("the amount '" + wanted + "' is not known; there are: " + known +
-                                ".");
-  }
-  const Bounds bounds = bounds_of(*found, options.metric);
+  const Bounds bounds = bounds_of(amount_named(wanted), options.metric);
   options.epsilon = bounds.epsilon;
   options.max_local_error = bounds.local;
   options.max_detail_error = bounds.detail;
@@ -146,9 +137,20 @@ const OptionEntry& option_named(const std::string& name) {
 }
 
 const std::vector<Amount>& all_amounts() {
-  static const std::vector<Amount> amounts = {
-      {"gentle", 0.005, 0.05, 0.06}, {"balanced", 0.01, 0.1, 0.11}, {"strong", 0.02, 0.1, 0.3}};
+  static const std::vector<Amount> amounts = {{"gentle", 0.005, 0.05, 0.06, 0.02},
+                                              {"balanced", 0.01, 0.1, 0.11, 0.03},
+                                              {"strong", 0.02, 0.1, 0.3, 0.04}};
   return amounts;
+}
+
+const Amount& amount_named(const std::string& wanted) {
+  const auto& amounts = all_amounts();
+  const auto found = std::ranges::find(amounts, wanted, &Amount::name);
+  if (found != amounts.end()) return *found;
+  std::string known;
+  for (const Amount& amount : amounts) known.append(known.empty() ? "" : ", ").append(amount.name);
+  throw std::invalid_argument("the amount '" + wanted + "' is not known; there are: " + known +
+                              ".");
 }
 
 Bounds bounds_of(const Amount& amount, MetricKind metric) {

@@ -41,6 +41,7 @@ def trace(
     *,
     outline: Optional[Tuple[Path, str]] = None,
     handles: Optional[int] = None,
+    amount: Optional[str] = None,
     epsilon: Optional[float] = None,
     detail: Optional[float] = None,
     resolution: Optional[int] = None,
@@ -57,7 +58,8 @@ def trace(
     picture where the file shows one, or else on the page, which the picture fills. Raises InputError where there is no
     such shape, or where it does not lie on the picture. None: the whole picture.
     handles: at most that many, 4 to 100,000; None: 1,000. epsilon: no more handles than this error by FLIP needs,
-    0 to 1; None: 0.03. detail: nothing smaller is followed, in pixels of the picture, 1 or more; None: 1.
+    0 to 1; None: 0.03. amount: instead, "gentle", "balanced" or "strong", an epsilon that is as visible as what
+    simplify() does with each. detail: nothing smaller is followed, in pixels of the picture, 1 or more; None: 1.
     resolution: the pixels along the longer side at which mesh and picture are compared, 16 or more; None: 700.
     threads: None or 0 for all cores. time_budget: the seconds after which the best mesh so far is taken; None or 0
     for no limit. progress: is called with a Progress, and ends the run with the best mesh so far by returning False.
@@ -66,6 +68,7 @@ def trace(
     here = core()
     options = {
         "handles": handles,
+        "amount": amount,
         "epsilon": epsilon,
         "detail": detail,
         "resolution": resolution,

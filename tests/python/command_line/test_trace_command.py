@@ -69,6 +69,17 @@ def test_no_more_handles_than_the_error_needs(picture):
     assert soft["handles"] < close["handles"] < 1000
 
 
+def test_amounts_stand_for_errors(picture, tmp_path):
+    path = picture()
+    usual, _ = traced(path)
+    balanced, _ = traced(path, "--amount", "balanced")
+    strong, _ = traced(path, "--amount", "strong")
+    assert balanced["handles"] == usual["handles"] > strong["handles"]
+    for wrong in ("--amount strong --epsilon 0.1", "--amount some"):
+        assert run("trace", path, "-o", tmp_path / "out.svg", *wrong.split()).returncode == 2
+    assert not (tmp_path / "out.svg").exists()
+
+
 def test_opacity_is_kept(picture):
     report, out = traced(picture("cut.png", mode="RGBA"), "--handles", "150")
     assert report["errors"]["flip"] < 0.06

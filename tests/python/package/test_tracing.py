@@ -26,6 +26,13 @@ def test_a_mesh_that_looks_like_the_picture(picture):
     assert traced.advice is None and not traced.stopped
 
 
+def test_an_amount_stands_for_an_epsilon(picture):
+    gentle, balanced, strong = (gradmesh.trace(picture, amount=name) for name in ("gentle", "balanced", "strong"))
+    assert gentle.errors.flip < balanced.errors.flip <= 0.03 < strong.errors.flip
+    assert gentle.handles > balanced.handles > strong.handles
+    assert gradmesh.trace(picture).handles == balanced.handles
+
+
 def test_what_is_not_like_the_picture_comes_with_advice(picture):
     traced = gradmesh.trace(picture, handles=4)
     assert traced.handles == 4
@@ -62,7 +69,8 @@ def test_a_shape_on_the_picture_becomes_the_mesh(picture, tmp_path):
 
 
 def test_errors_are_python_s_own(picture, tmp_path):
-    for wrong in ({"handles": 3}, {"epsilon": -1}, {"detail": 0}, {"resolution": 1}):
+    amounts = ({"amount": "some"}, {"amount": "strong", "epsilon": 0.1})
+    for wrong in ({"handles": 3}, {"epsilon": -1}, {"detail": 0}, {"resolution": 1}, *amounts):
         with pytest.raises(ValueError):
             gradmesh.trace(picture, **wrong)
     with pytest.raises(gradmesh.InputError, match="none.png"):
