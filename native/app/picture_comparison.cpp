@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "files/image_codec.h"
+#include "metric/local_mean.h"
 #include "trace/target_picture.h"
 
 namespace gradmesh {
@@ -44,15 +46,21 @@ Image PictureComparison::painted(const Mesh& mesh) const {
   return image;
 }
 
-double PictureComparison::flip_of(const Image& painted) const {
-  const auto map = metric_->map(painted);
-  double sum = 0;
+Plane PictureComparison::flip_map(const Image& painted) const {
+  Plane map = metric_->map(painted);
   for (std::size_t i = 0; i < map.samples.size(); ++i)
-    if (counts(i)) sum += double(map.samples[i]);
-  return sum / double(std::max<std::size_t>(pixels_, 1));
+    if (!counts(i)) map.samples[i] = 0;
+  return map;
 }
 
-double PictureComparison::flip(const Mesh& mesh) const { return flip_of(painted(mesh)); }
+double PictureComparison::mean_of_counted(const Plane& map) const {
+  return std::accumulate(map.samples.begin(), map.samples.end(), 0.0) /
+         double(std::max<std::size_t>(pixels_, 1));
+}
+
+double PictureComparison::flip(const Mesh& mesh) const {
+  return mean_of_counted(flip_map(painted(mesh)));
+}
 
 PictureErrors PictureComparison::errors(const Mesh& mesh) const {
   const Image painted = this->painted(mesh);
@@ -63,7 +71,8 @@ PictureErrors PictureComparison::errors(const Mesh& mesh) const {
     sum += std::abs(difference);
   }
   const double count = 3.0 * double(std::max<std::size_t>(pixels_, 1));
-  return {std::sqrt(squares / count), sum / count, flip_of(painted)};
+  const Plane map = flip_map(painted);
+  return {std::sqrt(squares / count), sum / count, mean_of_counted(map), largest_local_mean(map)};
 }
 
 }  // namespace gradmesh

@@ -14,8 +14,9 @@ namespace gradmesh {
 struct PictureErrors {
   /// The root of the mean square and the mean of the differences, in levels, 0..255.
   double rmse = 0, mean = 0;
-  /// 0..1.
-  double flip = 0;
+  /// The mean of FLIP, 0..1, and the largest one in any window of 32 x 32 pixels
+  /// (metric/local_mean.h), where pixels that do not count have no error.
+  double flip = 0, local_flip = 0;
 };
 
 /// A picture that meshes are compared with, as Inkscape paints them.
@@ -36,7 +37,9 @@ class PictureComparison {
  private:
   /// Returns the painted mesh with the picture's own pixels where none counts.
   Image painted(const Mesh& mesh) const;
-  double flip_of(const Image& painted) const;
+  /// Returns the errors of all pixels, 0 where none counts.
+  Plane flip_map(const Image& painted) const;
+  double mean_of_counted(const Plane& map) const;
   bool counts(std::size_t pixel) const { return counted_.empty() || counted_[pixel] != 0; }
 
   const std::vector<float> counted_;

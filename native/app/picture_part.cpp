@@ -7,6 +7,7 @@
 #include "mesh/build.h"
 #include "trace/outline_grid.h"
 #include "trace/shape_target.h"
+#include "trace/thinned_grids.h"
 #include "trace/traced_grid.h"
 
 namespace gradmesh {
@@ -108,7 +109,11 @@ FilledOutline PartTracer::shape_in_pixels() const {
 TracedPart PartTracer::run(StopWatch& watch) const {
   const Goal goal = this->goal();
   const LineGrid grid = traced_grid(beginnings(goal), options_.handles, watch).grid;
-  return {mesh_of(grid, goal.place), grid.rows(), grid.columns()};
+  TracedPart part{mesh_of(grid, goal.place), grid.rows(), grid.columns()};
+  if (options_.wants_simpler)
+    for (const LineGrid& simpler : thinned_grids(grid, goal.target, watch))
+      part.simpler.push_back(mesh_of(simpler, goal.place));
+  return part;
 }
 
 }  // namespace gradmesh

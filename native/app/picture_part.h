@@ -30,12 +30,16 @@ struct PartOptions {
   /// As in TraceOptions.
   int handles;
   double epsilon, detail;
+  /// True if simpler meshes are made as well (TracedPart::simpler).
+  bool wants_simpler = false;
 };
 
 /// A mesh that looks like a part of a picture.
 struct TracedPart {
   Mesh mesh;
   int rows, columns;
+  /// What is left of it as one line after the other is taken out (trace/thinned_grids.h).
+  std::vector<Mesh> simpler = {};
 };
 
 /// Makes meshes of one part, and says how far they are from it.

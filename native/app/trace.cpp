@@ -9,6 +9,7 @@
 #include "app/formats.h"
 #include "app/picture_part.h"
 #include "app/svg_meshes.h"
+#include "app/traced_curve.h"
 #include "base/clamped_int.h"
 #include "base/error.h"
 #include "base/limits.h"
@@ -37,7 +38,7 @@ void check(const TraceOptions& options) {
 glm::dvec2 full_size(const Picture& picture) { return {picture.full_width, picture.full_height}; }
 
 PartOptions part_options(const TraceOptions& options) {
-  return {options.handles, options.epsilon, options.detail};
+  return {options.handles, options.epsilon, options.detail, options.wants_curve};
 }
 
 /// Returns a document of one mesh on a page of this size, all of which its object covers.
@@ -92,8 +93,8 @@ PicturePart part_around(const Picture& picture, const ShapeOnPicture& on) {
 }
 
 /// Fills in what is told of the mesh that was written into the document.
-void tell(Tracing& result, const TracedPart& traced, const MeshEntry& entry,
-          const PartTracer& tracer, const StopWatch& watch) {
+void tell(Tracing& result, TracedPart traced, const MeshEntry& entry, const PartTracer& tracer,
+          const TraceOptions& options, const StopWatch& watch) {
   const Mesh& written = result.document->mesh(entry);
   result.id = entry.id;
   result.rows = traced.rows;
@@ -102,6 +103,10 @@ void tell(Tracing& result, const TracedPart& traced, const MeshEntry& entry,
   result.counts = counts_of(written);
   result.errors = tracer.errors(written);
   result.errors_without_detail = tracer.errors_without_detail(written);
+  if (options.wants_curve) {
+    traced.simpler.insert(traced.simpler.begin(), written);
+    result.curve = traced_curve(std::move(traced.simpler), tracer);
+  }
   result.seconds = watch.seconds();
 }
 
@@ -117,11 +122,12 @@ Tracing trace(const Picture& picture, const std::string& name, const TraceOption
   StopWatch watch(options.time_budget, options.progress);
   const glm::dvec2 size = full_size(picture);
   const PartTracer tracer({picture.image, size, {}}, part_options(options));
-  const TracedPart traced = tracer.run(watch);
+  TracedPart traced = tracer.run(watch);
   const std::string content = document_of(traced.mesh, size, tracer.frame());
   Tracing result;
   result.document = format_named("svg").read(content, name);
-  tell(result, traced, result.document->meshes().front(), tracer, watch);
+  const MeshEntry entry = result.document->meshes().front();
+  tell(result, std::move(traced), entry, tracer, options, watch);
   return result;
 }
 
@@ -135,11 +141,11 @@ Tracing trace_shape(const Picture& picture, std::unique_ptr<Document> document,
                           part_options(options));
   if (!tracer.has_pixels())
     throw InputError("{0}: {1} does not lie on the picture.", svg.name(), excerpt(id));
-  const TracedPart traced = tracer.run(watch);
+  TracedPart traced = tracer.run(watch);
   const MeshEntry entry = svg.paint_shape(id, traced.mesh);
   Tracing result;
   result.document = std::move(document);
-  tell(result, traced, entry, tracer, watch);
+  tell(result, std::move(traced), entry, tracer, options, watch);
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "files/picture_file.h"
 #include "form/counts.h"
+#include "simplify/curve.h"
 #include "simplify/options.h"
 
 namespace gradmesh {
@@ -24,6 +25,8 @@ struct TraceOptions {
   /// Nothing smaller is followed, in pixels of the picture, 1 or more: noise and texture are no
   /// gradient.
   double detail = 1;
+  /// True if Tracing::curve is found.
+  bool wants_curve = false;
   /// The number of threads, 0 for all cores, on which no result depends; and the seconds after
   /// which the best mesh so far is taken, 0 for no limit.
   int threads = 0;
@@ -43,6 +46,9 @@ struct Tracing {
   PictureErrors errors;
   /// Against the picture without what is smaller than TraceOptions::detail.
   PictureErrors errors_without_detail;
+  /// The mesh and what is left of it as one line after the other is taken out (traced_curve), if
+  /// that was asked for.
+  Curve curve;
   /// True if the watch ended it early.
   bool was_stopped = false;
   double seconds = 0;

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/convert.h"
+#include "app/traced_curve.h"
 #include "base/utf8_path.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -13,7 +14,7 @@ namespace gradmesh {
 namespace {
 
 struct TraceArguments {
-  std::filesystem::path in, out, report;
+  std::filesystem::path in, out, curve, report;
   /// FILE.svg#ID; empty for the whole picture.
   std::string outline;
   TraceOptions options;
@@ -59,10 +60,12 @@ void run_trace(TraceArguments& a) {
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
+    a.options.wants_curve = !a.curve.empty();
     made = traced(a);
   }
   if (!a.report.empty()) write_bytes(a.report, tracing_json(made).dump(2) + "\n");
-  write(made, a.out);
+  if (!a.curve.empty()) write_bytes(a.curve, traced_curve_json(made.id, made.curve).dump(2) + "\n");
+  if (!a.out.empty()) write(made, a.out);
   if (a.quiet) return;
   print_result(made, a.options.detail);
   if (const std::optional<Message> help = what_would_help(made))
@@ -78,7 +81,10 @@ void add_trace(CLI::App& program) {
   add_path(
       command, "PICTURE", a->in,
       "A photograph or another picture: PNG, JPEG and more; with --outline that of its document");
-  add_path(command, "-o,--output", a->out, "Where to write the document")->required();
+  CLI::App& target = *command.add_option_group("Output")->require_option(1, 2);
+  add_path(target, "-o,--output", a->out, "Where to write the document");
+  add_path(target, "--curve", a->curve,
+           "Write what is left, and with what error, as line after line is taken out, as JSON");
   command
       .add_option(
           "--outline", a->outline,

@@ -119,6 +119,47 @@ def test_the_same_bytes_on_any_number_of_threads(picture):
     assert out.read_bytes() == first
 
 
+def curve_of(path):
+    (mesh,) = json.loads(path.read_text())["meshes"]
+    assert mesh["kind"] == "one gradient"
+    return mesh
+
+
+def test_a_curve_has_what_is_left_as_lines_are_taken_out(picture, tmp_path):
+    file = tmp_path / "curve.json"
+    report, out = traced(picture(), "--handles", "150", "--epsilon", "0", "--curve", file)
+    curve = curve_of(file)
+    states = curve["states"]
+    assert set(states[0]) == {"handles", "patches", "objects", "error", "local_error"}
+    assert curve["id"] in out.read_text()
+    assert (states[0]["handles"], states[0]["patches"]) == (report["handles"], report["patches"])
+    assert states[0]["error"] == report["errors"]["flip"]
+    handles = [state["handles"] for state in states]
+    assert handles == sorted(set(handles), reverse=True) and handles[-1] < 0.2 * handles[0]
+    assert states[-1]["error"] > 3 * states[0]["error"]
+    assert all(0 < state["error"] < state["local_error"] <= 1 for state in states)
+    assert sorted(curve["marks"].values()) == [curve["marks"][name] for name in ("gentle", "balanced", "strong")]
+    for name, most in {"gentle": 0.02, "balanced": 0.03, "strong": 0.04}.items():
+        assert states[curve["marks"][name]]["error"] <= most
+
+
+def test_the_curve_of_a_shape_is_of_what_is_inside(picture, outline, tmp_path):
+    file = tmp_path / "curve.json"
+    report, _ = traced(picture(), "--outline", outline(), "--handles", "64", "--epsilon", "0", "--curve", file)
+    curve = curve_of(file)
+    assert curve["id"] == "ball"
+    assert curve["states"][0]["error"] == report["errors"]["flip"]
+    assert curve["states"][-1]["error"] > report["errors"]["flip"]
+
+
+def test_a_curve_needs_no_document(picture, tmp_path):
+    path, file = picture(), tmp_path / "curve.json"
+    printed("trace", path, "--curve", file, "--handles", "40")
+    assert curve_of(file)["states"]
+    assert not list(tmp_path.glob("*.svg"))
+    assert run("trace", path, "--handles", "40").returncode == 2
+
+
 @pytest.mark.parametrize("wrong", ["--handles 3", "--epsilon 2", "--detail 0.5", "--resolution 8"])
 def test_options_out_of_range_are_refused(picture, wrong):
     path = picture()

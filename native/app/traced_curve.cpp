@@ -1,0 +1,36 @@
+#include "app/traced_curve.h"
+
+#include <memory>
+#include <utility>
+
+#include "app/curves.h"
+#include "simplify/options.h"
+
+namespace gradmesh {
+
+Curve traced_curve(std::vector<Mesh> meshes, const PartTracer& tracer) {
+  Curve curve;
+  for (Mesh& mesh : meshes) {
+    const PictureErrors errors = tracer.errors_without_detail(mesh);
+    CurveState& state = curve.states.emplace_back();
+    state.counts = counts_of(mesh);
+    state.error = errors.flip;
+    state.local_error = errors.local_flip;
+    state.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  }
+  for (const Amount& amount : all_amounts())
+    for (std::size_t n = curve.states.size(); n-- > 0;)
+      if (curve.states[n].error <= amount.traced_epsilon) {
+        curve.marks.push_back({amount.name, int(n)});
+        break;
+      }
+  return curve;
+}
+
+nlohmann::ordered_json traced_curve_json(const std::string& id, const Curve& curve) {
+  nlohmann::ordered_json mesh{{"id", id}};
+  mesh.update(curve_json(CurveKind::one_gradient, curve));
+  return {{"meshes", nlohmann::ordered_json::array({std::move(mesh)})}};
+}
+
+}  // namespace gradmesh

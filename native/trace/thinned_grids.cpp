@@ -1,0 +1,38 @@
+#include "trace/thinned_grids.h"
+
+#include <glm/common.hpp>
+#include <optional>
+
+#include "trace/line_changes.h"
+#include "trace/line_fit.h"
+
+namespace gradmesh {
+namespace {
+
+LineGrid with_rounded_colors(LineGrid grid) {
+  for (int n = 0; n < grid.points(); ++n) grid.knot(n).color = glm::round(grid.knot(n).color);
+  return grid;
+}
+
+}  // namespace
+
+std::vector<LineGrid> thinned_grids(const LineGrid& grid, const TargetPicture& target,
+                                    StopWatch& watch) {
+  constexpr FitLength to_the_end{40, 5e-4};
+  // With what the grid was fitted at last, so that a fit goes on where that one ended.
+  const Evenness faint = Evenness().times(1.0 / 256);
+  std::vector<LineGrid> grids;
+  LineGrid left = grid;
+  const auto points = std::size_t(grid.points());
+  while (!watch.should_stop({points - std::size_t(left.points()), points,
+                             left.rows() * left.columns(), 0, left.points()})) {
+    const std::optional<LineChange> line = cheapest_line(left, target);
+    if (!line) break;
+    left = left.without_line(line->along, line->number);
+    fit_lines(left, target, faint, to_the_end);
+    grids.push_back(with_rounded_colors(left));
+  }
+  return grids;
+}
+
+}  // namespace gradmesh
