@@ -200,7 +200,7 @@ std::vector<LineGrid> even_grids(const TargetPicture& target, glm::dvec2 size, i
   const MostLines most = most_lines(target, points);
   std::vector<LineGrid> grids;
   const double shape = std::sqrt(size.x / size.y);
-  for (const double across : {5.0, 3.0}) {
+  for (const double across : {6.0, 5.0, 3.0}) {
     int columns = clamped_int(across * shape + 0.5, 1, std::min(most_at_first, most.columns));
     int rows = clamped_int(across / shape + 0.5, 1, std::min(most_at_first, most.rows));
     while ((rows + 1) * (columns + 1) > points) rows >= columns ? --rows : --columns;
