@@ -45,6 +45,8 @@ MARK = f"{{{NAMESPACE}}}analysis"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 LOCKED = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}insensitive"
 HREF = "{http://www.w3.org/1999/xlink}href"
+#: What covers something.
+SHAPES = {"path", "rect", "circle", "ellipse", "polygon", "polyline"}
 #: The error that Strong allows, by metric.
 STRONG = {"flip": 0.02, "ssim": 0.01}
 MORE_THAN_STRONG = _("That is more than Strong allows: it will be seen.")

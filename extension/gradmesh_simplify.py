@@ -4,6 +4,7 @@
 
 from gradmesh_effect import (
     MORE_THAN_STRONG,
+    SHAPES,
     STRONG,
     GradmeshEffect,
     NothingToDo,
@@ -27,9 +28,6 @@ USUAL = {"usual": "balanced"}
 AMOUNTS = {"gentle": _("Gentle"), "balanced": _("Balanced"), "strong": _("Strong")}
 #: What is counted by the amounts that are a number or a share.
 COUNTED = {"handles": "handles", "share": "handles", "patches": "patches", "patch-share": "patches"}
-
-#: What covers something.
-SHAPES = {"path", "rect", "circle", "ellipse", "polygon", "polyline"}
 
 AS_SIMPLE_AS_ALLOWED = _(
     "{meshes}: as simple as {amount} allows, with {handles} handles, so the document stays as it was."

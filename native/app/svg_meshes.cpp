@@ -14,6 +14,7 @@
 #include "formats/svg/group/mesh_group.h"
 #include "formats/svg/group/shape.h"
 #include "formats/svg/group/write_group.h"
+#include "formats/svg/picture/image_cover.h"
 #include "formats/svg/picture/remove_meshes.h"
 #include "formats/svg/tree/kept.h"
 #include "formats/svg/tree/visible.h"
@@ -216,8 +217,13 @@ std::vector<FilledOutline> SvgMeshes::covered(const std::vector<std::string>& id
   return all;
 }
 
-ShapeOnPicture SvgMeshes::shape_on_picture(const std::string& id, glm::dvec2 pixels) const {
-  return gradmesh::shape_on_picture(svg_, id, pixels);
+ShapeOnPicture SvgMeshes::shape_on_picture(const std::string& id, const std::string& image,
+                                           glm::dvec2 pixels) const {
+  return gradmesh::shape_on_picture(svg_, id, image, pixels);
+}
+
+std::string SvgMeshes::cover_image(const std::string& id, glm::dvec2 pixels) {
+  return gradmesh::cover_image(changing(), id, pixels);
 }
 
 MeshEntry SvgMeshes::paint_shape(const std::string& id, const Mesh& mesh) {

@@ -39,12 +39,19 @@ class SvgMeshes : public Document {
   void check_conversion(const Format& to) const override;
   SvgMeshes& as_svg(const Message&) override { return *this; }
 
-  /// Returns where the shape with this id lies on the picture that the document shows, whose file
-  /// is `pixels` large. Throws InputError as shape_to_paint and picture_place do.
-  ShapeOnPicture shape_on_picture(const std::string& id, glm::dvec2 pixels) const;
-  /// Returns the file of the picture that the document shows (formats/svg/picture/
-  /// document_image.h). Throws InputError as image_file does.
-  ImageFile image_file() const { return gradmesh::image_file(svg_); }
+  /// Returns where the shape with this id, or what is seen of the image with this id, lies on the
+  /// picture of an image, whose file is `pixels` large (formats/svg/picture/shape_on_picture.h).
+  ShapeOnPicture shape_on_picture(const std::string& id, const std::string& image,
+                                  glm::dvec2 pixels) const;
+  /// Returns the file of that picture (formats/svg/picture/document_image.h).
+  ImageFile image_file(const std::string& id, const std::string& image) const {
+    return gradmesh::image_file(svg_, id, image);
+  }
+  /// Returns true if there is an <image> with this id.
+  bool is_image(const std::string& id) const { return gradmesh::is_image(svg_, id); }
+  /// Puts a rectangle above the image with this id and returns its id (formats/svg/picture/
+  /// image_cover.h).
+  std::string cover_image(const std::string& id, glm::dvec2 pixels);
   /// Fills the shape with this id by a mesh in its user space (formats/svg/gradient/paint_shape.h),
   /// and returns its entry. All entries are listed anew.
   MeshEntry paint_shape(const std::string& id, const Mesh& mesh);

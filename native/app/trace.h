@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/document.h"
 #include "app/picture_comparison.h"
@@ -36,9 +37,6 @@ struct TraceOptions {
 
 /// What became of a picture.
 struct Tracing {
-  /// An SVG document with one mesh gradient: over a page of the size of the picture, or on a shape
-  /// in the document that the shape is in.
-  std::unique_ptr<Document> document;
   /// The object that has the mesh.
   std::string id;
   MeshCounts counts;
@@ -54,31 +52,52 @@ struct Tracing {
   double seconds = 0;
 };
 
+/// A document with the mesh of a picture.
+struct TracedDocument {
+  std::unique_ptr<Document> document;
+  Tracing tracing;
+};
+
+/// What of an SVG document becomes meshes.
+struct ToTrace {
+  /// Shapes, each of which becomes a mesh of what it surrounds, and images, each of which gets a
+  /// mesh of all that is seen of it above itself.
+  std::vector<std::string> ids;
+  /// The image that the shapes lie on; empty for the one below each (formats/svg/picture/
+  /// document_image.h).
+  std::string image = {};
+  /// Where a linked picture is looked for, one folder after the other.
+  std::vector<std::filesystem::path> folders = {};
+};
+
 /// Makes a mesh that looks like a picture, over a page of the size of its file; `name` stands in
 /// messages. The errors are those of the document: where the picture was not reduced, of what
 /// Inkscape paints of it. Throws std::invalid_argument if an option is out of range.
-Tracing trace(const Picture& picture, const std::string& name, const TraceOptions& options);
-
-/// Fills the shape with this id, in an SVG document that shows the picture (SvgMeshes::
-/// shape_on_picture), by a mesh that looks like the picture there. Only what is in the shape counts
-/// in the errors. Throws as trace does, and InputError if the document has no such shape or does
-/// not show the picture, and if none of the picture is in the shape.
-Tracing trace_shape(const Picture& picture, std::unique_ptr<Document> document,
-                    const std::string& id, const TraceOptions& options);
+TracedDocument trace(const Picture& picture, const std::string& name, const TraceOptions& options);
 
 /// Makes a mesh that looks like the picture of a file, which is reduced to `resolution` pixels
 /// along the longer side; `name` is that of the document. Throws InputError where it cannot be read
 /// (files/picture_file.h), std::invalid_argument also if the resolution is out of range.
-Tracing trace_file(const std::filesystem::path& picture, int resolution, const std::string& name,
-                   const TraceOptions& options);
+TracedDocument trace_file(const std::filesystem::path& picture, int resolution,
+                          const std::string& name, const TraceOptions& options);
 
-/// Fills the shape with this id in the SVG document of a file, as trace_shape does, by a mesh of
-/// the picture of another file, which is reduced so that the shape is `resolution` pixels long.
-Tracing trace_file_in_shape(const std::filesystem::path& picture, int resolution,
-                            const std::filesystem::path& outline, const std::string& id,
-                            const TraceOptions& options);
+/// Fills the shape with this id, in the SVG document of a file, by a mesh that looks like the
+/// picture of another file there (SvgMeshes::shape_on_picture), which is reduced so that the shape
+/// is `resolution` pixels long. An empty path is that of the picture which the document shows. Only
+/// what is in the shape counts in the errors. Throws as trace_file does, and InputError if the
+/// document has no such shape or does not show the picture, and if none of the picture is in the
+/// shape.
+TracedDocument trace_file_in_shape(const std::filesystem::path& picture, int resolution,
+                                   const std::filesystem::path& outline, const std::string& id,
+                                   const TraceOptions& options);
 
-/// Returns all of it but the document, as --report and Python have it.
+/// Does so with the pictures that a document shows, in place. What was done before the watch ended
+/// it is returned, which is the mesh at which that happened and those before. Throws as
+/// trace_file_in_shape does; the document is unchanged then.
+std::vector<Tracing> trace_in(Document& document, const ToTrace& what, int resolution,
+                              const TraceOptions& options);
+
+/// Returns all of it but the id, as --report and Python have it.
 nlohmann::ordered_json tracing_json(const Tracing& tracing);
 
 /// Returns what a person is told of a mesh that does not look like its picture, and what would

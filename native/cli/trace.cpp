@@ -40,14 +40,15 @@ void print_result(const Tracing& traced, double detail) {
 }
 
 /// Writes the document, or the mesh alone in the format that the path's extension names.
-void write(const Tracing& traced, const std::filesystem::path& path) {
+void write(const TracedDocument& traced, const std::filesystem::path& path) {
   const Document& document = *traced.document;
   const Format* format = format_of(path);
   if (!format || *format == document.format()) return document.write_file(path);
-  convert(document, document.selected({traced.id}).front(), *format, {}).document->write_file(path);
+  convert(document, document.selected({traced.tracing.id}).front(), *format, {})
+      .document->write_file(path);
 }
 
-Tracing traced(const TraceArguments& a) {
+TracedDocument traced(const TraceArguments& a) {
   if (a.in.empty() && a.outline.empty()) throw CLI::RequiredError("PICTURE or --outline");
   if (a.outline.empty()) return trace_file(a.in, a.resolution, a.out.string(), a.options);
   const std::size_t at = a.outline.rfind('#');
@@ -56,19 +57,20 @@ Tracing traced(const TraceArguments& a) {
 }
 
 void run_trace(TraceArguments& a) {
-  Tracing made;
+  TracedDocument made;
   {
     ProgressBar bar(a.quiet);
     a.options.progress = bar.callback();
     a.options.wants_curve = !a.curve.empty();
     made = traced(a);
   }
-  if (!a.report.empty()) write_bytes(a.report, tracing_json(made).dump(2) + "\n");
-  if (!a.curve.empty()) write_bytes(a.curve, traced_curve_json(made.id, made.curve).dump(2) + "\n");
+  if (!a.report.empty()) write_bytes(a.report, tracing_json(made.tracing).dump(2) + "\n");
+  if (!a.curve.empty())
+    write_bytes(a.curve, traced_curve_json(made.tracing.id, made.tracing.curve).dump(2) + "\n");
   if (!a.out.empty()) write(made, a.out);
   if (a.quiet) return;
-  print_result(made, a.options.detail);
-  if (const std::optional<Message> help = what_would_help(made))
+  print_result(made.tracing, a.options.detail);
+  if (const std::optional<Message> help = what_would_help(made.tracing))
     std::fprintf(stderr, "gradmesh: %s: %s\n", a.in.string().c_str(), help->english().c_str());
 }
 
@@ -88,8 +90,8 @@ void add_trace(CLI::App& program) {
   command
       .add_option(
           "--outline", a->outline,
-          "FILE.svg#ID: a shape on the picture, which becomes the mesh; the document with it "
-          "is written")
+          "FILE.svg#ID: a shape on the picture, which becomes the mesh, or an image; the document "
+          "with it is written")
       ->check(check_outline);
   command.add_option("--handles", a->options.handles, "At most that many points")
       ->check(CLI::Range(4, 100000))

@@ -57,4 +57,13 @@ void Box::add_cubic(glm::dvec2 p0, glm::dvec2 p1, glm::dvec2 p2, glm::dvec2 p3) 
     }
 }
 
+Box overlap(const Box& a, const Box& b) {
+  Box both;
+  const glm::dvec2 low = glm::max(a.low(), b.low()), high = glm::min(a.high(), b.high());
+  if (a.empty() || b.empty() || !(low.x < high.x && low.y < high.y)) return both;
+  both.add(low);
+  both.add(high);
+  return both;
+}
+
 }  // namespace gradmesh

@@ -20,4 +20,7 @@ class Box {
   bool empty_ = true;
 };
 
+/// Returns what two boxes share; empty if that has no area.
+Box overlap(const Box& a, const Box& b);
+
 }  // namespace gradmesh

@@ -4,6 +4,10 @@
 
 namespace gradmesh {
 
+Outline rectangle(glm::dvec2 low, glm::dvec2 high) {
+  return {{low, {high.x, low.y}, high, {low.x, high.y}}};
+}
+
 Outline mapped(Outline outline, const Affine& map) {
   for (std::vector<glm::dvec2>& polygon : outline)
     for (glm::dvec2& p : polygon) p = map.point(p);

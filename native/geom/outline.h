@@ -11,6 +11,9 @@ namespace gradmesh {
 /// Closed polygons; the last point is joined to the first.
 using Outline = std::vector<std::vector<glm::dvec2>>;
 
+/// Returns the outline of the rectangle with these corners.
+Outline rectangle(glm::dvec2 low, glm::dvec2 high);
+
 /// Returns the outline with all its points mapped.
 Outline mapped(Outline outline, const Affine& map);
 

@@ -2,7 +2,6 @@
 
 #include "app/convert.h"
 #include "app/info.h"
-#include "app/trace.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"
 #include "service/options.h"
@@ -38,33 +37,6 @@ Json convert_document(const Call& call) {
           {"patches", patches},
           {"error", conversion.error},
           {"lost_opacity", conversion.lost_opacity}};
-}
-
-Json trace_picture(const Call& call) {
-  TraceOptions options;
-  if (call.has("amount") && call.has("epsilon"))
-    throw std::invalid_argument("an amount has an epsilon of its own, beside which there is none.");
-  if (call.has("amount"))
-    options.epsilon = amount_named(call.get<std::string>("amount")).traced_epsilon;
-  options.handles = call.get("handles", options.handles);
-  options.epsilon = call.get("epsilon", options.epsilon);
-  options.detail = call.get("detail", options.detail);
-  options.threads = call.get("threads", options.threads);
-  options.time_budget = call.get("time_budget", options.time_budget);
-  options.progress = call.progress();
-  const std::filesystem::path path =
-      call.has("path") || !call.has("outline") ? path_argument(call, "path") : "";
-  const int resolution = measure_options(call).resolution;
-  Tracing traced = call.has("outline")
-                       ? trace_file_in_shape(path, resolution, path_argument(call, "outline"),
-                                             call.get<std::string>("id"), options)
-                       : trace_file(path, resolution, call.get<std::string>("path"), options);
-  Json result = tracing_json(traced);
-  result["id"] = traced.id;
-  const std::optional<Message> advice = what_would_help(traced);
-  result["advice"] = advice ? Json(advice->english()) : Json();
-  result["document"] = call.add(std::move(traced.document));
-  return result;
 }
 
 Json write_document(const Call& call) {

@@ -11,13 +11,16 @@ namespace gradmesh {
 Json read_document(const Call& call);
 Json parse_document(const Call& call);
 Json convert_document(const Call& call);
-Json trace_picture(const Call& call);
 Json write_document(const Call& call);
 Json document_bytes(const Call& call);
 Json document_kind(const Call& call);
 Json mesh_ids(const Call& call);
 Json meshes(const Call& call);
 Json info(const Call& call);
+
+// Meshes of pictures.
+Json trace_picture(const Call& call);
+Json trace_document(const Call& call);
 
 // Runs.
 Json run_option_list(const Call& call);

@@ -23,6 +23,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"parse", parse_document},
       {"convert", convert_document},
       {"trace", trace_picture},
+      {"trace_in", trace_document},
       {"write", write_document},
       {"bytes", document_bytes},
       {"kind", document_kind},

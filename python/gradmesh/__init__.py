@@ -28,7 +28,7 @@ from .errors import HelperError, InputError
 from .pictures import compare, differences, draw, render, report
 from .publishing import Published, publish
 from .session import Pointed, Session, View
-from .tracing import PictureErrors, Tracing, trace
+from .tracing import PictureErrors, Tracing, trace, trace_in
 
 # Fails at once where nothing here can compute.
 _core_in_use()
@@ -77,5 +77,6 @@ __all__ = [
     "simplify",
     "to_one_mesh",
     "trace",
+    "trace_in",
     "update",
 ]

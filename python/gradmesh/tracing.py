@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Optional, Tuple
+from typing import Any, List, Optional, Sequence, Tuple
 
 from .api import Document, Path, TellProgress, _answers
 from .core import core
@@ -21,7 +21,7 @@ class PictureErrors:
 
 @dataclass(frozen=True)
 class Tracing:
-    """A document with a mesh gradient that looks like a picture, or like what of it is in a shape."""
+    """A mesh gradient in a document that looks like a picture, or like what of it is in a shape."""
 
     document: Document
     id: str  #: of the object that has the mesh
@@ -33,7 +33,8 @@ class Tracing:
     errors_without_detail: PictureErrors  #: against the picture without what is smaller than `detail`
     stopped: bool  #: whether time, or what `progress` returned, ended it early
     seconds: float
-    advice: Optional[str]  #: what would help, in a sentence, where the mesh does not look like the picture
+    #: what would help, where the mesh does not look like the picture: a sentence in the document's language
+    advice: Optional[str]
 
 
 def trace(
@@ -78,12 +79,43 @@ def trace(
     if outline is not None:
         file, options["id"] = outline
         options["outline"] = os.fspath(file)
-    given = {name: value for name, value in options.items() if value is not None}
     if picture is not None:
-        given["path"] = os.fspath(picture)
+        options["path"] = os.fspath(picture)
     elif outline is None:
         raise TypeError("a picture or an outline is needed")
-    made = here.call("trace", _answers(progress), **given)
+    made = here.call("trace", _answers(progress), **_given(options))
+    return _tracing(made, Document(here.document(made.pop("document"))))
+
+
+def trace_in(
+    document: Document,
+    ids: Sequence[str],
+    *,
+    image: Optional[str] = None,
+    folders: Sequence[Path] = (),
+    progress: Optional[TellProgress] = None,
+    **options: Any,
+) -> List[Tracing]:
+    """Makes meshes of pictures that an SVG document shows, in place, and returns what became of each.
+
+    ids: of shapes, each of which becomes a mesh of what of the picture it surrounds; of images, each of which gets a
+    mesh of all that is seen of it, in a rectangle directly above. image: the id of the image that the shapes lie on;
+    None: the uppermost below each. folders: where a linked picture is looked for, one after the other.
+    The options are handles, amount, epsilon, detail, resolution, threads and time_budget, as of trace(), for each mesh.
+    Where `progress` returns False the mesh that is at work is taken as it is, and none after it is begun.
+    Raises InputError where there is no such object or no picture, where the picture cannot be read, or where a shape
+    does not lie on it, and ValueError where an option is out of range; the document is then unchanged.
+    """
+    options.update(ids=list(ids), image=image, folders=[os.fspath(folder) for folder in folders])
+    made = document._core.call("trace_in", _answers(progress), **_given(options))
+    return [_tracing(each, document) for each in made]
+
+
+def _given(options: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in options.items() if value is not None}
+
+
+def _tracing(made: dict[str, Any], document: Document) -> Tracing:
     for name in ("errors", "errors_without_detail"):
         made[name] = PictureErrors(**made[name])
-    return Tracing(**{**made, "document": Document(here.document(made["document"]))})
+    return Tracing(**made, document=document)

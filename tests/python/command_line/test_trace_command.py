@@ -318,7 +318,11 @@ def test_only_the_mesh_of_the_shape_goes_to_the_papers_programs(picture, outline
         ('<path id="ball" d="M0,0H9"/>', "outline.svg: \"ball\" is no closed shape, such as a path, that a mesh"),
         ('<g id="ball"><rect width="9" height="9"/></g>', "outline.svg: \"ball\" is no closed shape"),
         ('<rect id="ball" x="500" width="9" height="9"/>', "outline.svg: \"ball\" does not lie on the picture."),
-        ('<image/><image/><rect id="ball" width="9" height="9"/>', "outline.svg: it holds 2 pictures; leave the one"),
+        (
+            '<image x="50" width="9" height="9"/><image x="60" width="9" height="9"/>'
+            '<rect id="ball" width="9" height="9"/>',
+            'outline.svg: "ball" lies on none of its 2 pictures.',
+        ),
     ],
 )
 def test_what_is_no_outline_is_refused_in_a_sentence(picture, outline, tmp_path, inside, reason):

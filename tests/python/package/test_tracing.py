@@ -68,6 +68,50 @@ def test_a_shape_on_the_picture_becomes_the_mesh(picture, tmp_path):
         gradmesh.trace()
 
 
+def document_on(picture):
+    return gradmesh.loads(
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="90" height="70">'
+        f'<image id="photo" width="90" height="70" xlink:href="{picture.name}"/>'
+        '<circle id="spot" cx="40" cy="35" r="22"/><circle id="far" cx="400" r="9"/></svg>'
+    )
+
+
+def test_pictures_of_a_document_become_meshes_in_place(picture, tmp_path):
+    document = document_on(picture)
+    spot, whole = gradmesh.trace_in(document, ["spot", "photo"], folders=[tmp_path / "none", tmp_path], handles=36)
+    assert spot.id == "spot" and whole.id.startswith("photo-mesh")
+    assert document.ids == [whole.id, "spot"]
+    assert spot.document is whole.document is document
+    assert spot.handles <= 36 and spot.errors.mean < 1 and whole.handles <= 36 and whole.errors.mean < 4
+
+
+def test_a_document_stays_as_it_was_where_one_mesh_of_several_cannot_be_made(picture, tmp_path):
+    document = document_on(picture)
+    before = document.to_bytes()
+    with pytest.raises(gradmesh.InputError, match='"far" does not lie on the picture'):
+        gradmesh.trace_in(document, ["spot", "far"], folders=[tmp_path], handles=16)
+    with pytest.raises(gradmesh.InputError, match='no picture with the id "spot"'):
+        gradmesh.trace_in(document, ["spot"], image="spot", folders=[tmp_path], handles=16)
+    with pytest.raises(ValueError):
+        gradmesh.trace_in(document, ["spot"], folders=[tmp_path], handles=3)
+    assert document.to_bytes() == before and document.ids == []
+
+
+def test_what_is_ended_early_leaves_the_meshes_after_it(picture, tmp_path):
+    document = document_on(picture)
+    seen = []
+
+    def stop_in_the_second(progress):
+        seen.append((progress.mesh, progress.meshes))
+        return progress.mesh == 0
+
+    made = gradmesh.trace_in(
+        document, ["spot", "photo", "spot"], folders=[tmp_path], handles=16, progress=stop_in_the_second
+    )
+    assert [each.stopped for each in made] == [False, True]
+    assert seen[0] == (0, 3) and seen[-1] == (1, 3)
+
+
 def test_errors_are_python_s_own(picture, tmp_path):
     amounts = ({"amount": "some"}, {"amount": "strong", "epsilon": 0.1})
     for wrong in ({"handles": 3}, {"epsilon": -1}, {"detail": 0}, {"resolution": 1}, *amounts):

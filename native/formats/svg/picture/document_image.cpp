@@ -1,7 +1,6 @@
 #include "formats/svg/picture/document_image.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -9,33 +8,26 @@
 #include "base/error.h"
 #include "base/utf8_path.h"
 #include "files/base64.h"
+#include "formats/svg/tree/objects.h"
+#include "formats/svg/tree/visible.h"
+#include "formats/svg/values/length.h"
 #include "formats/svg/values/reference.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
+#include "geom/outline.h"
 
 namespace gradmesh {
 namespace {
 
-void collect_images(const xmlNode* node, std::vector<const xmlNode*>& images) {
-  if (svg_name(node) == "image") images.push_back(node);
-  for (const xmlNode* child : child_elements(node)) collect_images(child, images);
-}
-
-/// Returns a text in which %41 stands for A.
-std::string unescaped(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    unsigned char byte = 0;
-    const char *first = text.data() + i + 1, *last = first + 2;
-    if (text[i] == '%' && i + 2 < text.size() &&
-        std::from_chars(first, last, byte, 16).ptr == last) {
-      result += char(byte);
-      i += 2;
-    } else {
-      result += text[i];
-    }
-  }
-  return result;
+/// Returns the box around the room of an <image>, in units of the outermost <svg>. One whose size
+/// is not said has that of its file, and may reach anywhere.
+std::optional<Box> image_box(const xmlNode* image) {
+  if (!attribute(image, "width") || !attribute(image, "height")) return {};
+  const glm::dvec2 corner(read_length(image, "x", LengthAxis::x),
+                          read_length(image, "y", LengthAxis::y));
+  const glm::dvec2 size(read_length(image, "width", LengthAxis::x),
+                        read_length(image, "height", LengthAxis::y));
+  return bounding_box(mapped(rectangle(corner, corner + size), to_document(image)));
 }
 
 /// Returns the bytes of a `data:` reference in base64, in which lines may be broken; nothing if it
@@ -43,24 +35,48 @@ std::string unescaped(std::string_view text) {
 std::optional<std::string> data_bytes(std::string_view reference) {
   const std::size_t comma = reference.find(',');
   if (comma == reference.npos || !reference.substr(0, comma).ends_with(";base64")) return {};
-  std::string text = unescaped(reference.substr(comma + 1));
+  std::string text = percent_decoded(reference.substr(comma + 1));
   std::erase_if(text, [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; });
   return base64_bytes(text);
 }
 
 }  // namespace
 
-const xmlNode* only_image(const SvgTree& tree) {
-  std::vector<const xmlNode*> images;
-  collect_images(tree.root(), images);
-  if (images.size() > 1)
-    throw InputError("{0}: it holds {1} pictures; leave the one that the outline lies on.",
-                     tree.name(), images.size());
-  return images.empty() ? nullptr : images.front();
+bool is_image(const SvgTree& tree, const std::string& id) {
+  const xmlNode* const node = tree.find(id);
+  return node && svg_name(node) == "image";
 }
 
-ImageFile image_file(const SvgTree& tree) {
-  const xmlNode* const image = only_image(tree);
+const xmlNode* image_under(const SvgTree& tree, const std::string& shape,
+                           const std::string& image) {
+  if (!image.empty()) {
+    if (is_image(tree, image)) return tree.find(image);
+    throw InputError("{0}: there is no picture with the id {1}.", tree.name(), excerpt(image));
+  }
+  if (is_image(tree, shape)) return tree.find(shape);
+  const std::vector<xmlNode*> all = elements_from(tree.root());
+  const auto is_one = [](const xmlNode* node) { return svg_name(node) == "image"; };
+  const auto count = std::ranges::count_if(all, is_one);
+  if (count == 0) return nullptr;
+  if (count == 1) return *std::ranges::find_if(all, is_one);
+  const Box around = bounding_box(covered_area(tree, shape).front().outline);
+  const xmlNode* under = nullptr;
+  bool is_below = true;
+  for (const xmlNode* node : all) {
+    if (node == tree.find(shape)) is_below = false;
+    if (!is_one(node)) continue;
+    const std::optional<Box> box = image_box(node);
+    const bool reaches = !box || !overlap(*box, around).empty();
+    if (reaches && (is_below || !under)) under = node;
+  }
+  if (!under)
+    throw InputError("{0}: {1} lies on none of its {2} pictures.", tree.name(), excerpt(shape),
+                     count);
+  return under;
+}
+
+ImageFile image_file(const SvgTree& tree, const std::string& shape, const std::string& id) {
+  const xmlNode* const image = image_under(tree, shape, id);
   if (!image)
     throw InputError("{0}: it shows no picture, so that one has to be named.", tree.name());
   std::string reference = href(image);
@@ -72,10 +88,12 @@ ImageFile image_file(const SvgTree& tree) {
   constexpr std::string_view of_files = "file://";
   std::string_view place = reference;
   if (place.starts_with(of_files)) place.remove_prefix(of_files.size());
+  // The address of a file on a drive of Windows: file:///C:/a.png.
+  if (place.size() > 2 && place[0] == '/' && place[2] == ':') place.remove_prefix(1);
   if (place.empty() || place.find("://") != place.npos)
     throw InputError("{0}: its picture {1} is no file of this machine.", tree.name(),
                      excerpt(reference));
-  return utf8_path(unescaped(place));
+  return utf8_path(percent_decoded(place));
 }
 
 }  // namespace gradmesh

@@ -12,12 +12,18 @@ namespace gradmesh {
 /// to the document.
 using ImageFile = std::variant<std::string, std::filesystem::path>;
 
-/// Returns the one <image> of a document; null if there is none. Throws InputError if there are
-/// several.
-const xmlNode* only_image(const SvgTree& tree);
+/// Returns true if there is an <image> with this id.
+bool is_image(const SvgTree& tree, const std::string& id);
 
-/// Returns the file of the one <image> of a document. Throws InputError if there is none, or
-/// several, and if it shows something that is neither in the document nor a file of this machine.
-ImageFile image_file(const SvgTree& tree);
+/// Returns the <image> that a shape is on: the one whose id is `image`, or, where that is empty,
+/// the shape itself if it is an image; the only one of the document; or of several the uppermost
+/// below the shape that reaches into the box around it, and else the lowest above. Returns null if
+/// there is none at all. Throws InputError if there is no <image> with that id, and if there are
+/// several of which none reaches there.
+const xmlNode* image_under(const SvgTree& tree, const std::string& shape, const std::string& image);
+
+/// Returns the file of image_under(). Throws InputError as that does, if there is none, and if it
+/// shows something that is neither in the document nor a file of this machine.
+ImageFile image_file(const SvgTree& tree, const std::string& shape, const std::string& image);
 
 }  // namespace gradmesh

@@ -18,11 +18,12 @@ struct ShapeOnPicture {
   double scale;
 };
 
-/// Returns where the shape with this id lies on the picture that a document shows, whose file is
-/// `pixels` large: that is where the document's one <image> is, whatever that shows, or on the
-/// whole page where there is none. Throws InputError as check_can_paint does, where there are
-/// several images, where the image has no size, and where there is no image and the page has no
-/// size.
-ShapeOnPicture shape_on_picture(const SvgTree& tree, const std::string& id, glm::dvec2 pixels);
+/// Returns where a shape lies on the picture of the <image> that it is on (image_under), whose file
+/// is `pixels` large, or on the whole page where the document has no image. If `id` is that of an
+/// <image>, the shape is the rectangle of cover_image(). Throws InputError as user_to_document and
+/// image_under do, where the image has no size or no picture is seen of it, and where there is no
+/// image and the page has no size.
+ShapeOnPicture shape_on_picture(const SvgTree& tree, const std::string& id,
+                                const std::string& image, glm::dvec2 pixels);
 
 }  // namespace gradmesh

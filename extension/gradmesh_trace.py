@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Extensions > Gradient Mesh > Trace Picture: makes meshes of pictures, or of what paths in them surround."""
+
+import os
+
+from gradmesh_effect import (
+    LABEL,
+    SHAPES,
+    GradmeshEffect,
+    etree,
+    gradmesh,
+    refusals_as_sentences,
+)
+from gradmesh_inkex import AbortExtension, Boolean
+from gradmesh_report import report
+from gradmesh_text import _, sentence
+from gradmesh_toast import toast
+from gradmesh_window import LongWork
+
+#: Of a mesh that takes as many handles as it needs.
+MOST_HANDLES = 1000
+
+
+class Trace(GradmeshEffect):
+    """Traces the selected closed paths on pictures, or else the selected pictures."""
+
+    def add_arguments(self, pars):
+        super().add_arguments(pars)
+        pars.add_argument("--tab")  # the page that was open, which Inkscape passes too
+        pars.add_argument("--amount", default="handles")
+        pars.add_argument("--handles", type=int, default=150)
+        pars.add_argument("--detail", type=float)
+        pars.add_argument("--hide_picture", type=Boolean, default=False)
+        pars.add_argument("--resolution", type=int)
+        pars.add_argument("--time_budget", type=int)
+
+    def effect(self):
+        images, shapes = self.chosen_images(), self.chosen_shapes()
+        ids = shapes or images
+        # Of several pictures each path has the one below it.
+        image = images[0] if shapes and len(images) == 1 else None
+        with refusals_as_sentences():
+            work = LongWork(self.titles(ids), lambda tell: self.trace(ids, image, tell))
+            tracings = work.run()
+        report.meshes = [told(tracing) for tracing in tracings]
+        self.take_over()
+        if self.options.hide_picture:
+            self.hide(images)
+        toast(" ".join(self.what_became(tracings, ids)))
+
+    def chosen_images(self):
+        """Ids of the selected pictures, or, where paths alone are selected, of the one in the document."""
+        images = [each.get("id") for each in self.chosen() if is_called(each, "image")]
+        if images:
+            return images
+        all_images = [each.get("id") for each in self.svg.iter("{*}image")]
+        if not all_images:
+            raise AbortExtension(
+                _("There is no picture in the document; File > Import brings a photograph into it.")
+            )
+        if not self.options.ids:
+            raise AbortExtension(
+                _("Select a picture, or a picture and a closed path around something in it.")
+            )
+        return all_images if len(all_images) == 1 else []
+
+    def chosen_shapes(self):
+        """Ids of the selected shapes that surround something."""
+        shapes = [each for each in self.chosen() if etree.QName(each).localname in SHAPES]
+        for shape in shapes:
+            if is_open(shape):
+                raise AbortExtension(
+                    _("{id} is an open path; it surrounds something once its ends are joined.").format(
+                        id=self.called(shape.get("id"))
+                    )
+                )
+        chosen_pictures = any(is_called(each, "image") for each in self.chosen())
+        if not shapes and not chosen_pictures:
+            raise AbortExtension(
+                _("None of the selected objects is a picture or a closed path; select one that is.")
+            )
+        return [shape.get("id") for shape in shapes]
+
+    def chosen(self):
+        """The selected elements, and all in selected groups, but what gradmesh drew."""
+        blocks = {mesh.id for mesh in self.meshes.meshes if mesh.simplified} if self.meshes.ids else set()
+        for element in self.chosen_elements():
+            for each in element.iter("*"):
+                if not any(around.get("id") in blocks for around in (each, *each.iterancestors())):
+                    yield each
+
+    def titles(self, ids):
+        """What the progress window says while each of the meshes is at work."""
+        if len(ids) == 1:
+            return [_("Tracing {id}").format(id=self.called(ids[0]))]
+        text = _("Tracing {id}, {number} of {count}")
+        return [text.format(id=self.called(name), number=n, count=len(ids)) for n, name in enumerate(ids, 1)]
+
+    def called(self, name):
+        """What a person calls an object: its label, or else its id."""
+        return self.elements_by_id()[name].get(LABEL) or name
+
+    def trace(self, ids, image, tell):
+        options = self.options
+        names = ("detail", "resolution", "time_budget")
+        chosen = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
+        if options.amount == "handles":
+            chosen.update(handles=options.handles, epsilon=0)
+        else:
+            chosen.update(handles=MOST_HANDLES, amount=options.amount)
+        return gradmesh.trace_in(
+            self.meshes, ids, image=image, folders=self.folders(), progress=tell, **chosen
+        )
+
+    def folders(self):
+        """Where linked pictures are looked for: beside Inkscape's copy of the document, to which it makes links
+        relative, and beside the document, as it leaves some."""
+        files = (self.options.input_file, os.environ.get("DOCUMENT_PATH"))
+        return [os.path.dirname(os.path.abspath(file)) for file in files if isinstance(file, str) and file]
+
+    def hide(self, images):
+        for element in self.document.getroot().iter("{*}image"):
+            if element.get("id") in images:
+                element.set("style", ";".join(filter(None, (element.get("style"), "display:none"))))
+
+    def what_became(self, tracings, ids):
+        """The sentences that a person is told after a run."""
+        for name, tracing in zip(ids, tracings):
+            yield _("{id}: {handles} handles, {mean:.1f} of 255 levels off the picture in the mean.").format(
+                id=self.called(name), handles=tracing.handles, mean=tracing.errors.mean
+            )
+            if tracing.advice:
+                yield sentence(tracing.advice)
+        if len(tracings) < len(ids):
+            yield _("Stopped: {count} of {all} meshes are made; Ctrl+Z takes it back.").format(
+                count=len(tracings), all=len(ids)
+            )
+        elif any(tracing.stopped for tracing in tracings):
+            yield _("It was stopped before the end; Ctrl+Z takes it back.")
+
+
+def is_called(element, name):
+    return etree.QName(element).localname == name
+
+
+def is_open(shape):
+    """Whether a shape surrounds nothing as its ends are not joined."""
+    if is_called(shape, "path"):
+        return "z" not in (shape.get("d") or "").lower()
+    return is_called(shape, "polyline")
+
+
+def told(tracing):
+    """What a script is told of a mesh."""
+    return {
+        "id": tracing.id,
+        "handles": tracing.handles,
+        "patches": tracing.patches,
+        "flip": tracing.errors.flip,
+        "mean": tracing.errors.mean,
+        "stopped": tracing.stopped,
+    }
+
+
+if __name__ == "__main__":
+    Trace().run()
