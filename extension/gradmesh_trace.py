@@ -41,7 +41,7 @@ class Trace(GradmeshEffect):
         # Of several pictures each path has the one below it.
         image = images[0] if shapes and len(images) == 1 else None
         with refusals_as_sentences():
-            work = LongWork(self.titles(ids), lambda tell: self.trace(ids, image, tell))
+            work = LongWork(self.titles(ids), lambda tell: self.trace(ids, image, tell, work.show))
             tracings = work.run()
         report.meshes = [told(tracing) for tracing in tracings]
         self.take_over()
@@ -101,7 +101,7 @@ class Trace(GradmeshEffect):
         """What a person calls an object: its label, or else its id."""
         return self.elements_by_id()[name].get(LABEL) or name
 
-    def trace(self, ids, image, tell):
+    def trace(self, ids, image, tell, show):
         options = self.options
         names = ("detail", "resolution", "time_budget")
         chosen = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
@@ -110,7 +110,7 @@ class Trace(GradmeshEffect):
         else:
             chosen.update(handles=MOST_HANDLES, amount=options.amount)
         return gradmesh.trace_in(
-            self.meshes, ids, image=image, folders=self.folders(), progress=tell, **chosen
+            self.meshes, ids, image=image, folders=self.folders(), progress=tell, show=show, **chosen
         )
 
     def folders(self):

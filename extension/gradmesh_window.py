@@ -17,6 +17,7 @@ from gradmesh_text import _
 
 PATIENCE = 1.5  # seconds until the window opens
 REFRESH = 100  # milliseconds
+LARGEST_PICTURE = 320  # pixels
 
 
 class LongWork:
@@ -31,6 +32,8 @@ class LongWork:
         self._ended = threading.Event()
         self._stop = False
         self._now, self._handles = None, 0
+        #: What the result so far looks like: width, height and bytes, three for each pixel; or nothing.
+        self.picture = None
         self._result = self._failure = None
 
     def run(self):
@@ -57,6 +60,10 @@ class LongWork:
         self._now = now
         self._handles = now.handles or self._handles
         return not self._stop
+
+    def show(self, *picture):
+        """Takes a picture of the result so far, which the window shows."""
+        self.picture = picture
 
     @property
     def ended(self):
@@ -101,6 +108,8 @@ def show(work):
     column = gtk.Box(orientation=gtk.Orientation.VERTICAL, spacing=12, margin=18)
     title = gtk.Label(label=work.title, xalign=0, wrap=True, max_width_chars=48)
     column.add(title)
+    shown = gtk.Image()
+    column.add(shown)
     bar = gtk.ProgressBar()
     column.add(bar)
     row = gtk.Box(spacing=12)
@@ -120,6 +129,8 @@ def show(work):
         title.set_text(work.title)
         bar.set_fraction(work.share)
         words.set_text(work.words)
+        if work.picture:
+            shown.set_from_pixbuf(small(*work.picture))
         if work.ended:
             gtk.main_quit()
         return not work.ended
@@ -130,6 +141,19 @@ def show(work):
     glib.timeout_add(REFRESH, refresh)
     gtk.main()
     window.destroy()
+
+
+def small(width, height, pixels):
+    """A picture, three bytes for each pixel, as one of GTK's that fits into the window."""
+    from gi.repository import GdkPixbuf, GLib
+
+    row = 3 * width
+    whole = GdkPixbuf.Pixbuf.new_from_bytes(
+        GLib.Bytes.new(pixels), GdkPixbuf.Colorspace.RGB, False, 8, width, height, row
+    )
+    scale = min(1, LARGEST_PICTURE / max(width, height))
+    size = (max(1, round(scale * length)) for length in (width, height))
+    return whole.scale_simple(*size, GdkPixbuf.InterpType.BILINEAR)
 
 
 def toolkit():

@@ -33,10 +33,10 @@ class PictureComparison {
   const Frame& frame() const { return frame_; }
   double flip(const Mesh& mesh) const;
   PictureErrors errors(const Mesh& mesh) const;
-
- private:
   /// Returns the painted mesh with the picture's own pixels where none counts.
   Image painted(const Mesh& mesh) const;
+
+ private:
   /// Returns the errors of all pixels, 0 where none counts.
   Plane flip_map(const Image& painted) const;
   double mean_of_counted(const Plane& map) const;

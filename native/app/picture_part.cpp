@@ -1,6 +1,7 @@
 #include "app/picture_part.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/clamped_int.h"
 #include "files/box_reducer.h"
@@ -83,6 +84,18 @@ PartTracer::Goal PartTracer::goal() const {
           part_.to_mesh * Affine::scaling(pixel) * frame.to_picture};
 }
 
+std::function<void(const LineGrid&)> PartTracer::shower(const Goal& goal) const {
+  if (!options_.show) return {};
+  using Clock = std::chrono::steady_clock;
+  // Not so often that the run would take longer for it.
+  constexpr std::chrono::milliseconds pause(400);
+  return [this, pause, place = goal.place, next = Clock::now()](const LineGrid& grid) mutable {
+    if (Clock::now() < next) return;
+    options_.show(exact_.painted(mesh_of(grid, place)));
+    next = Clock::now() + pause;
+  };
+}
+
 std::vector<Beginning> PartTracer::beginnings(const Goal& goal) const {
   // A grid that follows the outline has no points far from what they are to change.
   constexpr double nicer_to_edit = 0.7;
@@ -99,6 +112,7 @@ std::vector<Beginning> PartTracer::beginnings(const Goal& goal) const {
         std::max(1, even.rows() - 1), std::max(1, even.columns() - 1), goal.frame.size());
     if (following) beginnings.push_back({&goal.target, *following, is_enough, nicer_to_edit});
   }
+  for (Beginning& beginning : beginnings) beginning.tell = shower(goal);
   return beginnings;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "app/picture_comparison.h"
@@ -32,6 +33,8 @@ struct PartOptions {
   double epsilon, detail;
   /// True if simpler meshes are made as well (TracedPart::simpler).
   bool wants_simpler = false;
+  /// As in TraceOptions.
+  std::function<void(const Image&)> show = {};
 };
 
 /// A mesh that looks like a part of a picture.
@@ -68,6 +71,8 @@ class PartTracer {
 
   Goal goal() const;
   std::vector<Beginning> beginnings(const Goal& goal) const;
+  /// Returns what shows grids over a goal, if that is asked for.
+  std::function<void(const LineGrid&)> shower(const Goal& goal) const;
   /// Returns the shape in pixels of the picture that is followed.
   FilledOutline shape_in_pixels() const;
   PictureComparison compared_with(const RgbaImage& image) const;

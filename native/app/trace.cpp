@@ -41,7 +41,7 @@ void check(const TraceOptions& options) {
 glm::dvec2 full_size(const Picture& picture) { return {picture.full_width, picture.full_height}; }
 
 PartOptions part_options(const TraceOptions& options) {
-  return {options.handles, options.epsilon, options.detail, options.wants_curve};
+  return {options.handles, options.epsilon, options.detail, options.wants_curve, options.show};
 }
 
 /// Returns a document of one mesh on a page of this size, all of which its object covers.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "app/document.h"
 #include "app/picture_comparison.h"
+#include "base/image.h"
 #include "base/progress.h"
 #include "files/picture_file.h"
 #include "form/counts.h"
@@ -33,6 +35,9 @@ struct TraceOptions {
   int threads = 0;
   double time_budget = 0;
   ProgressCallback progress = {};
+  /// Called with what the mesh so far looks like, over the picture it is made of, some times a
+  /// second and from the thread that started the run. No result depends on it.
+  std::function<void(const Image&)> show = {};
 };
 
 /// What became of a picture.

@@ -23,6 +23,16 @@ ProgressCallback Call::progress() const {
   };
 }
 
+std::function<void(const Image&)> Call::show() const {
+  if (!get("show", false)) return {};
+  return [this](const Image& picture) {
+    ask_({{"ask", "show"},
+          {"width", picture.width},
+          {"height", picture.height},
+          {"bytes", Json::binary(interleaved(picture))}});
+  };
+}
+
 std::function<void(const std::string&)> Call::device_lost() const {
   return [this](const std::string& reason) { ask_({{"ask", "device_lost"}, {"reason", reason}}); };
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/image.h"
 #include "base/progress.h"
 #include "service/arguments.h"
 #include "service/documents.h"
@@ -56,6 +57,8 @@ class Call {
 
   /// Returns what tells the caller of a run's progress, and asks whether it goes on.
   ProgressCallback progress() const;
+  /// Returns what shows the caller pictures on the way, if it has asked for them.
+  std::function<void(const Image&)> show() const;
   /// Returns what tells the caller that a device failed, and why.
   std::function<void(const std::string&)> device_lost() const;
 

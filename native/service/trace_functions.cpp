@@ -20,6 +20,7 @@ TraceOptions trace_options(const Call& call) {
   options.threads = call.get("threads", options.threads);
   options.time_budget = call.get("time_budget", options.time_budget);
   options.progress = call.progress();
+  options.show = call.show();
   return options;
 }
 

@@ -59,6 +59,7 @@ class Tracer {
   Tracer(const Beginning& beginning, int points, StopWatch& watch, Turn turn)
       : levels_(pyramid(*beginning.target)),
         is_enough_(beginning.is_enough),
+        tell_(beginning.tell),
         watch_(watch),
         turn_(turn),
         most_(most_lines(*beginning.target, points)),
@@ -88,6 +89,7 @@ class Tracer {
   void fit(FitLength length) { squares_ = fit_lines(grid_, target(), evenness_, length); }
 
   bool is_over() {
+    if (tell_) tell_(grid_);
     const auto points = std::size_t(most_.points);
     return watch_.should_stop({turn_.number * points + std::size_t(grid_.points()),
                                turn_.count * points, grid_.rows() * grid_.columns(),
@@ -182,6 +184,7 @@ class Tracer {
 
   const std::vector<TargetPicture> levels_;
   const std::function<bool(const LineGrid&)>& is_enough_;
+  const std::function<void(const LineGrid&)>& tell_;
   StopWatch& watch_;
   const Turn turn_;
   const MostLines most_;

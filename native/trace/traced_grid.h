@@ -21,6 +21,8 @@ struct Beginning {
   /// How many times its squares count where it is compared with others: below 1 for a grid that is
   /// nicer to edit.
   double counts = 1;
+  /// Called with the grid so far, again and again as it changes; may be empty.
+  std::function<void(const LineGrid&)> tell = {};
 };
 
 /// Returns even grids for a target over (0, 0) to `size`, of few, about square patches and at most

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 from .api import Document, Path, TellProgress, _answers
 from .core import core
+
+
+#: Is shown a picture: its width, its height and its bytes.
+Show = Callable[[int, int, bytes], Any]
 
 
 @dataclass(frozen=True)
@@ -94,6 +98,7 @@ def trace_in(
     image: Optional[str] = None,
     folders: Sequence[Path] = (),
     progress: Optional[TellProgress] = None,
+    show: Optional[Show] = None,
     **options: Any,
 ) -> List[Tracing]:
     """Makes meshes of pictures that an SVG document shows, in place, and returns what became of each.
@@ -102,12 +107,18 @@ def trace_in(
     mesh of all that is seen of it, in a rectangle directly above. image: the id of the image that the shapes lie on;
     None: the uppermost below each. folders: where a linked picture is looked for, one after the other.
     The options are handles, amount, epsilon, detail, resolution, threads and time_budget, as of trace(), for each mesh.
+    show: is called some times a second with the width and the height of a picture, and its bytes, three for each
+    pixel, row by row: the mesh so far on the picture it is made of.
     Where `progress` returns False the mesh that is at work is taken as it is, and none after it is begun.
     Raises InputError where there is no such object or no picture, where the picture cannot be read, or where a shape
     does not lie on it, and ValueError where an option is out of range; the document is then unchanged.
     """
     options.update(ids=list(ids), image=image, folders=[os.fspath(folder) for folder in folders])
-    made = document._core.call("trace_in", _answers(progress), **_given(options))
+    answers = dict(_answers(progress))
+    if show is not None:
+        options["show"] = True
+        answers["show"] = lambda told: show(told["width"], told["height"], told["bytes"])
+    made = document._core.call("trace_in", answers, **_given(options))
     return [_tracing(each, document) for each in made]
 
 

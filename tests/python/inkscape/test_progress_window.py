@@ -116,3 +116,60 @@ def test_the_window_tells_and_stops(run, display, tmp_path, stop, result):
         assert f", {kept} of {before} patches" in group.get(LABEL)
     else:
         assert kept == left
+
+
+#: Runs Trace Picture with somebody who waits for a picture of the mesh, and then stops the work.
+TRACE_DRIVER = """
+import json, sys, threading
+import gi
+gi.require_version("Gtk", "3.0")
+from gi.repository import GLib, Gtk
+import gradmesh_trace, gradmesh_window
+
+seen_file, _script, *arguments = sys.argv[1:]
+stopped = threading.Event()
+
+class Waiting(gradmesh_window.LongWork):
+    def _progress(self, now):
+        assert not self.picture or stopped.wait(60)
+        return super()._progress(now)
+
+def inside(widget, kind):
+    if isinstance(widget, kind):
+        yield widget
+    elif isinstance(widget, Gtk.Container):
+        for child in widget.get_children():
+            yield from inside(child, kind)
+
+def look():
+    for window in Gtk.Window.list_toplevels():
+        pictures = [image.get_pixbuf() for image in inside(window, Gtk.Image) if image.get_pixbuf()]
+        for picture in pictures:
+            middle = 3 * (picture.get_width() // 2) + picture.get_rowstride() * (picture.get_height() // 2)
+            title = next(inside(window, Gtk.Label)).get_text()
+            size = [picture.get_width(), picture.get_height()]
+            with open(seen_file, "w") as file:
+                json.dump({"title": title, "size": size, "middle": list(picture.get_pixels()[middle:middle + 3])}, file)
+            next(inside(window, Gtk.Button)).clicked()
+            stopped.set()
+            return False
+    return True
+
+gradmesh_window.PATIENCE = 0
+gradmesh_trace.LongWork = Waiting
+GLib.timeout_add(20, look)
+gradmesh_trace.Trace().run(arguments)
+"""
+
+
+def test_the_window_shows_the_mesh_so_far_of_a_picture(run, display, tmp_path):
+    seen = tmp_path / "seen.json"
+    driver = (PYTHON, "-c", TRACE_DRIVER, str(seen))
+    done = run(SAMPLES / "photographs" / "apple.svg", "--id=apple", python=driver, DISPLAY=display)
+    assert (done.returncode, done.stderr) == (0, "")
+    told = json.loads(seen.read_text())
+    assert told["title"] == "Tracing apple" and max(told["size"]) <= 320 and min(told["size"]) > 150
+    red, green, blue = told["middle"]
+    assert red > 150 > 100 > max(green, blue)
+    (mesh,) = gradmesh.loads(done.stdout).meshes
+    assert mesh.id == "apple" and 4 <= mesh.handles < 100

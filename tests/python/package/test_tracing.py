@@ -112,6 +112,19 @@ def test_what_is_ended_early_leaves_the_meshes_after_it(picture, tmp_path):
     assert seen[0] == (0, 3) and seen[-1] == (1, 3)
 
 
+def test_what_the_mesh_looks_like_so_far_is_shown(picture, tmp_path):
+    document, shown = document_on(picture), []
+    gradmesh.trace_in(document, ["photo"], folders=[tmp_path], handles=60, show=lambda *seen: shown.append(seen))
+    with Image.open(picture) as file:
+        wanted = np.asarray(file, dtype=float)
+    for width, height, pixels in shown:
+        painted = np.frombuffer(pixels, dtype="uint8").reshape(height, width, 3)
+        assert np.abs(painted - wanted).mean() < 20
+    without = document_on(picture)
+    gradmesh.trace_in(without, ["photo"], folders=[tmp_path], handles=60)
+    assert shown and document.to_bytes() == without.to_bytes()
+
+
 def test_errors_are_python_s_own(picture, tmp_path):
     amounts = ({"amount": "some"}, {"amount": "strong", "epsilon": 0.1})
     for wrong in ({"handles": 3}, {"epsilon": -1}, {"detail": 0}, {"resolution": 1}, *amounts):
