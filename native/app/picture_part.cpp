@@ -6,6 +6,7 @@
 #include "base/clamped_int.h"
 #include "files/box_reducer.h"
 #include "mesh/build.h"
+#include "trace/guided_grid.h"
 #include "trace/outline_grid.h"
 #include "trace/shape_target.h"
 #include "trace/thinned_grids.h"
@@ -96,7 +97,22 @@ std::function<void(const LineGrid&)> PartTracer::shower(const Goal& goal) const 
   };
 }
 
-std::vector<Beginning> PartTracer::beginnings(const Goal& goal) const {
+PartTracer::Beginnings PartTracer::beginnings(const Goal& goal) const {
+  std::vector<std::vector<glm::dvec2>> guides = part_.guides;
+  const Affine to_grid = goal.place.inverse() * part_.to_mesh;
+  for (std::vector<glm::dvec2>& guide : guides)
+    for (glm::dvec2& point : guide) point = to_grid.point(point);
+  Beginnings beginnings{unguided_beginnings(goal), {}};
+  for (Beginning& beginning : beginnings.grids) {
+    GuidedGrid guided = guided_grid(beginning.grid, guides, options_.handles);
+    beginning.grid = std::move(guided.grid);
+    beginning.tell = shower(goal);
+    beginnings.unused_guides.push_back(std::move(guided.unused));
+  }
+  return beginnings;
+}
+
+std::vector<Beginning> PartTracer::unguided_beginnings(const Goal& goal) const {
   // A grid that follows the outline has no points far from what they are to change.
   constexpr double nicer_to_edit = 0.7;
   const auto is_enough = [this, &goal](const LineGrid& grid) {
@@ -112,7 +128,6 @@ std::vector<Beginning> PartTracer::beginnings(const Goal& goal) const {
         std::max(1, even.rows() - 1), std::max(1, even.columns() - 1), goal.frame.size());
     if (following) beginnings.push_back({&goal.target, *following, is_enough, nicer_to_edit});
   }
-  for (Beginning& beginning : beginnings) beginning.tell = shower(goal);
   return beginnings;
 }
 
@@ -122,8 +137,11 @@ FilledOutline PartTracer::shape_in_pixels() const {
 
 TracedPart PartTracer::run(StopWatch& watch) const {
   const Goal goal = this->goal();
-  const LineGrid grid = traced_grid(beginnings(goal), options_.handles, watch).grid;
-  TracedPart part{mesh_of(grid, goal.place), grid.rows(), grid.columns()};
+  const Beginnings beginnings = this->beginnings(goal);
+  const TracedGrid traced = traced_grid(beginnings.grids, options_.handles, watch);
+  const LineGrid& grid = traced.grid;
+  TracedPart part{mesh_of(grid, goal.place), grid.rows(), grid.columns(),
+                  beginnings.unused_guides[traced.beginning]};
   if (options_.wants_simpler)
     for (const LineGrid& simpler : thinned_grids(grid, goal.target, watch))
       part.simpler.push_back(mesh_of(simpler, goal.place));

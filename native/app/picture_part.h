@@ -25,6 +25,9 @@ struct PicturePart {
   double scale = 1;
   /// What of the part counts; nothing if all of it does.
   std::optional<FilledOutline> shape = std::nullopt;
+  /// Open lines along which lines of the mesh are to run (trace/guided_grid.h). They may reach
+  /// beyond the part.
+  std::vector<std::vector<glm::dvec2>> guides = {};
 };
 
 struct PartOptions {
@@ -41,6 +44,8 @@ struct PartOptions {
 struct TracedPart {
   Mesh mesh;
   int rows, columns;
+  /// The numbers of the guides that no line follows.
+  std::vector<std::size_t> unused_guides = {};
   /// What is left of it as one line after the other is taken out (trace/thinned_grids.h).
   std::vector<Mesh> simpler = {};
 };
@@ -69,10 +74,18 @@ class PartTracer {
     Affine place;
   };
 
+  /// The grids with which a trace begins, and for each the guides that it does not follow.
+  struct Beginnings {
+    std::vector<Beginning> grids;
+    std::vector<std::vector<std::size_t>> unused_guides;
+  };
+
   Goal goal() const;
-  std::vector<Beginning> beginnings(const Goal& goal) const;
   /// Returns what shows grids over a goal, if that is asked for.
   std::function<void(const LineGrid&)> shower(const Goal& goal) const;
+  Beginnings beginnings(const Goal& goal) const;
+  /// Returns the grids that follow the shape's outline or the picture's border.
+  std::vector<Beginning> unguided_beginnings(const Goal& goal) const;
   /// Returns the shape in pixels of the picture that is followed.
   FilledOutline shape_in_pixels() const;
   PictureComparison compared_with(const RgbaImage& image) const;

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "trace/equations.h"
+#include "trace/guide_stray.h"
 
 namespace gradmesh {
 namespace {
@@ -57,18 +58,6 @@ Expected expected_squares(const LineGrid& grid, const TargetPicture& target, con
   return result;
 }
 
-int points_along(const LineGrid& grid, Along along) {
-  return 1 + (along == Along::rows ? grid.columns() : grid.rows());
-}
-
-double gain_of(const LineGrid& grid, const TargetPicture& target, Along along, int strip) {
-  const LineGrid finer = grid.with_line(along, strip);
-  const Expected expected =
-      expected_squares(finer, target, {along, strip, strip + 1},
-                       GridColumns(finer, target, along, strip + 1, strip + 1));
-  return expected.before - expected.after;
-}
-
 bool folds(const LineGrid& grid, const Strips& strips) {
   bool any = false;
   for_each_patch(grid, strips, [&](int row, int column) {
@@ -78,18 +67,36 @@ bool folds(const LineGrid& grid, const Strips& strips) {
   return any;
 }
 
+double squares_of_strips(const LineGrid& grid, const TargetPicture& target, const Strips& strips) {
+  double squares = 0;
+  for_each_patch(grid, strips,
+                 [&](int row, int column) { squares += patch_squares(grid, row, column, target); });
+  return squares;
+}
+
+/// Returns what a line through a strip gains; less than nothing where a patch would fold.
+double gain_of(const LineGrid& grid, const TargetPicture& target, Along along, int strip) {
+  const LineGrid finer = grid.with_line(along, strip);
+  const Strips after{along, strip, strip + 1};
+  const bool has_guides = !grid.guides().empty();
+  if (has_guides && folds(finer, after)) return -std::numeric_limits<double>::infinity();
+  const Expected expected = expected_squares(
+      finer, target, after, GridColumns(finer, target, along, strip + 1, strip + 1));
+  // Where the line crosses a guide the grid does not look the same with it.
+  const double before =
+      has_guides ? squares_of_strips(grid, target, {along, strip, strip}) : expected.before;
+  return before + stray_squares(grid, target) - expected.after - stray_squares(finer, target);
+}
+
 /// Returns what it costs to take a line out; infinity where a patch would fold.
 double cost_of(const LineGrid& grid, const TargetPicture& target, Along along, int line) {
   const LineGrid coarser = grid.without_line(along, line);
   const Strips after = within(coarser, {along, line - 2, line});
   if (folds(coarser, after)) return std::numeric_limits<double>::infinity();
-  double before = 0;
-  for_each_patch(grid, within(grid, {along, line - 2, line + 1}),
-                 [&](int row, int column) { before += patch_squares(grid, row, column, target); });
-  return expected_squares(coarser, target, after,
-                          GridColumns(coarser, target, along, line - 1, line))
-             .after -
-         before;
+  const double before = squares_of_strips(grid, target, within(grid, {along, line - 2, line + 1}));
+  const Expected expected =
+      expected_squares(coarser, target, after, GridColumns(coarser, target, along, line - 1, line));
+  return expected.after + stray_squares(coarser, target) - before;
 }
 
 }  // namespace
@@ -103,7 +110,7 @@ std::optional<LineChange> best_new_line(const LineGrid& grid, const TargetPictur
     for (int j = 0; j < grid.columns(); ++j) lines.push_back({Along::columns, j});
   parallel_for(lines.size(), [&](std::size_t n) {
     LineChange& line = lines[n];
-    line.squares = gain_of(grid, target, line.along, line.number) / points_along(grid, line.along);
+    line.squares = gain_of(grid, target, line.along, line.number) / grid.points_along(line.along);
   });
   const auto best = std::ranges::max_element(lines, {}, &LineChange::squares);
   return best == lines.end() ? std::nullopt : std::optional(*best);
@@ -116,7 +123,7 @@ std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPictur
       if (grid.can_lose(along, line)) lines.push_back({along, line});
   parallel_for(lines.size(), [&](std::size_t n) {
     LineChange& line = lines[n];
-    line.squares = cost_of(grid, target, line.along, line.number) / points_along(grid, line.along);
+    line.squares = cost_of(grid, target, line.along, line.number) / grid.points_along(line.along);
   });
   const auto best = std::ranges::min_element(lines, {}, &LineChange::squares);
   const bool is_there =

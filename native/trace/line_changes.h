@@ -12,7 +12,8 @@ namespace gradmesh {
 struct LineChange {
   Along along = Along::rows;
   int number = 0;
-  /// By how much less, or more, the squares are expected to be, for each of the line's points.
+  /// By how much less, or more, the squares, with those of what strays from guides, are expected to
+  /// be, for each of the line's points.
   double squares = 0;
 };
 

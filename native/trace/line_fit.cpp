@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "base/parallel.h"
@@ -42,6 +43,26 @@ double allowed_share(LineGrid& grid, int row, int column, glm::dvec2 way, double
         if (after < least) share = std::min(share, (before - least) / (before - after));
       }
   return std::max(0.0, share);
+}
+
+/// Slides a point that is on a guide along it, about as far as a way that is as long, or less far
+/// where a corner would become too small because the guide bends.
+void slide(LineGrid& grid, int row, int column, glm::dvec2 way, double pixel_area) {
+  constexpr int tries = 6;
+  const LineGrid::Knot before = grid.knot(row, column);
+  if (before.is_held()) return;
+  const Along along = before.follows(Along::rows) ? Along::rows : Along::columns;
+  const LineGrid::OnGuide on = before.on_guide(along);
+  double ahead = glm::dot(way, before.way[0]);
+  for (int i = 0; i < tries; ++i, ahead /= 2) {
+    grid.put_on_guide(grid.number(row, column), along, {on.guide, on.way + ahead});
+    const LineGrid::Knot after = grid.knot(row, column);
+    grid.knot(row, column) = before;
+    const glm::dvec2 moved = after.position - before.position;
+    if (allowed_share(grid, row, column, moved, pixel_area) < 1) continue;
+    grid.knot(row, column) = after;
+    return;
+  }
 }
 
 /// Returns the equations of a channel of a patch in which colours at the ends of a side cost a
@@ -152,7 +173,11 @@ class LineFit {
             for (std::size_t k = 0; k < of.place.size(); ++k)
               if (of.place[k] >= 0) way += step(of.place[k]) * way_in_pixels(knot, k, scale);
             way /= scale;
-            knot.position += allowed_share(grid, i, j, way, pixel_area) * way;
+            way *= allowed_share(grid, i, j, way, pixel_area);
+            if (knot.follows(Along::rows) || knot.follows(Along::columns))
+              slide(grid, i, j, way, pixel_area);
+            else
+              knot.position += way;
           }
   }
 

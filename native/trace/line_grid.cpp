@@ -75,6 +75,21 @@ bool LineGrid::folds() const {
   return false;
 }
 
+int LineGrid::add_guide(const Guide& guide) {
+  guides_.push_back(guide);
+  return int(guides_.size()) - 1;
+}
+
+void LineGrid::put_on_guide(int number, Along along, const OnGuide& on) {
+  const Guide& guide = guides_[std::size_t(on.guide)];
+  const double way = std::clamp(on.way, 0.0, guide.length());
+  Knot& knot = this->knot(number);
+  knot.on_guide(along) = {on.guide, way};
+  knot.position = guide.at(way);
+  knot.ways = 1;
+  knot.way[0] = guide.direction(way);
+}
+
 LineGrid LineGrid::with_line(Along along, int strip) const {
   LineGrid finer = *this;
   finer.knots_.clear();
@@ -95,15 +110,21 @@ LineGrid LineGrid::with_line(Along along, int strip) const {
       const bool is_on_border =
           is_row ? column == 0 || column == columns_ : row == 0 || row == rows_;
       if (is_on_border) let_slide(end, next.position - before.position);
+      const Along across = is_row ? Along::columns : Along::rows;
+      const OnGuide &from = before.on_guide(across), &to = next.on_guide(across);
+      if (from.guide >= 0 && from.guide == to.guide)
+        finer.put_on_guide(int(finer.knots_.size()) - 1, across,
+                           {from.guide, (from.way + to.way) / 2});
     }
   return finer;
 }
 
 bool LineGrid::can_lose(Along along, int line) const {
-  const bool is_row = along == Along::rows;
-  const Knot& first = is_row ? knot(line, 0) : knot(0, line);
-  const Knot& last = is_row ? knot(line, columns_) : knot(rows_, line);
-  return first.ways > 0 && last.ways > 0;
+  for (int k = 0; k < points_along(along); ++k) {
+    const Knot& knot = this->knot(number(along, line, k));
+    if (knot.is_held() || knot.follows(along)) return false;
+  }
+  return true;
 }
 
 LineGrid LineGrid::without_line(Along along, int line) const {

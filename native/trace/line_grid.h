@@ -7,14 +7,24 @@
 
 #include "mesh/parts.h"
 #include "mesh/rectangle.h"
+#include "trace/guide.h"
 
 namespace gradmesh {
 
 /// A grid of patches with straight sides and one colour at each point, over a picture or a shape on
 /// it: what is traced of it. A point costs a person one handle, a side none. Its border never
-/// changes: points on it slide along it or are held, all others move freely.
+/// changes: points on it slide along it or are held. Points on guides slide along these or are held
+/// too; all others move freely.
 class LineGrid {
  public:
+  /// Which guide a line follows at a point, if any, and the way along the guide to the point.
+  struct OnGuide {
+    int guide = -1;
+    double way = 0;
+
+    bool operator==(const OnGuide&) const = default;
+  };
+
   struct Knot {
     /// In the units of the picture's size, y down.
     glm::dvec2 position;
@@ -23,6 +33,14 @@ class LineGrid {
     /// How many ways there are to move it, 0 to 2, and these, of length 1.
     int ways = 2;
     std::array<glm::dvec2, 2> way{glm::dvec2(1, 0), glm::dvec2(0, 1)};
+    /// What the point's line along rows follows, and its line along columns. A point of which both
+    /// follow a guide is held where these cross.
+    std::array<OnGuide, 2> on{};
+
+    OnGuide& on_guide(Along along) { return on[along == Along::rows ? 0 : 1]; }
+    const OnGuide& on_guide(Along along) const { return on[along == Along::rows ? 0 : 1]; }
+    bool follows(Along along) const { return on_guide(along).guide >= 0; }
+    bool is_held() const { return ways == 0; }
 
     bool operator==(const Knot&) const = default;
   };
@@ -56,12 +74,31 @@ class LineGrid {
   /// Returns whether a patch does.
   bool folds() const;
 
+  /// Returns how many points a line along rows or columns has, and how many strips of patches there
+  /// are along these.
+  int points_along(Along along) const { return 1 + (along == Along::rows ? columns_ : rows_); }
+  int strips(Along along) const { return along == Along::rows ? rows_ : columns_; }
+  /// Returns the number of a point of a line along rows or columns.
+  int number(Along along, int line, int point) const {
+    return along == Along::rows ? number(line, point) : number(point, line);
+  }
+
+  /// The guides that lines follow.
+  const std::vector<Guide>& guides() const { return guides_; }
+  /// Adds a guide, which no line follows yet. Returns its number.
+  int add_guide(const Guide& guide);
+  /// Puts a point, whose line along rows or columns is to follow a guide, on the guide at a way. It
+  /// slides along the guide from then on.
+  void put_on_guide(int number, Along along, const OnGuide& on);
+
   /// Returns the grid with one line more, along rows or columns, through the middles of the strip
-  /// of patches of that number. It looks the same. The line's ends slide along the border.
+  /// of patches of that number. It looks the same but for guides across the strip, on which the
+  /// line's points are. The line's ends slide along the border.
   LineGrid with_line(Along along, int strip) const;
 
-  /// Returns whether the border stays as it is without the line of points of that number, 1 to
-  /// rows() - 1 or columns() - 1: whether neither of its ends is held.
+  /// Returns whether the border and what guides reach stay as they are without the line of points
+  /// of that number, 1 to rows() - 1 or columns() - 1: whether it follows no guide, and none of its
+  /// points is held.
   bool can_lose(Along along, int line) const;
   /// Returns the grid without that line. Patches may fold then.
   LineGrid without_line(Along along, int line) const;
@@ -73,6 +110,7 @@ class LineGrid {
   int rows_, columns_;
   glm::dvec2 size_;
   std::vector<Knot> knots_;
+  std::vector<Guide> guides_;
 };
 
 }  // namespace gradmesh

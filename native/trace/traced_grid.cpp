@@ -9,6 +9,7 @@
 
 #include "base/clamped_int.h"
 #include "trace/equations.h"
+#include "trace/guide_stray.h"
 #include "trace/line_changes.h"
 #include "trace/line_fit.h"
 
@@ -150,14 +151,15 @@ class Tracer {
   bool exchange() {
     constexpr double little = 1e-3;
     const LineGrid before = grid_;
-    const double squares = squares_;
+    const double squares = squares_, strays = stray_squares(before, target());
     MostLines most = most_;
     if (is_enough()) most.points = before.points();
     if (!without_cheapest()) return false;
     fit(shortly);
     while (grow(most)) fit(shortly);
     fit(longer);
-    return squares_ < (1 - little) * squares || restore(before, squares);
+    const double now = squares_ + stray_squares(grid_, target());
+    return now < (1 - little) * (squares + strays) || restore(before, squares);
   }
 
   /// Takes the cheapest line out. Returns false if the grid is not enough then, and nothing has
