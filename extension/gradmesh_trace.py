@@ -36,12 +36,14 @@ class Trace(GradmeshEffect):
         pars.add_argument("--time_budget", type=int)
 
     def effect(self):
-        images, shapes = self.chosen_images(), self.chosen_shapes()
+        images, shapes, guides = self.chosen_images(), self.chosen_shapes(), self.chosen_guides()
+        if not shapes and not self.selects_pictures():
+            raise AbortExtension(nothing_to_trace(guides))
         ids = shapes or images
         # Of several pictures each path has the one below it.
         image = images[0] if shapes and len(images) == 1 else None
         with refusals_as_sentences():
-            work = LongWork(self.titles(ids), lambda tell: self.trace(ids, image, tell, work.show))
+            work = LongWork(self.titles(ids), lambda tell: self.trace(ids, image, guides, tell, work.show))
             tracings = work.run()
         report.meshes = [told(tracing) for tracing in tracings]
         self.take_over()
@@ -67,20 +69,14 @@ class Trace(GradmeshEffect):
 
     def chosen_shapes(self):
         """Ids of the selected shapes that surround something."""
-        shapes = [each for each in self.chosen() if etree.QName(each).localname in SHAPES]
-        for shape in shapes:
-            if is_open(shape):
-                raise AbortExtension(
-                    _("{id} is an open path; it surrounds something once its ends are joined.").format(
-                        id=self.called(shape.get("id"))
-                    )
-                )
-        chosen_pictures = any(is_called(each, "image") for each in self.chosen())
-        if not shapes and not chosen_pictures:
-            raise AbortExtension(
-                _("None of the selected objects is a picture or a closed path; select one that is.")
-            )
-        return [shape.get("id") for shape in shapes]
+        return [each.get("id") for each in self.chosen() if etree.QName(each).localname in SHAPES and not is_open(each)]
+
+    def chosen_guides(self):
+        """The selected open paths, which lines of meshes follow."""
+        return [each for each in self.chosen() if is_open(each)]
+
+    def selects_pictures(self):
+        return any(is_called(each, "image") for each in self.chosen())
 
     def chosen(self):
         """The selected elements, and all in selected groups, but what gradmesh drew."""
@@ -101,7 +97,7 @@ class Trace(GradmeshEffect):
         """What a person calls an object: its label, or else its id."""
         return self.elements_by_id()[name].get(LABEL) or name
 
-    def trace(self, ids, image, tell, show):
+    def trace(self, ids, image, guides, tell, show):
         options = self.options
         names = ("detail", "resolution", "time_budget")
         chosen = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
@@ -109,9 +105,8 @@ class Trace(GradmeshEffect):
             chosen.update(handles=options.handles, epsilon=0)
         else:
             chosen.update(handles=MOST_HANDLES, amount=options.amount)
-        return gradmesh.trace_in(
-            self.meshes, ids, image=image, folders=self.folders(), progress=tell, show=show, **chosen
-        )
+        chosen.update(image=image, guides=[guide.get("id") for guide in guides], folders=self.folders())
+        return gradmesh.trace_in(self.meshes, ids, progress=tell, show=show, **chosen)
 
     def folders(self):
         """Where linked pictures are looked for: beside Inkscape's copy of the document, to which it makes links
@@ -130,6 +125,8 @@ class Trace(GradmeshEffect):
             yield _("{id}: {handles} handles, {mean:.1f} of 255 levels off the picture in the mean.").format(
                 id=self.called(name), handles=tracing.handles, mean=tracing.errors.mean
             )
+            if tracing.unused_guides and len(ids) == 1:
+                yield _("{count} of the open paths cannot be followed.").format(count=tracing.unused_guides)
             if tracing.advice:
                 yield sentence(tracing.advice)
         if len(tracings) < len(ids):
@@ -145,10 +142,19 @@ def is_called(element, name):
 
 
 def is_open(shape):
-    """Whether a shape surrounds nothing as its ends are not joined."""
+    """Whether an element is a line that surrounds nothing, as its ends are not joined."""
     if is_called(shape, "path"):
         return "z" not in (shape.get("d") or "").lower()
-    return is_called(shape, "polyline")
+    return is_called(shape, "polyline") or is_called(shape, "line")
+
+
+def nothing_to_trace(guides):
+    """The sentence where neither a picture nor a closed path is selected."""
+    if guides:
+        return _("{id} is an open path; it surrounds something once its ends are joined.").format(
+            id=guides[0].get(LABEL) or guides[0].get("id")
+        )
+    return _("None of the selected objects is a picture or a closed path; select one that is.")
 
 
 def told(tracing):

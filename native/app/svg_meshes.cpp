@@ -218,8 +218,9 @@ std::vector<FilledOutline> SvgMeshes::covered(const std::vector<std::string>& id
 }
 
 ShapeOnPicture SvgMeshes::shape_on_picture(const std::string& id, const std::string& image,
+                                           const std::vector<std::string>& guides,
                                            glm::dvec2 pixels) const {
-  return gradmesh::shape_on_picture(svg_, id, image, pixels);
+  return gradmesh::shape_on_picture(svg_, id, image, guides, pixels);
 }
 
 std::string SvgMeshes::cover_image(const std::string& id, glm::dvec2 pixels) {

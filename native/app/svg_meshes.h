@@ -39,10 +39,11 @@ class SvgMeshes : public Document {
   void check_conversion(const Format& to) const override;
   SvgMeshes& as_svg(const Message&) override { return *this; }
 
-  /// Returns where the shape with this id, or what is seen of the image with this id, lies on the
-  /// picture of an image, whose file is `pixels` large (formats/svg/picture/shape_on_picture.h).
+  /// Returns where the shape with this id, or what is seen of the image with this id, and lines to
+  /// follow lie on the picture of an image, whose file is `pixels` large (formats/svg/picture/
+  /// shape_on_picture.h).
   ShapeOnPicture shape_on_picture(const std::string& id, const std::string& image,
-                                  glm::dvec2 pixels) const;
+                                  const std::vector<std::string>& guides, glm::dvec2 pixels) const;
   /// Returns the file of that picture (formats/svg/picture/document_image.h).
   ImageFile image_file(const std::string& id, const std::string& image) const {
     return gradmesh::image_file(svg_, id, image);

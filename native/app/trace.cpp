@@ -81,7 +81,8 @@ Picture picture_for(const SvgMeshes& svg, const std::string& id, const std::stri
                     int resolution, const PictureReader& read) {
   Picture picture = read(resolution);
   const glm::dvec2 size = full_size(picture);
-  const glm::dvec2 shape = bounding_box(svg.shape_on_picture(id, image, size).shape.outline).size();
+  const glm::dvec2 shape =
+      bounding_box(svg.shape_on_picture(id, image, {}, size).shape.outline).size();
   const double longest = std::max(size.x, size.y);
   const double wanted = resolution * longest / std::max({shape.x, shape.y, 1.0});
   if (wanted < resolution || longest > resolution)
@@ -113,8 +114,10 @@ PicturePart part_around(const Picture& picture, const ShapeOnPicture& on) {
   const glm::dvec2 corner = pixel * glm::dvec2(window.x0, window.y0);
   PicturePart part{RgbaImage(window.width(), window.height()),
                    pixel * glm::dvec2(window.width(), window.height()),
-                   on.to_mesh * Affine::translation(corner), on.scale,
-                   mapped(on.shape, Affine::translation(-corner))};
+                   on.to_mesh * Affine::translation(corner),
+                   on.scale,
+                   mapped(on.shape, Affine::translation(-corner)),
+                   mapped(on.guides, Affine::translation(-corner))};
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x)
       part.image.set_pixel(x - window.x0, y - window.y0, image.pixel(x, y));
@@ -129,6 +132,7 @@ Tracing told(const Document& document, const MeshEntry& entry, TracedPart traced
   result.id = entry.id;
   result.rows = traced.rows;
   result.columns = traced.columns;
+  result.unused_guides = traced.unused_guides.size();
   result.was_stopped = watch.reason() != StopWatch::Reason::none;
   result.counts = counts_of(written);
   result.errors = tracer.errors(written);
@@ -150,7 +154,7 @@ class ShapeTrace {
         size_(full_size(picture)),
         options_(options),
         watch_(options.time_budget, options.progress),
-        tracer_(part_around(picture, svg.shape_on_picture(id, image, size_)),
+        tracer_(part_around(picture, svg.shape_on_picture(id, image, options.guides, size_)),
                 part_options(options)) {
     if (!tracer_.has_pixels())
       throw InputError("{0}: {1} does not lie on the picture.", svg.name(), excerpt(id));
@@ -259,6 +263,7 @@ nlohmann::ordered_json tracing_json(const Tracing& tracing) {
           {"columns", tracing.columns},
           {"errors", errors_json(tracing.errors)},
           {"errors_without_detail", errors_json(tracing.errors_without_detail)},
+          {"unused_guides", tracing.unused_guides},
           {"stopped", tracing.was_stopped},
           {"seconds", tracing.seconds}};
 }

@@ -28,6 +28,9 @@ struct TraceOptions {
   /// Nothing smaller is followed, in pixels of the picture, 1 or more: noise and texture are no
   /// gradient.
   double detail = 1;
+  /// Ids of open paths in the document along which lines of its meshes are to run
+  /// (trace/guided_grid.h).
+  std::vector<std::string> guides = {};
   /// True if Tracing::curve is found.
   bool wants_curve = false;
   /// The number of threads, 0 for all cores, on which no result depends; and the seconds after
@@ -52,6 +55,9 @@ struct Tracing {
   /// The mesh and what is left of it as one line after the other is taken out (traced_curve), if
   /// that was asked for.
   Curve curve;
+  /// How many of the lines to follow no line of the mesh follows, as they lie elsewhere or as it
+  /// cannot.
+  std::size_t unused_guides = 0;
   /// True if the watch ended it early.
   bool was_stopped = false;
   double seconds = 0;

@@ -87,12 +87,17 @@ void add_trace(CLI::App& program) {
   add_path(target, "-o,--output", a->out, "Where to write the document");
   add_path(target, "--curve", a->curve,
            "Write what is left, and with what error, as line after line is taken out, as JSON");
+  CLI::Option* const outline = command
+                                   .add_option("--outline", a->outline,
+                                               "FILE.svg#ID: a shape on the picture, which becomes "
+                                               "the mesh, or an image; the document "
+                                               "with it is written")
+                                   ->check(check_outline);
   command
-      .add_option(
-          "--outline", a->outline,
-          "FILE.svg#ID: a shape on the picture, which becomes the mesh, or an image; the document "
-          "with it is written")
-      ->check(check_outline);
+      .add_option("--guides", a->options.guides,
+                  "Ids of open paths there, separated by commas, that lines of the mesh follow")
+      ->delimiter(',')
+      ->needs(outline);
   command.add_option("--handles", a->options.handles, "At most that many points")
       ->check(CLI::Range(4, 100000))
       ->capture_default_str();

@@ -17,6 +17,7 @@ TraceOptions trace_options(const Call& call) {
   options.handles = call.get("handles", options.handles);
   options.epsilon = call.get("epsilon", options.epsilon);
   options.detail = call.get("detail", options.detail);
+  options.guides = call.get("guides", options.guides);
   options.threads = call.get("threads", options.threads);
   options.time_budget = call.get("time_budget", options.time_budget);
   options.progress = call.progress();

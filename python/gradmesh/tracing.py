@@ -35,6 +35,7 @@ class Tracing:
     columns: int
     errors: PictureErrors
     errors_without_detail: PictureErrors  #: against the picture without what is smaller than `detail`
+    unused_guides: int  #: how many of the lines to follow no line of the mesh follows
     stopped: bool  #: whether time, or what `progress` returned, ended it early
     seconds: float
     #: what would help, where the mesh does not look like the picture: a sentence in the document's language
@@ -49,6 +50,7 @@ def trace(
     amount: Optional[str] = None,
     epsilon: Optional[float] = None,
     detail: Optional[float] = None,
+    guides: Optional[Sequence[str]] = None,
     resolution: Optional[int] = None,
     threads: Optional[int] = None,
     time_budget: Optional[float] = None,
@@ -65,6 +67,8 @@ def trace(
     handles: at most that many, 4 to 100,000; None: 1,000. epsilon: no more handles than this error by FLIP needs,
     0 to 1; None: 0.03. amount: instead, "gentle", "balanced" or "strong", an epsilon that is as visible as what
     simplify() does with each. detail: nothing smaller is followed, in pixels of the picture, 1 or more; None: 1.
+    guides: with `outline`, ids of open paths in that file, such as along the rim of a highlight, that lines of the mesh
+    follow as far as they can.
     resolution: the pixels along the longer side at which mesh and picture are compared, 16 or more; None: 700.
     threads: None or 0 for all cores. time_budget: the seconds after which the best mesh so far is taken; None or 0
     for no limit. progress: is called with a Progress, and ends the run with the best mesh so far by returning False.
@@ -76,6 +80,7 @@ def trace(
         "amount": amount,
         "epsilon": epsilon,
         "detail": detail,
+        "guides": guides and list(guides),
         "resolution": resolution,
         "threads": threads,
         "time_budget": time_budget,
@@ -106,7 +111,8 @@ def trace_in(
     ids: of shapes, each of which becomes a mesh of what of the picture it surrounds; of images, each of which gets a
     mesh of all that is seen of it, in a rectangle directly above. image: the id of the image that the shapes lie on;
     None: the uppermost below each. folders: where a linked picture is looked for, one after the other.
-    The options are handles, amount, epsilon, detail, resolution, threads and time_budget, as of trace(), for each mesh.
+    The options are handles, amount, epsilon, detail, guides, resolution, threads and time_budget, as of trace(), for
+    each mesh.
     show: is called some times a second with the width and the height of a picture, and its bytes, three for each
     pixel, row by row: the mesh so far on the picture it is made of.
     Where `progress` returns False the mesh that is at work is taken as it is, and none after it is begun.

@@ -331,6 +331,19 @@ def test_what_is_no_outline_is_refused_in_a_sentence(picture, outline, tmp_path,
     assert not (tmp_path / "out.svg").exists()
 
 
+def test_lines_of_the_mesh_follow_guides(picture, outline, tmp_path):
+    shape = '<circle id="ball" cx="54" cy="45" r="30"/><path id="rim" d="M40,30 Q54,20 68,30"/>'
+    path, where, report = picture(), outline(shape), tmp_path / "report.json"
+    to = ("-o", tmp_path / "out.svg", "--report", report, "--handles", "60", "--epsilon", "0")
+    printed("trace", path, "--outline", where, "--guides", "rim", *to)
+    guided = (tmp_path / "out.svg").read_bytes()
+    assert json.loads(report.read_text())["unused_guides"] == 0
+    printed("trace", path, "--outline", where, *to)
+    assert (tmp_path / "out.svg").read_bytes() != guided
+    assert 'no object with the id "none"' in refused("trace", path, "--outline", where, "--guides", "rim,none", *to)
+    assert '"ball" is no path that lines' in refused("trace", path, "--outline", where, "--guides", "ball", *to)
+
+
 def test_an_outline_needs_a_file_and_an_id(picture, tmp_path):
     path = picture()
     assert run("trace", path, "--outline", "outline.svg", "-o", tmp_path / "out.svg").returncode == 2

@@ -3,6 +3,7 @@
 import base64
 import io
 import json
+from collections import Counter
 
 import numpy as np
 import pytest
@@ -134,13 +135,38 @@ def test_a_picture_alone_becomes_a_mesh_that_looks_like_it(run, inkscape, tmp_pa
     assert np.abs(was - now)[seen].mean() < 2
 
 
+LINES = (
+    '<path id="line" d="M33.3,30V60" transform="translate(1)"/>',
+    '<line id="line" x1="34.3" y1="30" x2="34.3" y2="60"/>',
+    '<polyline id="line" points="34.3,30 34.3,60"/>',
+)
+
+
+@pytest.mark.parametrize("line", LINES)
+def test_lines_of_a_mesh_follow_open_paths(run, line):
+    """Points lie on the path, which goes straight down; without it no three lie so."""
+    document = page(image(), CIRCLE, line)
+    free, guided = (
+        run(document, *(f"--id={name}" for name in ids), FEW, item="trace")
+        for ids in (["photo", "apple"], ["photo", "apple", "line"])
+    )
+    assert most_points_below_each_other(free.stdout) < 3 <= most_points_below_each_other(guided.stdout)
+    assert by_id(guided.stdout)["line"].attrib == by_id(document)["line"].attrib
+
+
+def most_points_below_each_other(text):
+    hemesh = gradmesh.convert(gradmesh.loads(text), "hemesh", "apple", subdivide=1).document.to_bytes().decode()
+    points = hemesh.splitlines()[2 : 2 + int(hemesh.split()[1])]
+    return max(Counter(round(float(point.split()[0]), 6) for point in points).values())
+
+
 @pytest.mark.parametrize(
     "elements, select, words",
     (
         ([CIRCLE], ["apple"], "There is no picture in the document"),
         ([image(), CIRCLE], [], "Select a picture"),
         ([image(), '<text id="words">a</text>'], ["words"], "None of the selected objects"),
-        ([image(), '<path id="line" d="M10,10 40,40 10,40"/>'], ["photo", "line"], "line is an open path"),
+        ([image(), '<path id="line" d="M10,10 40,40 10,40"/>'], ["line"], "line is an open path"),
         ([image(), '<circle id="far" cx="190" cy="150" r="9"/>'], ["photo", "far"], '"far" does not lie on'),
         ([image(link="none.png"), CIRCLE], ["apple"], "none.png"),
         ([image(link="data:image/png;base64,aaaa"), CIRCLE], ["apple"], "picture"),
