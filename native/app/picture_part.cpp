@@ -59,15 +59,16 @@ PartTracer::PartTracer(PicturePart part, const PartOptions& options)
       options_(options),
       followed_(without_detail(part_.image, part_.size, options.detail)),
       exact_(compared_with(part_.image)),
-      coarse_(compared_with(followed_)) {}
+      coarse_(followed_ == part_.image ? exact_ : compared_with(followed_)) {}
 
-PictureComparison PartTracer::compared_with(const RgbaImage& image) const {
+std::shared_ptr<const PictureComparison> PartTracer::compared_with(const RgbaImage& image) const {
   const Affine to_pixels = Affine::scaling(pixels_of(image) / part_.size);
   std::vector<float> counted;
   if (part_.shape)
     counted = counted_pixels(mapped(*part_.shape, to_pixels), image.width, image.height);
-  return PictureComparison(image, to_pixels * part_.to_mesh.inverse(),
-                           part_.scale * part_.size.x / image.width, std::move(counted));
+  return std::make_shared<const PictureComparison>(image, to_pixels * part_.to_mesh.inverse(),
+                                                   part_.scale * part_.size.x / image.width,
+                                                   std::move(counted));
 }
 
 PartTracer::Goal PartTracer::goal() const {
@@ -92,7 +93,7 @@ std::function<void(const LineGrid&)> PartTracer::shower(const Goal& goal) const 
   constexpr std::chrono::milliseconds pause(400);
   return [this, pause, place = goal.place, next = Clock::now()](const LineGrid& grid) mutable {
     if (Clock::now() < next) return;
-    options_.show(exact_.painted(mesh_of(grid, place)));
+    options_.show(exact_->painted(mesh_of(grid, place)));
     next = Clock::now() + pause;
   };
 }
@@ -116,7 +117,7 @@ std::vector<Beginning> PartTracer::unguided_beginnings(const Goal& goal) const {
   // A grid that follows the outline has no points far from what they are to change.
   constexpr double nicer_to_edit = 0.7;
   const auto is_enough = [this, &goal](const LineGrid& grid) {
-    return coarse_.flip(mesh_of(grid, goal.place)) <= options_.epsilon;
+    return coarse_->flip(mesh_of(grid, goal.place)) <= options_.epsilon;
   };
   std::vector<Beginning> beginnings;
   for (const LineGrid& even : even_grids(goal.target, goal.frame.size(), options_.handles)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "app/picture_comparison.h"
@@ -56,15 +57,16 @@ class PartTracer {
   explicit PartTracer(PicturePart part, const PartOptions& options);
 
   /// Returns whether a pixel counts.
-  bool has_pixels() const { return exact_.pixels() > 0; }
+  bool has_pixels() const { return exact_->pixels() > 0; }
   /// Returns the best mesh of straight lines (trace/traced_grid.h), in its own coordinates.
   TracedPart run(StopWatch& watch) const;
 
   /// The frame in which meshes are compared with the picture.
-  const Frame& frame() const { return exact_.frame(); }
-  PictureErrors errors(const Mesh& mesh) const { return exact_.errors(mesh); }
+  const Frame& frame() const { return exact_->frame(); }
+  PictureErrors errors(const Mesh& mesh) const { return exact_->errors(mesh); }
   /// Returns the errors against the picture without what is smaller than the detail.
-  PictureErrors errors_without_detail(const Mesh& mesh) const { return coarse_.errors(mesh); }
+  PictureErrors errors_without_detail(const Mesh& mesh) const { return coarse_->errors(mesh); }
+  bool leaves_detail_out() const { return coarse_ != exact_; }
 
  private:
   /// What meshes are to look like, and the map from grids over it to the mesh's coordinates.
@@ -88,13 +90,15 @@ class PartTracer {
   std::vector<Beginning> unguided_beginnings(const Goal& goal) const;
   /// Returns the shape in pixels of the picture that is followed.
   FilledOutline shape_in_pixels() const;
-  PictureComparison compared_with(const RgbaImage& image) const;
+  std::shared_ptr<const PictureComparison> compared_with(const RgbaImage& image) const;
 
   const PicturePart part_;
   const PartOptions options_;
   /// The picture without what is smaller than the detail.
   const RgbaImage followed_;
-  const PictureComparison exact_, coarse_;
+  const std::shared_ptr<const PictureComparison> exact_;
+  /// The same where nothing is smaller than the detail.
+  const std::shared_ptr<const PictureComparison> coarse_;
 };
 
 }  // namespace gradmesh

@@ -136,7 +136,8 @@ Tracing told(const Document& document, const MeshEntry& entry, TracedPart traced
   result.was_stopped = watch.reason() != StopWatch::Reason::none;
   result.counts = counts_of(written);
   result.errors = tracer.errors(written);
-  result.errors_without_detail = tracer.errors_without_detail(written);
+  result.errors_without_detail =
+      tracer.leaves_detail_out() ? tracer.errors_without_detail(written) : result.errors;
   if (options.wants_curve) {
     traced.simpler.insert(traced.simpler.begin(), written);
     result.curve = traced_curve(std::move(traced.simpler), tracer);

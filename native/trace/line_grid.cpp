@@ -1,6 +1,7 @@
 #include "trace/line_grid.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace gradmesh {
@@ -73,6 +74,12 @@ bool LineGrid::folds() const {
       for (int corner = 0; corner < 4; ++corner)
         if (!(corner_area(i, j, corner) > 0)) return true;
   return false;
+}
+
+LineGrid LineGrid::in_whole_levels() const {
+  LineGrid whole = *this;
+  for (Knot& knot : whole.knots_) knot.color = glm::round(knot.color);
+  return whole;
 }
 
 int LineGrid::add_guide(const Guide& guide) {

@@ -71,6 +71,9 @@ class LineGrid {
   /// Returns twice the area of the triangle at a corner of a patch, which is positive at all four
   /// corners where the patch does not fold: then it is convex.
   double corner_area(int row, int column, int corner) const;
+  /// Returns the grid with colours as documents have them.
+  LineGrid in_whole_levels() const;
+
   /// Returns whether a patch does.
   bool folds() const;
 

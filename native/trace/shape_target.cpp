@@ -7,34 +7,10 @@
 #include <numeric>
 
 #include "base/clamped_int.h"
+#include "geom/crossings.h"
 
 namespace gradmesh {
 namespace {
-
-/// Where a horizontal line crosses an outline, and whether that runs down there (1) or up (-1).
-struct Crossing {
-  double x;
-  int winding;
-};
-
-/// Returns the crossings of the lines y = (k + 0.5) / `a_row`, 0 <= k < `lines`, from left to
-/// right.
-std::vector<std::vector<Crossing>> crossings(const Outline& outline, int a_row, int lines) {
-  std::vector<std::vector<Crossing>> found{std::size_t(lines)};
-  for (const std::vector<glm::dvec2>& polygon : outline)
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      const int winding = a.y < b.y ? 1 : -1;
-      if (winding < 0) std::swap(a, b);
-      const int end = clamped_int(std::ceil(b.y * a_row - 0.5), 0, lines);
-      for (int k = clamped_int(std::ceil(a.y * a_row - 0.5), 0, lines); k < end; ++k) {
-        const double share = ((k + 0.5) / a_row - a.y) / (b.y - a.y);
-        found[std::size_t(k)].push_back({std::lerp(a.x, b.x, share), winding});
-      }
-    }
-  for (std::vector<Crossing>& line : found) std::ranges::sort(line, {}, &Crossing::x);
-  return found;
-}
 
 /// Adds to the pixels of a row what a line covers of them from one place to another.
 void cover(double from, double to, float share, float* row, int width) {
@@ -106,13 +82,13 @@ glm::vec4 sample(const RgbaImage& picture, glm::dvec2 place) {
 std::vector<float> covered_shares(const FilledOutline& shape, int width, int height) {
   constexpr int a_row = 8;
   std::vector<float> shares(std::size_t(width) * std::size_t(height));
-  const auto lines = crossings(shape.outline, a_row, a_row * height);
+  const auto lines = crossings(shape.outline, a_row, 0.5, a_row * height);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     float* const row = shares.data() + k / a_row * std::size_t(width);
     int winding = 0;
     for (std::size_t i = 0; i + 1 < lines[k].size(); ++i) {
       winding += lines[k][i].winding;
-      if (shape.rule == FillRule::evenodd ? winding % 2 != 0 : winding != 0)
+      if (is_inside(winding, shape.rule))
         cover(lines[k][i].x, lines[k][i + 1].x, 1.0f / a_row, row, width);
     }
   }

@@ -1,21 +1,11 @@
 #include "trace/thinned_grids.h"
 
-#include <glm/common.hpp>
 #include <optional>
 
 #include "trace/line_changes.h"
 #include "trace/line_fit.h"
 
 namespace gradmesh {
-namespace {
-
-LineGrid with_rounded_colors(LineGrid grid) {
-  for (int n = 0; n < grid.points(); ++n) grid.knot(n).color = glm::round(grid.knot(n).color);
-  return grid;
-}
-
-}  // namespace
-
 std::vector<LineGrid> thinned_grids(const LineGrid& grid, const TargetPicture& target,
                                     StopWatch& watch) {
   constexpr FitLength to_the_end{40, 5e-4};
@@ -30,7 +20,7 @@ std::vector<LineGrid> thinned_grids(const LineGrid& grid, const TargetPicture& t
     if (!line) break;
     left = left.without_line(line->along, line->number);
     fit_lines(left, target, faint, to_the_end);
-    grids.push_back(with_rounded_colors(left));
+    grids.push_back(left.in_whole_levels());
   }
   return grids;
 }

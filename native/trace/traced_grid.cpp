@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,12 +28,6 @@ std::vector<TargetPicture> pyramid(const TargetPicture& target) {
 /// Returns the root of the mean of squares, in levels.
 double rmse(double squares, const TargetPicture& target) {
   return std::sqrt(squares / (channels(target) * std::max(1.0, target.counted())));
-}
-
-/// Returns the grid with colours as documents have them.
-LineGrid in_whole_levels(LineGrid grid) {
-  for (int n = 0; n < grid.points(); ++n) grid.knot(n).color = glm::round(grid.knot(n).color);
-  return grid;
 }
 
 /// Returns whether the first of two results is better, where the squares of each count so many
@@ -79,7 +72,7 @@ class Tracer {
     while (!watch_.is_over() && take_out()) {
     }
     const bool enough = is_enough();
-    return {in_whole_levels(grid_), turn_.number, squares_, enough};
+    return {grid_.in_whole_levels(), turn_.number, squares_, enough};
   }
 
  private:
@@ -102,7 +95,7 @@ class Tracer {
     if (!is_enough_) return rmse(squares_, target()) < hardly_seen;
     // The grid is painted for the answer, which is asked for more than once.
     if (!judged_ || judged_->first != grid_)
-      judged_ = std::pair(grid_, is_enough_(in_whole_levels(grid_)));
+      judged_ = std::pair(grid_, is_enough_(grid_.in_whole_levels()));
     return judged_->second;
   }
 
