@@ -14,12 +14,16 @@ from gradmesh_effect import (
 )
 from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
-from gradmesh_text import _, sentence
+from gradmesh_text import _
 from gradmesh_toast import toast
 from gradmesh_window import LongWork
 
 #: Of a mesh that takes as many handles as it needs.
 MOST_HANDLES = 1000
+WHAT_HELPS = _(
+    "That is seen. More handles help, a path around something with soft colours, or to ignore what is larger; sharp "
+    "shapes, text and leaves are better made by Path > Trace Bitmap."
+)
 
 
 class Trace(GradmeshEffect):
@@ -128,7 +132,7 @@ class Trace(GradmeshEffect):
             if tracing.unused_guides and len(ids) == 1:
                 yield _("{count} of the open paths cannot be followed.").format(count=tracing.unused_guides)
             if tracing.advice:
-                yield sentence(tracing.advice)
+                yield WHAT_HELPS
         if len(tracings) < len(ids):
             yield _("Stopped: {count} of {all} meshes are made; Ctrl+Z takes it back.").format(
                 count=len(tracings), all=len(ids)

@@ -101,6 +101,9 @@ def show(work):
     gtk, glib = toolkit()
     if gtk is None:
         return
+    from gradmesh_theme import prefer_dark
+
+    prefer_dark()
     window = gtk.Window(title=_("Gradient Mesh"), window_position=gtk.WindowPosition.CENTER)
     window.set_keep_above(True)
     window.set_default_size(380, -1)

@@ -3,6 +3,7 @@
 import base64
 import io
 import json
+import re
 from collections import Counter
 
 import numpy as np
@@ -17,6 +18,7 @@ import gradmesh
 
 pytestmark = pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not installed")
 
+INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 XLINK = 'xmlns:xlink="http://www.w3.org/1999/xlink"'
 CIRCLE = '<path id="apple" d="M70,45A25,25 0 0 1 20,45 25,25 0 0 1 70,45Z" fill="none" stroke="red"/>'
 FEW = "--handles=40"
@@ -188,6 +190,21 @@ def test_a_script_is_told_of_each_mesh(run, tmp_path):
     assert (line["action"], line["outcome"]) == ("org.gradmesh.trace", "done")
     (mesh,) = line["meshes"]
     assert mesh["id"] == "apple" and mesh["handles"] <= 40 and mesh["mean"] < 2 and not mesh["stopped"]
+
+
+def test_what_is_told_of_each_mesh(extension, run, tmp_path):  # noqa: F811
+    """Also what would help, where the mesh does not look like the picture."""
+    noise = np.random.default_rng(1).integers(0, 256, (70, 90, 3), dtype="uint8")
+    file = io.BytesIO()
+    Image.fromarray(noise).save(file, "PNG")
+    link = "data:image/png;base64," + base64.b64encode(file.getvalue()).decode()
+    log = tmp_path / "cache" / "gradmesh" / "extension.log"
+    spot = CIRCLE.replace("/>", f' inkscape:label="Spot" xmlns:inkscape="{INKSCAPE}"/>')
+    run(page(image(link=link), spot), "--id=apple", "--handles=4", item="trace")
+    assert re.search(r"Spot: 4 handles, \d+\.\d of 255 levels off the picture in the mean\. That is", log.read_text())
+    log.unlink()
+    run(page(image(), spot), "--id=apple", FEW, item="trace")
+    assert "Spot: " in log.read_text() and "That is seen" not in log.read_text()
 
 
 @needs()
