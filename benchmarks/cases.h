@@ -19,6 +19,7 @@ void register_assembly();
 void register_methods();
 void register_growth();
 void register_pricing();
+void register_traces();
 #ifdef GRADMESH_WINDOW
 void register_window();
 #endif

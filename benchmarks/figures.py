@@ -123,6 +123,12 @@ GOALS = [
         100,
         bridged=320,
     ),
+    RatioGoal(
+        "a trace of 289 points of a photograph, against scikit-image's SSIM", "trace/whole/289", SKIMAGE, 1 / 25
+    ),
+    RatioGoal(
+        "a trace of 625 points of a photograph, against scikit-image's SSIM", "trace/whole/625", SKIMAGE, 1 / 70
+    ),
     LimitGoal("growth of gqe's time with patches, exponent", "growth/gqe/patches", "exponent", 1.3),
     LimitGoal("100 patches, from the command line", "cli/100-patches", "seconds", 0.5, " s"),
     LimitGoal("Duck, from the command line", "cli/duck", "seconds", 5, " s"),

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   register_methods();
   register_growth();
   register_pricing();
+  register_traces();
 #ifdef GRADMESH_WINDOW
   register_window();
 #endif
