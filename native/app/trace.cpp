@@ -164,13 +164,17 @@ class ShapeTrace {
   /// Returns false if the caller has cancelled it.
   bool run() {
     traced_ = tracer_.run(watch_);
+    seconds_ = watch_.seconds();
     return watch_.reason() != StopWatch::Reason::cancelled;
   }
 
   Tracing write(SvgMeshes& svg) {
     const std::string shape = svg.is_image(id_) ? svg.cover_image(id_, size_) : id_;
     const MeshEntry entry = svg.paint_shape(shape, traced_->mesh);
-    return told(svg, entry, *std::move(traced_), tracer_, options_, watch_);
+    Tracing tracing = told(svg, entry, *std::move(traced_), tracer_, options_, watch_);
+    // The others that are traced beside it have gone on since.
+    tracing.seconds = seconds_;
+    return tracing;
   }
 
  private:
@@ -180,6 +184,7 @@ class ShapeTrace {
   StopWatch watch_;
   const PartTracer tracer_;
   std::optional<TracedPart> traced_;
+  double seconds_ = 0;
 };
 
 /// Returns options whose progress is that of one of several meshes.
