@@ -108,7 +108,14 @@ class _GradmeshDocument(Gradmesh):
 
     def load_meshes(self, data):
         with refusals_as_sentences():
-            self.meshes = gradmesh.loads(data, self.document_name, _)
+            self.meshes = gradmesh.loads(data, self.document_name, _, self.folders)
+
+    @property
+    def folders(self):
+        """Where linked pictures are looked for: beside Inkscape's copy of the document, to which it makes links
+        relative, and beside the document, as it leaves some."""
+        files = (self.options.input_file, os.environ.get("DOCUMENT_PATH"))
+        return [os.path.dirname(os.path.abspath(file)) for file in files if isinstance(file, str) and file]
 
     @property
     def document_name(self):

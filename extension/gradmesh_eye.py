@@ -22,11 +22,12 @@ class NoWindow(Exception):
     """Raised with the sentence that says why there is none."""
 
 
-def simplify_by_eye(document, name, ids):
+def simplify_by_eye(document, name, ids, folders):
     """Shows the window until a person closes it. Returns the document as it is then, and what is told of the
     meshes that were changed, as of `gradmesh simplify --report`; None where nothing was applied.
 
-    document: bytes, whose ending `name` has. ids: the meshes that are shown.
+    document: bytes, whose ending `name` has. ids: the meshes that are shown. folders: where linked pictures are
+    looked for.
     """
     with tempfile.TemporaryDirectory(prefix="gradmesh-") as folder:
         # Sentences about the document call it by the name that the program is given, so that has no folder.
@@ -34,6 +35,7 @@ def simplify_by_eye(document, name, ids):
         before.mkdir()
         (before / name).write_bytes(document)
         options = ["--output", str(after), "--report", str(report), *looks(), *(f"--id={each}" for each in ids)]
+        options += [f"--folder={each}" for each in folders]
         run([program(), "eye", *options, "--", name], before)
         if not after.exists():
             return None

@@ -220,6 +220,7 @@ class Simplify(GradmeshEffect):
             "before": sum(result.handles_before for result in changed),
             "metric": changed[0].run["metric"].upper(),
             "error": max(result.error for result in changed),
+            "more": max(result.error - result.error_before for result in changed),
         }
         if len(changed) == 1:
             yield _("{id}: {handles} of {before} handles are left, {metric} {error:.3f}.").format(**numbers)
@@ -227,7 +228,7 @@ class Simplify(GradmeshEffect):
             text = _("{count} gradient meshes: {handles} of {before} handles are left, {metric} up to {error:.3f}.")
             yield text.format(**numbers)
         yield from self.what_was_protected(results)
-        if self.amount in COUNTED and numbers["error"] > STRONG[changed[0].run["metric"]]:
+        if self.amount in COUNTED and numbers["more"] > STRONG[changed[0].run["metric"]]:
             yield MORE_THAN_STRONG
         if any(result.stopped == "cancelled" for result in results):
             if len(results) == 1:
@@ -259,7 +260,7 @@ class Simplify(GradmeshEffect):
         if result.objects > 1:
             text += " " + _("They would be {objects} objects.").format(objects=result.objects)
         epsilon, bound = result.run["epsilon"], result.run["max_local_error"]
-        if self.amount not in COUNTED and result.error > epsilon:
+        if self.amount not in COUNTED and result.error - result.error_before > epsilon:
             text += " " + _("That is above the largest error, {epsilon:g}.").format(epsilon=epsilon)
         if bound is not None and result.local_error > bound:
             text += " " + _("In a small part it is {error:.4f}, above {bound:g}.").format(

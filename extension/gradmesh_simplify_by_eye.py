@@ -32,7 +32,7 @@ class SimplifyByEye(GradmeshEffect):
         if not ATTENDED:
             raise AbortExtension(by_numbers(_("Nobody is there who could see a window.")))
         try:
-            return simplify_by_eye(self.meshes.to_bytes(), self.document_name, ids)
+            return simplify_by_eye(self.meshes.to_bytes(), self.document_name, ids, self.folders)
         except NoWindow as reason:
             raise AbortExtension(by_numbers(reason)) from reason
 

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Trace Picture: makes meshes of pictures, or of what paths in them surround."""
 
-import os
-
 from gradmesh_effect import (
     LABEL,
     SHAPES,
@@ -109,14 +107,8 @@ class Trace(GradmeshEffect):
             chosen.update(handles=options.handles, epsilon=0)
         else:
             chosen.update(handles=MOST_HANDLES, amount=options.amount)
-        chosen.update(image=image, guides=[guide.get("id") for guide in guides], folders=self.folders())
+        chosen.update(image=image, guides=[guide.get("id") for guide in guides])
         return gradmesh.trace_in(self.meshes, ids, progress=tell, show=show, **chosen)
-
-    def folders(self):
-        """Where linked pictures are looked for: beside Inkscape's copy of the document, to which it makes links
-        relative, and beside the document, as it leaves some."""
-        files = (self.options.input_file, os.environ.get("DOCUMENT_PATH"))
-        return [os.path.dirname(os.path.abspath(file)) for file in files if isinstance(file, str) and file]
 
     def hide(self, images):
         for element in self.document.getroot().iter("{*}image"):

@@ -29,7 +29,9 @@ std::string unpacked(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path) {
-  return parse(read_bytes(path), path.string());
+  std::unique_ptr<Document> document = parse(read_bytes(path), path.string());
+  document->look_in({path.parent_path()});
+  return document;
 }
 
 std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::string& name) {

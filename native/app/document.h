@@ -103,6 +103,10 @@ class Document {
   virtual ~Document() = default;
 
   const std::string& name() const { return name_; }
+  /// The folders in which files that the document names are looked for, one after the other: that
+  /// of its own file, unless they were set.
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+  void look_in(std::vector<std::filesystem::path> folders) { folders_ = std::move(folders); }
   virtual const Format& format() const = 0;
   /// Returns the colour model of the document's meshes.
   ColorModel color_model() const { return format().color_models.front(); }
@@ -230,6 +234,8 @@ class Document {
   /// Returns the content of the document, never compressed: exactly the bytes that were read if
   /// nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : content_; }
+  /// Returns the document if it is one of SVG; else null.
+  virtual const SvgMeshes* svg() const { return nullptr; }
   /// Returns the document as one of SVG. Throws InputError with the message `otherwise` if it is
   /// one of another format.
   virtual SvgMeshes& as_svg(const Message& otherwise) { throw InputError(otherwise); }
@@ -271,6 +277,7 @@ class Document {
   std::string name_, content_;
   /// The bytes that were read if those were compressed; empty otherwise.
   std::string compressed_;
+  std::vector<std::filesystem::path> folders_;
   Translation translation_ = [](const std::string& text) { return text; };
   bool changed_ = false;
   const Document* originals_ = nullptr;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/devices.h"
+#include "app/traced_original.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "mesh/faces_under.h"
@@ -88,8 +89,8 @@ std::shared_ptr<Device> device_for(const Mesh& mesh, const RunOptions& options) 
 /// Throws InputError if the error of a mesh was above epsilon before anything was merged, because
 /// of another colour model or another document.
 void check_start(const Document& document, const MeshEntry& entry, const SimplifyResult& result,
-                 const RunOptions& options) {
-  if (options.has_target() || result.changed || result.error <= options.epsilon) return;
+                 const RunOptions& options, double epsilon) {
+  if (options.has_target() || result.changed || result.error <= epsilon) return;
   // Earlier runs with a larger epsilon may have moved the mesh away from the original.
   if (document.may_differ(entry) && !options.original) return;
   char error[32];
@@ -177,7 +178,7 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
     const Problem problem = std::move(problems[i]);
     StopWatch watch = watch_of(options, i, entries.size());
     SimplifyResult result = document.naming(entry, [&] { return runs.result_of(problem, watch); });
-    check_start(document, entry, result, options);
+    check_start(document, entry, result, options, problem.bounds.epsilon);
     if (!result.changed)
       result.objects = document.objects(entry);
     else
@@ -205,6 +206,8 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   const Mesh& read = document.mesh(entry);
   const ColorModel model = asked.color_model.value_or(read.color_model());
   if (asked.color_model) document.check_color_model(model);
+  if (!options.original) options.original = original_of(document.given_original(entry));
+  if (!options.original) options.original = traced_original(document, entry, options.resolution);
   if (!options.original) options.original = original_of(document.original(entry));
   std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
   mesh = protecting(document, entry, std::move(mesh), asked);
@@ -216,7 +219,14 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   options.rules = document.rules(entry, false);
   if (document.is_one_gradient(entry)) options.gradient_rules = document.rules(entry, true);
   options.analysis = nullptr;
-  const Problem problem = document.naming(entry, [&] { return problem_of(mesh, options); });
+  const Problem problem = document.naming(entry, [&] {
+    Problem made = problem_of(mesh, options);
+    if (made.original()->mesh()) return made;
+    const Bounds asked_for = made.bounds;
+    // The bound of edits, which would be that of a mesh that is its own original.
+    made.bounds.local.reset();
+    return made.within(made.beyond_start(asked_for));
+  });
   problem.price_with({&files.start(problem.price_key(), *mesh),
                       [=] { return device_for(*mesh, options); }, asked.device_lost});
   return problem;

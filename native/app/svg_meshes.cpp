@@ -4,6 +4,7 @@
 #include "app/svg_rules.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "form/handles.h"
@@ -235,6 +236,41 @@ MeshEntry SvgMeshes::paint_shape(const std::string& id, const Mesh& mesh) {
   return selected({id}).front();
 }
 
+std::string SvgMeshes::named_image(const std::string& id, const std::string& image) {
+  return gradmesh::named_image(changing(), id, image);
+}
+
+Affine SvgMeshes::picture_to_mesh(const MeshEntry& entry, const std::string& image,
+                                  glm::dvec2 pixels) const {
+  return mesh_to_user(svg_, object(entry)).inverse() *
+         shape_on_picture(entry.id, image, {}, pixels).to_mesh;
+}
+
+std::optional<RememberedPicture> SvgMeshes::traced_from(const MeshEntry& entry) const {
+  if (entry.simplified || read(entry).edited) return {};
+  return remembered_picture(svg_, object(entry));
+}
+
+bool SvgMeshes::lies_as_traced(const MeshEntry& entry, const RememberedPicture& picture,
+                               glm::dvec2 pixels) const {
+  // Pixels of the file: what rounding a document's numbers may do.
+  constexpr double hardly_moved = 0.05;
+  const Affine moved = picture.to_mesh.inverse() * picture_to_mesh(entry, picture.image, pixels);
+  for (const glm::dvec2 corner : {glm::dvec2(0.0), glm::dvec2(pixels.x, 0), pixels})
+    if (!(glm::distance(moved.point(corner), corner) <= hardly_moved)) return false;
+  return true;
+}
+
+MeshEntry SvgMeshes::remember_picture(const MeshEntry& entry, RememberedPicture picture,
+                                      glm::dvec2 pixels) {
+  picture.to_mesh = picture_to_mesh(entry, picture.image, pixels);
+  const double tolerance = coons_tolerance(frame(entry, mesh(entry), usual_resolution));
+  gradmesh::remember_picture(object(entry), picture);
+  remember_original(changing(), object(entry), mesh(entry), tolerance, "");
+  list_meshes({entry});
+  return selected({entry.id}).front();
+}
+
 std::shared_ptr<const WritingRules> SvgMeshes::rules(const MeshEntry& entry, bool stays_one) const {
   if (!stays_one || !is_one_gradient(entry)) return block_rules();
   return gradient_rules(mesh_to_gradient(svg_, object(entry)));
@@ -287,6 +323,9 @@ void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& origin
   const double tolerance = coons_tolerance(m.frame);
   const MeshObject written =
       write_mesh_gradient(changing(), object(m.entry), m.written.mesh, tolerance, &by_origin);
+  // What was measured against a picture has no other original, and still looks like that.
+  if (!m.original && remembered_picture(svg_, written))
+    return remember_original(changing(), written, m.written.mesh, tolerance, "");
   if (original.empty()) return;
   if (!must_fit || text().size() + original.size() + names <= before)
     remember_original(changing(), written, m.written.mesh, tolerance, original);

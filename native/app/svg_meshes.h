@@ -6,6 +6,7 @@
 #include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/picture/document_image.h"
 #include "formats/svg/picture/picture.h"
+#include "formats/svg/picture/remembered_picture.h"
 #include "formats/svg/picture/shape_on_picture.h"
 
 namespace gradmesh {
@@ -38,6 +39,7 @@ class SvgMeshes : public Document {
   void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int resolution) override;
   void check_conversion(const Format& to) const override;
   SvgMeshes& as_svg(const Message&) override { return *this; }
+  const SvgMeshes* svg() const override { return this; }
 
   /// Returns where the shape with this id, or what is seen of the image with this id, and lines to
   /// follow lie on the picture of an image, whose file is `pixels` large (formats/svg/picture/
@@ -53,6 +55,19 @@ class SvgMeshes : public Document {
   /// Puts a rectangle above the image with this id and returns its id (formats/svg/picture/
   /// image_cover.h).
   std::string cover_image(const std::string& id, glm::dvec2 pixels);
+  /// Returns the id of the image that a shape is on (image_under), which it is given if it has
+  /// none.
+  std::string named_image(const std::string& id, const std::string& image);
+  /// Returns the picture that a mesh was traced from, if the document shows it where it was then:
+  /// its image and the hash of its bytes. Nothing if a person has edited the mesh since, or moved
+  /// it on the picture, whose file is `pixels` large.
+  std::optional<RememberedPicture> traced_from(const MeshEntry& entry) const;
+  /// Returns whether the mesh lies on a picture of that size as it did when it was traced from it.
+  bool lies_as_traced(const MeshEntry& entry, const RememberedPicture& picture,
+                      glm::dvec2 pixels) const;
+  /// Lets a mesh that was just painted remember the picture, whose file is `pixels` large. Returns
+  /// its entry. All entries are listed anew.
+  MeshEntry remember_picture(const MeshEntry& entry, RememberedPicture picture, glm::dvec2 pixels);
   /// Fills the shape with this id by a mesh in its user space (formats/svg/gradient/paint_shape.h),
   /// and returns its entry. All entries are listed anew.
   MeshEntry paint_shape(const std::string& id, const Mesh& mesh);
@@ -92,6 +107,9 @@ class SvgMeshes : public Document {
   std::string changed_bytes() const override { return text(); }
 
  private:
+  /// Returns the map from pixels of a picture to the mesh of an object on it.
+  Affine picture_to_mesh(const MeshEntry& entry, const std::string& image, glm::dvec2 pixels) const;
+
   /// An entry's mesh once it has been read.
   struct ReadMesh {
     Mesh mesh;

@@ -11,6 +11,7 @@
 
 #include "app/formats.h"
 #include "app/picture_part.h"
+#include "app/shown_picture.h"
 #include "app/svg_meshes.h"
 #include "app/traced_curve.h"
 #include "base/clamped_int.h"
@@ -38,8 +39,6 @@ void check(const TraceOptions& options) {
                      beyond_limit("patches", patches, handles));
 }
 
-glm::dvec2 full_size(const Picture& picture) { return {picture.full_width, picture.full_height}; }
-
 PartOptions part_options(const TraceOptions& options) {
   return {options.handles, options.epsilon, options.detail, options.wants_curve, options.show};
 }
@@ -53,75 +52,6 @@ std::string document_of(const Mesh& mesh, glm::dvec2 page, const Frame& frame) {
 
 SvgMeshes& as_svg(Document& document) {
   return document.as_svg(Message("{0}: only an SVG document holds outlines.", document.name()));
-}
-
-/// Returns a picture of which the longer side has at most so many pixels.
-using PictureReader = std::function<Picture(int longest)>;
-
-/// Returns the reader of a picture that a document shows, and that may be linked to a file in one
-/// of the folders.
-PictureReader shown_picture(const SvgMeshes& svg, const std::string& id, const ToTrace& what) {
-  ImageFile file = svg.image_file(id, what.image);
-  if (const auto* bytes = std::get_if<std::string>(&file))
-    return [bytes = *bytes, name = svg.name()](int longest) {
-      return picture_of_bytes(bytes, name, longest);
-    };
-  const auto& place = std::get<std::filesystem::path>(file);
-  std::filesystem::path path = place;
-  for (const std::filesystem::path& folder : what.folders) {
-    path = folder / place;
-    if (std::error_code error; std::filesystem::exists(path, error)) break;
-  }
-  return [path](int longest) { return read_picture(path, longest); };
-}
-
-/// Reads a picture so that the shape on it, and not the picture around that, has `resolution`
-/// pixels along the longer side, if the picture has as many.
-Picture picture_for(const SvgMeshes& svg, const std::string& id, const std::string& image,
-                    int resolution, const PictureReader& read) {
-  Picture picture = read(resolution);
-  const glm::dvec2 size = full_size(picture);
-  const glm::dvec2 shape =
-      bounding_box(svg.shape_on_picture(id, image, {}, size).shape.outline).size();
-  const double longest = std::max(size.x, size.y);
-  const double wanted = resolution * longest / std::max({shape.x, shape.y, 1.0});
-  if (wanted < resolution || longest > resolution)
-    picture = read(clamped_int(std::min(wanted, longest), 1, INT_MAX));
-  return picture;
-}
-
-/// Returns the window of a picture's pixels around a shape that is in pixels of its file.
-Window window_around(const Outline& shape, const Picture& picture) {
-  // So many more pixels each way as the metric looks at around those that count.
-  constexpr int around = 8;
-  const RgbaImage& image = picture.image;
-  const Affine to_image =
-      Affine::scaling(glm::dvec2(image.width, image.height) / full_size(picture));
-  const Box box = bounding_box(mapped(shape, to_image));
-  return Window{clamped_int(std::floor(box.low().x), 0, image.width),
-                clamped_int(std::floor(box.low().y), 0, image.height),
-                clamped_int(std::ceil(box.high().x), 0, image.width),
-                clamped_int(std::ceil(box.high().y), 0, image.height)}
-      .grown(around)
-      .clipped(image.window());
-}
-
-/// Returns the part of a picture around a shape.
-PicturePart part_around(const Picture& picture, const ShapeOnPicture& on) {
-  const RgbaImage& image = picture.image;
-  const Window window = window_around(on.shape.outline, picture);
-  const glm::dvec2 pixel = full_size(picture) / glm::dvec2(image.width, image.height);
-  const glm::dvec2 corner = pixel * glm::dvec2(window.x0, window.y0);
-  PicturePart part{RgbaImage(window.width(), window.height()),
-                   pixel * glm::dvec2(window.width(), window.height()),
-                   on.to_mesh * Affine::translation(corner),
-                   on.scale,
-                   mapped(on.shape, Affine::translation(-corner)),
-                   mapped(on.guides, Affine::translation(-corner))};
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      part.image.set_pixel(x - window.x0, y - window.y0, image.pixel(x, y));
-  return part;
 }
 
 /// Returns what is told of the mesh that was written into the document.
@@ -152,6 +82,7 @@ class ShapeTrace {
   ShapeTrace(const SvgMeshes& svg, const std::string& id, const std::string& image,
              const Picture& picture, const TraceOptions& options)
       : id_(id),
+        image_(image),
         size_(full_size(picture)),
         options_(options),
         watch_(options.time_budget, options.progress),
@@ -168,9 +99,12 @@ class ShapeTrace {
     return watch_.reason() != StopWatch::Reason::cancelled;
   }
 
-  Tracing write(SvgMeshes& svg) {
+  /// Writes the mesh, whose object remembers the picture if that is one that the document shows.
+  Tracing write(SvgMeshes& svg, const ShownPicture* shown) {
+    const std::string image = shown ? svg.named_image(id_, image_) : "";
     const std::string shape = svg.is_image(id_) ? svg.cover_image(id_, size_) : id_;
-    const MeshEntry entry = svg.paint_shape(shape, traced_->mesh);
+    MeshEntry entry = svg.paint_shape(shape, traced_->mesh);
+    if (shown) entry = svg.remember_picture(entry, {shown->hash(), {}, image}, size_);
     Tracing tracing = told(svg, entry, *std::move(traced_), tracer_, options_, watch_);
     // The others that are traced beside it have gone on since.
     tracing.seconds = seconds_;
@@ -178,7 +112,7 @@ class ShapeTrace {
   }
 
  private:
-  const std::string id_;
+  const std::string id_, image_;
   const glm::dvec2 size_;
   const TraceOptions options_;
   StopWatch watch_;
@@ -233,12 +167,14 @@ TracedDocument trace_file_in_shape(const std::filesystem::path& picture, int res
   const ThreadLimit limit(options.threads);
   std::unique_ptr<Document> document = Document::read_file(outline);
   SvgMeshes& svg = as_svg(*document);
-  const PictureReader read = picture.empty()
-                                 ? shown_picture(svg, id, {{id}, "", {outline.parent_path()}})
-                                 : [&](int longest) { return read_picture(picture, longest); };
+  std::optional<ShownPicture> shown;
+  if (picture.empty()) shown.emplace(svg, id, "");
+  const auto read = [&](int longest) {
+    return shown ? shown->read(longest) : read_picture(picture, longest);
+  };
   ShapeTrace shape(svg, id, "", picture_for(svg, id, "", resolution, read), options);
   shape.run();
-  Tracing tracing = shape.write(svg);
+  Tracing tracing = shape.write(svg, shown ? &*shown : nullptr);
   return {std::move(document), std::move(tracing)};
 }
 
@@ -249,16 +185,19 @@ std::vector<Tracing> trace_in(Document& document, const ToTrace& what, int resol
   const ThreadLimit limit(options.threads);
   SvgMeshes& svg = as_svg(document);
   // All are looked at before the first is changed.
+  std::vector<ShownPicture> pictures;
   std::vector<std::unique_ptr<ShapeTrace>> shapes;
   for (const std::string& id : what.ids) {
-    const Picture picture =
-        picture_for(svg, id, what.image, resolution, shown_picture(svg, id, what));
+    const ShownPicture& shown = pictures.emplace_back(svg, id, what.image);
+    const Picture picture = picture_for(svg, id, what.image, resolution,
+                                        [&](int longest) { return shown.read(longest); });
     shapes.push_back(std::make_unique<ShapeTrace>(
         svg, id, what.image, picture, for_one_of(options, shapes.size(), what.ids.size())));
     if (!shapes.back()->run()) break;
   }
   std::vector<Tracing> tracings;
-  for (const auto& shape : shapes) tracings.push_back(shape->write(svg));
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    tracings.push_back(shapes[i]->write(svg, &pictures[i]));
   return tracings;
 }
 

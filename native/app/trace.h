@@ -77,8 +77,6 @@ struct ToTrace {
   /// The image that the shapes lie on; empty for the one below each (formats/svg/picture/
   /// document_image.h).
   std::string image = {};
-  /// Where a linked picture is looked for, one folder after the other.
-  std::vector<std::filesystem::path> folders = {};
 };
 
 /// Makes a mesh that looks like a picture, over a page of the size of its file; `name` stands in

@@ -8,6 +8,7 @@
 
 #include "app/editing.h"
 #include "app/info.h"
+#include "base/utf8_path.h"
 #include "files/atomic_file.h"
 #include "window/view/run.h"
 #endif
@@ -19,6 +20,7 @@ namespace {
 struct EyeArguments {
   std::filesystem::path in, out, report;
   std::vector<std::string> ids;
+  std::vector<std::string> folders;
   std::string theme, language;
 };
 
@@ -47,6 +49,9 @@ std::map<std::string, MeshEntry> named_entries(const std::vector<MeshEntry>& ent
 void simplify(const EyeArguments& a) {
   const auto document = Document::read_file(a.in);
   document->set_translation(translation_for(choices(a)));
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& folder : a.folders) folders.push_back(utf8_path(folder));
+  if (!folders.empty()) document->look_in(std::move(folders));
   std::vector<std::string> names;
   const std::map<std::string, MeshEntry> entries = named_entries(document->selected(a.ids), names);
   Eye eye(names, [&](const std::string& name) {
@@ -91,6 +96,8 @@ void add_eye(CLI::App& program) {
   add_path(command, "IN", a->in, any_document())->required();
   add_path(command, "-o,--output", a->out, "Written by Apply; the document itself if not given");
   add_ids(command, a->ids);
+  command.add_option("--folder", a->folders,
+                     "Where linked pictures are looked for, instead of beside IN; may be repeated");
   command.add_option("--theme", a->theme, "dark or light; what was chosen last if not given")
       ->check(CLI::IsMember({"dark", "light"}));
   command.add_option("--language", a->language,

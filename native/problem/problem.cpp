@@ -102,9 +102,21 @@ Problem Problem::within(const Bounds& other) const {
   Problem copy = *this;
   copy.bounds = other;
   copy.own_local_bound_ = nullptr;
-  if (other.local)
-    copy.own_local_bound_ = std::make_shared<const LocalBound>(*other.local, start().state()->map);
+  if (!other.local) return copy;
+  const Plane& map = start().state()->map;
+  copy.own_local_bound_ = std::make_shared<const LocalBound>(
+      original()->mesh() ? LocalBound(*other.local, map) : LocalBound::beyond(*other.local, map));
   return copy;
+}
+
+Bounds Problem::beyond_start(Bounds allowed) const {
+  if (original()->mesh()) return allowed;
+  const bool masks = rules && rules->may_mask_opacity();
+  const FrameError start =
+      MeasuredSurface(*reference(), mesh(), masks, nullptr, allowed.detail.has_value()).error();
+  allowed.epsilon += start.mean;
+  if (allowed.detail) *allowed.detail += start.detail;
+  return allowed;
 }
 
 EditError& Problem::start() const {

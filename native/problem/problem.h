@@ -112,6 +112,10 @@ class Problem {
   const Layout& layout() const { return shared_->layout; }
   /// Returns a copy of the problem with other bounds.
   Problem within(const Bounds& other) const;
+  /// Returns bounds that allow errors so much larger than those of the mesh as it was, where that
+  /// is measured against a picture, from which it differs already; else the same bounds. The local
+  /// bound of within() is beyond that of each window then, as it is.
+  Bounds beyond_start(Bounds bounds) const;
 
   /// Returns a copy of the mesh with a trial that merges in it. The first call paints the mesh, and
   /// throws InputError if it covers no pixel.

@@ -2,6 +2,7 @@
 
 #include "app/convert.h"
 #include "app/info.h"
+#include "base/utf8_path.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"
 #include "service/options.h"
@@ -16,6 +17,10 @@ Json read_document(const Call& call) {
 
 Json parse_document(const Call& call) {
   auto document = Document::parse(call.get<Bytes>("bytes").bytes, call.get<std::string>("name"));
+  std::vector<std::filesystem::path> folders;
+  for (const std::string& folder : call.get("folders", std::vector<std::string>{}))
+    folders.push_back(utf8_path(folder));
+  document->look_in(std::move(folders));
   if (call.get("translated", false)) document->set_translation(callers_translation());
   return call.add(std::move(document));
 }

@@ -1,7 +1,6 @@
 #include <stdexcept>
 
 #include "app/trace.h"
-#include "base/utf8_path.h"
 #include "service/functions.h"
 #include "service/options.h"
 
@@ -51,9 +50,6 @@ Json trace_picture(const Call& call) {
 
 Json trace_document(const Call& call) {
   ToTrace what{call.get<std::vector<std::string>>("ids"), call.get<std::string>("image", "")};
-  for (const std::string& folder :
-       call.get<std::vector<std::string>>("folders", std::vector<std::string>{}))
-    what.folders.push_back(utf8_path(folder));
   Document& document = call.document();
   Json result = Json::array();
   for (const Tracing& tracing :

@@ -78,6 +78,7 @@ void add_plain(const Problem& problem, StopWatch& watch, Growing& curve) {
       for (const double times : {2, 4})
         bounds.push_back(
             {times * rung.bounds.epsilon, times * *rung.bounds.local, times * *rung.bounds.detail});
+    for (Bounds& each : bounds) each = problem.beyond_start(each);
     pass_plain(
         problem, bounds, watch, [&](const Candidate& written) { curve.add(written); },
         [&](std::size_t n) {
@@ -94,8 +95,8 @@ void add_blocks(const Problem& problem, StopWatch& watch, Growing& curve) {
   for (const auto& [bounds, amount] : rungs_of_amounts(problem.metric())) {
     for (const double epsilon : {(last + bounds.epsilon) / 2, bounds.epsilon}) {
       if (watch.is_over()) return;
-      const Candidate written =
-          best.run(problem.within({epsilon, bounds.local, bounds.detail}), watch);
+      const Candidate written = best.run(
+          problem.within(problem.beyond_start({epsilon, bounds.local, bounds.detail})), watch);
       if (written.changed && !watch.is_over()) curve.add(written);
     }
     curve.mark(amount);

@@ -82,6 +82,7 @@ SimplifyResult result_of(const Problem& problem, const Method& method, Candidate
   result.patches_before = before.patches;
   result.handles_after = after.handles;
   result.patches_after = result.mesh.face_count();
+  result.error_before = problem.beyond_start({.epsilon = 0}).epsilon;
   result.objects = result.form.object_count();
   result.evaluations = problem.evaluations();
   if (method.needs_prices) result.renderer = problem.renderer();

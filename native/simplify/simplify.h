@@ -53,6 +53,8 @@ struct SimplifyResult : Candidate {
   /// What a person has to handle, before and as written (form/handles.h).
   int handles_before = 0, handles_after = 0;
   int patches_before = 0, patches_after = 0;
+  /// The error of the mesh as it was, where it is measured against a picture; else 0.
+  double error_before = 0;
   /// The blocks of the group that the mesh becomes, or 1 where it becomes one mesh gradient.
   int objects = 1;
   int evaluations = 0;

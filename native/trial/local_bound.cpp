@@ -21,6 +21,15 @@ LocalBound::LocalBound(double largest, const Plane& start) : largest_(largest) {
   });
 }
 
+LocalBound LocalBound::beyond(double more, const Plane& start) {
+  LocalBound bound(more);
+  bound.allowed_.reset(start.window());
+  for_each_local_mean(start, [&](int x, int y, double mean) {
+    *bound.allowed_.at(x, y) = more + room_for_rounding * mean;
+  });
+  return bound;
+}
+
 bool LocalBound::holds(const Plane& map) const { return holds(map, largest_local_mean(map)); }
 
 bool LocalBound::holds(const Plane& map, double largest) const {

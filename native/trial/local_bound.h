@@ -11,6 +11,9 @@ class LocalBound {
   /// Bounds every window by `largest`. A window that is above it in `start`, the map of the whole
   /// frame before anything is merged, may keep its mean of `start`.
   LocalBound(double largest, const Plane& start);
+  /// Returns a bound by which the mean of each window may be so much larger than in `start`, that
+  /// of a mesh that differs from its original by what nobody minds.
+  static LocalBound beyond(double more, const Plane& start);
 
   /// Returns true if all windows inside `map`, a part of the frame, keep to the bound.
   bool holds(const Plane& map) const;
@@ -18,6 +21,8 @@ class LocalBound {
   bool holds(const Plane& map, double largest) const;
 
  private:
+  explicit LocalBound(double largest) : largest_(largest) {}
+
   double largest_;
   /// The bound of each window by its top left pixel; empty if all are `largest_`.
   Raster<double, 1> allowed_;

@@ -6,7 +6,7 @@ import json
 import os
 import warnings
 from dataclasses import dataclass, field
-from typing import Any, Callable, Iterable, Mapping, NamedTuple, Optional, Union
+from typing import Any, Callable, Iterable, Mapping, NamedTuple, Optional, Sequence, Union
 
 from .core import Answers, CoreDocument, core, record
 from .errors import InputError
@@ -60,6 +60,8 @@ class Result:
     protected_patches: int  #: of those after, how many are as they were because they were protected
     changed: bool  #: whether it became simpler
     error: float  #: of what is written, against the mesh as it was, 0 to 1, up to 4 with weights
+    #: of the mesh as it was, where it is measured against the picture that it was traced from; else 0
+    error_before: float
     local_error: float  #: the largest mean of the same in any window of 32 x 32 pixels
     evaluations: int  #: merges that were painted and measured
     stopped: str  #: "done", "budget", "cancelled", "nothing to merge" or "refused"
@@ -116,16 +118,24 @@ def loads(
     data: Union[bytes, str],
     name: str = "document",
     translate: Optional[Callable[[str], str]] = None,
+    folders: Sequence[Path] = (),
 ) -> Document:
     """Reads a document of either kind from memory; `name` stands for the file in messages.
 
     translate: from a text in English, with places such as {0}, to that in which labels and drawings
-    are written.
+    are written. folders: where files that the document names are looked for, such as linked
+    pictures, one after the other; of load() it is the folder of the file.
     """
     if isinstance(data, str):
         data = data.encode("utf-8")
     here = core()
-    number = here.call("parse", bytes=data, name=name, translated=translate is not None)
+    number = here.call(
+        "parse",
+        bytes=data,
+        name=name,
+        translated=translate is not None,
+        folders=[os.fspath(folder) for folder in folders],
+    )
     return Document(here.document(number, translate))
 
 

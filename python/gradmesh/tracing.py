@@ -101,7 +101,6 @@ def trace_in(
     ids: Sequence[str],
     *,
     image: Optional[str] = None,
-    folders: Sequence[Path] = (),
     progress: Optional[TellProgress] = None,
     show: Optional[Show] = None,
     **options: Any,
@@ -110,7 +109,7 @@ def trace_in(
 
     ids: of shapes, each of which becomes a mesh of what of the picture it surrounds; of images, each of which gets a
     mesh of all that is seen of it, in a rectangle directly above. image: the id of the image that the shapes lie on;
-    None: the uppermost below each. folders: where a linked picture is looked for, one after the other.
+    None: the uppermost below each. Linked pictures are looked for in the folders of the document (loads()).
     The options are handles, amount, epsilon, detail, guides, resolution, threads and time_budget, as of trace(), for
     each mesh.
     show: is called some times a second with the width and the height of a picture, and its bytes, three for each
@@ -119,7 +118,7 @@ def trace_in(
     Raises InputError where there is no such object or no picture, where the picture cannot be read, or where a shape
     does not lie on it, and ValueError where an option is out of range; the document is then unchanged.
     """
-    options.update(ids=list(ids), image=image, folders=[os.fspath(folder) for folder in folders])
+    options.update(ids=list(ids), image=image)
     answers = dict(_answers(progress))
     if show is not None:
         options["show"] = True

@@ -109,8 +109,8 @@ def test_simplify_and_its_report(fruit):
     (mesh,) = simplified(fruit, out, *OPTIONS.split())  # a pipe gets no progress bar
     assert list(mesh) == (
         "id method color_model metric epsilon max_local_error max_detail_error original resolution seed omega "
-        "kappa handles_before handles_after patches_before patches_after objects protected_patches error local_error "
-        "detail_error evaluations renderer seconds stopped".split()
+        "kappa handles_before handles_after patches_before patches_after objects protected_patches error "
+        "error_before local_error detail_error evaluations renderer seconds stopped".split()
     )
     assert (mesh["id"], mesh["method"], mesh["metric"]) == ("pear", "grid", "ssim")
     assert (mesh["epsilon"], mesh["resolution"], mesh["seed"]) == (0.02, 300, 7)

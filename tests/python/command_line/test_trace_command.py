@@ -284,7 +284,8 @@ def test_the_document_s_own_picture_need_not_be_named(picture, outline, tmp_path
     made = [tmp_path / "named.svg", tmp_path / "own.svg"]
     for out, named in zip(made, ([path], [])):
         printed("trace", *named, "--outline", outline(shape), "-o", out, "--handles", "36")
-    assert made[0].read_bytes() == made[1].read_bytes()
+    meshes = [re.search("gradientUnits.*</meshgradient>", out.read_text(), re.S)[0] for out in made]
+    assert meshes[0] == meshes[1]
 
 
 @pytest.mark.parametrize(

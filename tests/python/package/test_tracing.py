@@ -1,5 +1,7 @@
 """A mesh of a picture from Python: gradmesh.trace()."""
 
+import re
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -72,13 +74,14 @@ def document_on(picture):
     return gradmesh.loads(
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="90" height="70">'
         f'<image id="photo" width="90" height="70" xlink:href="{picture.name}"/>'
-        '<circle id="spot" cx="40" cy="35" r="22"/><circle id="far" cx="400" r="9"/></svg>'
+        '<circle id="spot" cx="40" cy="35" r="22"/><circle id="far" cx="400" r="9"/></svg>',
+        folders=[picture.parent / "none", picture.parent],
     )
 
 
 def test_pictures_of_a_document_become_meshes_in_place(picture, tmp_path):
     document = document_on(picture)
-    spot, whole = gradmesh.trace_in(document, ["spot", "photo"], folders=[tmp_path / "none", tmp_path], handles=36)
+    spot, whole = gradmesh.trace_in(document, ["spot", "photo"], handles=36)
     assert spot.id == "spot" and whole.id.startswith("photo-mesh")
     assert document.ids == [whole.id, "spot"]
     assert spot.document is whole.document is document
@@ -89,11 +92,11 @@ def test_a_document_stays_as_it_was_where_one_mesh_of_several_cannot_be_made(pic
     document = document_on(picture)
     before = document.to_bytes()
     with pytest.raises(gradmesh.InputError, match='"far" does not lie on the picture'):
-        gradmesh.trace_in(document, ["spot", "far"], folders=[tmp_path], handles=16)
+        gradmesh.trace_in(document, ["spot", "far"], handles=16)
     with pytest.raises(gradmesh.InputError, match='no picture with the id "spot"'):
-        gradmesh.trace_in(document, ["spot"], image="spot", folders=[tmp_path], handles=16)
+        gradmesh.trace_in(document, ["spot"], image="spot", handles=16)
     with pytest.raises(ValueError):
-        gradmesh.trace_in(document, ["spot"], folders=[tmp_path], handles=3)
+        gradmesh.trace_in(document, ["spot"], handles=3)
     assert document.to_bytes() == before and document.ids == []
 
 
@@ -106,7 +109,7 @@ def test_what_is_ended_early_leaves_the_meshes_after_it(picture, tmp_path):
         return progress.mesh == 0
 
     made = gradmesh.trace_in(
-        document, ["spot", "photo", "spot"], folders=[tmp_path], handles=16, progress=stop_in_the_second
+        document, ["spot", "photo", "spot"], handles=16, progress=stop_in_the_second
     )
     assert [each.stopped for each in made] == [False, True]
     assert seen[0] == (0, 3) and seen[-1] == (1, 3)
@@ -114,15 +117,63 @@ def test_what_is_ended_early_leaves_the_meshes_after_it(picture, tmp_path):
 
 def test_what_the_mesh_looks_like_so_far_is_shown(picture, tmp_path):
     document, shown = document_on(picture), []
-    gradmesh.trace_in(document, ["photo"], folders=[tmp_path], handles=60, show=lambda *seen: shown.append(seen))
+    gradmesh.trace_in(document, ["photo"], handles=60, show=lambda *seen: shown.append(seen))
     with Image.open(picture) as file:
         wanted = np.asarray(file, dtype=float)
     for width, height, pixels in shown:
         painted = np.frombuffer(pixels, dtype="uint8").reshape(height, width, 3)
         assert np.abs(painted - wanted).mean() < 20
     without = document_on(picture)
-    gradmesh.trace_in(without, ["photo"], folders=[tmp_path], handles=60)
+    gradmesh.trace_in(without, ["photo"], handles=60)
     assert shown and document.to_bytes() == without.to_bytes()
+
+
+def as_simple_as(document, id, **options):
+    (result,) = gradmesh.simplify(document, [id], method="plain", **options)
+    return result
+
+
+def test_a_traced_mesh_is_measured_against_its_picture(picture, tmp_path):
+    """Also when the document was saved, and by the error that the trace had told."""
+    document = document_on(picture)
+    (traced,) = gradmesh.trace_in(document, ["photo"], handles=60)
+    saved = gradmesh.loads(document.to_bytes(), folders=[tmp_path])
+    here, there = (as_simple_as(each, traced.id, handles=30) for each in (document, saved))
+    assert here.error == there.error > 0.8 * traced.errors.flip
+    # Against the mesh itself it would be less than what the trace had left out.
+    (tmp_path / picture.name).rename(tmp_path / "away.png")
+    without = as_simple_as(gradmesh.loads(document.to_bytes(), folders=[tmp_path]), traced.id, handles=29)
+    assert without.error < here.error
+
+
+def test_an_amount_is_beyond_what_the_trace_left_out(picture):
+    document = document_on(picture)
+    (traced,) = gradmesh.trace_in(document, ["photo"], handles=150, epsilon=0)
+    results = [as_simple_as(document, traced.id, amount=amount, preview=True) for amount in ("gentle", "strong")]
+    assert results[1].handles_after < results[0].handles_after < traced.handles
+    for result, more in zip(results, (0.005, 0.02)):
+        assert traced.errors.flip - 0.01 < result.error < traced.errors.flip + more + 0.005
+
+
+@pytest.mark.parametrize(
+    "change",
+    (
+        lambda text: text.replace('<image id="photo"', '<image id="other"'),
+        lambda text: text.replace('<circle id="spot"', '<circle id="spot" transform="translate(3)"'),
+        lambda text: text.replace('<image id="photo"', '<image id="photo" x="2"'),
+        lambda text: re.sub(r"(stop-color(?:=.|:))#[0-9a-f]{6}", r"\1#102030", text, count=1),
+    ),
+)
+def test_what_was_changed_since_is_its_own_original(picture, tmp_path, change):
+    document = document_on(picture)
+    (traced,) = gradmesh.trace_in(document, ["spot"], handles=40)
+    text = document.to_bytes().decode()
+    changed = change(text)
+    assert changed != text
+    errors = [
+        as_simple_as(gradmesh.loads(each, folders=[tmp_path]), "spot", handles=36).error for each in (text, changed)
+    ]
+    assert errors[1] < errors[0]
 
 
 def test_errors_are_python_s_own(picture, tmp_path):

@@ -27,7 +27,8 @@ std::optional<std::string> original_of(const MeshObject& object);
 bool is_as_written(const SvgTree& tree, const MeshObject& object);
 
 /// Makes an object whose gradient was just written by write_mesh_gradient() with this mesh and this
-/// tolerance remember `original`. Does nothing if the coordinates are too fine for a step.
+/// tolerance remember `original`, if that is not empty, and what was written. Does nothing if the
+/// coordinates are too fine for a step.
 void remember_original(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
                        double coons_tolerance, const std::string& original);
 /// Removes both attributes.

@@ -75,6 +75,14 @@ const xmlNode* image_under(const SvgTree& tree, const std::string& shape,
   return under;
 }
 
+std::string named_image(SvgTree& tree, const std::string& shape, const std::string& image) {
+  const xmlNode* const node = image_under(tree, shape, image);
+  if (!node)
+    throw InputError("{0}: it shows no picture, so that one has to be named.", tree.name());
+  const auto id = attribute(node, "id");
+  return id ? *id : tree.give_id(const_cast<xmlNode*>(node), "picture");
+}
+
 ImageFile image_file(const SvgTree& tree, const std::string& shape, const std::string& id) {
   const xmlNode* const image = image_under(tree, shape, id);
   if (!image)

@@ -22,6 +22,10 @@ bool is_image(const SvgTree& tree, const std::string& id);
 /// several of which none reaches there.
 const xmlNode* image_under(const SvgTree& tree, const std::string& shape, const std::string& image);
 
+/// Returns the id of image_under(), which it is given if it has none. Throws InputError as that
+/// does, and if there is none.
+std::string named_image(SvgTree& tree, const std::string& shape, const std::string& image);
+
 /// Returns the file of image_under(). Throws InputError as that does, if there is none, and if it
 /// shows something that is neither in the document nor a file of this machine.
 ImageFile image_file(const SvgTree& tree, const std::string& shape, const std::string& image);

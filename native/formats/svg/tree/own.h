@@ -15,6 +15,8 @@ namespace gradmesh {
 ///   opacity   on the mask whose blocks hold the opacities of a group's mesh as luminances
 ///   kept-for  on a hidden original (formats/svg/tree/kept.h): the id of the object that was
 ///             simplified
+///   picture   on an object whose mesh was traced: from what (formats/svg/picture/
+///             remembered_picture.h)
 ///   outer     on each group around a group of blocks that belongs to the same object
 inline constexpr std::string_view gradmesh_namespace = "urn:gradmesh";
 
