@@ -5,13 +5,12 @@
 #include <glm/geometric.hpp>
 
 #include "base/clamped_int.h"
+#include "geom/cross.h"
 
 namespace gradmesh {
 namespace {
 
 using Polygon = std::vector<glm::dvec2>;
-
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// Returns the sides of the block clockwise, each as the half-edges along it.
 std::array<std::vector<Halfedge>, 4> outer_sides(const Mesh& mesh, const Rectangle& block) {

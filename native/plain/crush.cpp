@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geom/cross.h"
 #include "geom/hermite.h"
 
 namespace gradmesh {
@@ -34,8 +35,6 @@ Points corners_of_cells(const Patch& patch) {
   }
   return points;
 }
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
 template <class Each>
 void for_each_share(const PlainGrid& grid, const Each& each) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/cross.h"
+
 namespace gradmesh {
 namespace {
 
@@ -11,8 +13,6 @@ constexpr double least_share = 1e-3;
 
 /// A polynomial of degree 5 in u and in v, by its Bezier coefficients, between which it lies.
 using Biquintic = std::array<std::array<double, 6>, 6>;
-
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 Biquintic jacobian_of(const Bicubic<glm::dvec2>& p) {
   constexpr double two[3] = {1, 2, 1}, three[4] = {1, 3, 3, 1}, five[6] = {1, 5, 10, 10, 5, 1};

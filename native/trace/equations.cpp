@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "geom/cross.h"
 #include "trace/pixels.h"
 
 namespace gradmesh {
@@ -105,7 +106,7 @@ Sums sums_of(const Surface& s, const TargetPicture& target) {
     const Corners w = weights_at(at);
     const glm::dvec2 by_u = map.by_u(v), by_v = map.by_v(u);
     const glm::dvec4 color_by_u = s.colors.by_u(v), color_by_v = s.colors.by_v(u);
-    const double size = QuadMap::cross(by_v, by_u);
+    const double size = cross(by_v, by_u);
     const double share = size > 1e-9 ? 1 / size : 0;
     double xx = 0, xy = 0, yy = 0;
     glm::dvec2 pull(0.0);

@@ -3,23 +3,17 @@
 #include <algorithm>
 
 #include "base/clamped_int.h"
+#include "geom/cross.h"
 #include "trace/pixels.h"
 
 namespace gradmesh {
 namespace {
 
-Quad quad_of(const LineGrid& grid, int row, int column) {
-  const std::array<int, 4> corners = grid.corners(row, column);
-  Quad quad;
-  for (std::size_t k = 0; k < 4; ++k) quad[k] = grid.knot(corners[k]).position;
-  return quad;
-}
-
 bool lies_in(const Quad& quad, glm::dvec2 place) {
   constexpr double last_bits = 1e-9;
   for (std::size_t k = 0; k < 4; ++k) {
     const glm::dvec2 side = quad[(k + 1) & 3] - quad[k];
-    if (QuadMap::cross(side, place - quad[k]) < -last_bits) return false;
+    if (cross(side, place - quad[k]) < -last_bits) return false;
   }
   return true;
 }
@@ -29,7 +23,7 @@ bool lies_in(const Quad& quad, glm::dvec2 place) {
 glm::dvec2 place_at(const LineGrid& grid, glm::dvec2 at) {
   const int column = clamped_int(at.x, 0, grid.columns() - 1);
   const int row = clamped_int(at.y, 0, grid.rows() - 1);
-  const Quad q = quad_of(grid, row, column);
+  const Quad q = grid.quad(row, column);
   const double u = at.y - row, v = at.x - column;
   return (1 - u) * ((1 - v) * q[0] + v * q[1]) + u * ((1 - v) * q[3] + v * q[2]);
 }
@@ -37,7 +31,7 @@ glm::dvec2 place_at(const LineGrid& grid, glm::dvec2 at) {
 std::optional<glm::dvec2> column_and_row(const LineGrid& grid, glm::dvec2 place) {
   for (int row = 0; row < grid.rows(); ++row)
     for (int column = 0; column < grid.columns(); ++column) {
-      const Quad quad = quad_of(grid, row, column);
+      const Quad quad = grid.quad(row, column);
       if (!lies_in(quad, place)) continue;
       const glm::dvec2 at = QuadMap(quad).parameters(place);
       return glm::dvec2(column + at.y, row + at.x);

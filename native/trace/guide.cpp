@@ -4,17 +4,17 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "geom/cross.h"
+
 namespace gradmesh {
 namespace {
-
-double cross_of(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 /// How far along each of two segments, 0..1, they cross.
 std::optional<glm::dvec2> shares_at_crossing(glm::dvec2 a, glm::dvec2 along_a, glm::dvec2 b,
                                              glm::dvec2 along_b) {
-  const double size = cross_of(along_a, along_b);
+  const double size = cross(along_a, along_b);
   if (size == 0) return {};
-  const glm::dvec2 shares(cross_of(b - a, along_b) / size, cross_of(b - a, along_a) / size);
+  const glm::dvec2 shares(cross(b - a, along_b) / size, cross(b - a, along_a) / size);
   const bool is_on_both = shares.x >= 0 && shares.x <= 1 && shares.y >= 0 && shares.y <= 1;
   return is_on_both ? std::optional(shares) : std::nullopt;
 }

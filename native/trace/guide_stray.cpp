@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "geom/cross.h"
 #include "trace/equations.h"
-#include "trace/pixels.h"
 
 namespace gradmesh {
 namespace {
@@ -15,8 +15,7 @@ double stray_area(const Guide& guide, double from, double to) {
   const glm::dvec2 start = guide.at(from), side = guide.at(to) - start;
   double sum = 0;
   for (int k = 0; k < samples; ++k)
-    sum +=
-        std::abs(QuadMap::cross(side, guide.at(std::lerp(from, to, (k + 0.5) / samples)) - start));
+    sum += std::abs(cross(side, guide.at(std::lerp(from, to, (k + 0.5) / samples)) - start));
   return sum / samples;
 }
 

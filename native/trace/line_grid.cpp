@@ -4,10 +4,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "geom/cross.h"
+
 namespace gradmesh {
 namespace {
-
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 Value value_of(const LineGrid::Knot& knot) { return {knot.position, knot.color / 255.0}; }
 
@@ -61,11 +61,15 @@ std::array<int, 4> LineGrid::corners(int row, int column) const {
   return {first, first + 1, below + 1, below};
 }
 
-double LineGrid::corner_area(int row, int column, int corner) const {
+Quad LineGrid::quad(int row, int column) const {
   const std::array<int, 4> at = corners(row, column);
-  const auto position = [&](int k) { return knot(at[std::size_t(k & 3)]).position; };
-  const glm::dvec2 here = position(corner);
-  return cross(position(corner + 1) - here, position(corner + 3) - here);
+  return {knot(at[0]).position, knot(at[1]).position, knot(at[2]).position, knot(at[3]).position};
+}
+
+double LineGrid::corner_area(int row, int column, int corner) const {
+  const Quad q = quad(row, column);
+  const glm::dvec2 here = q[std::size_t(corner)];
+  return cross(q[std::size_t(corner + 1) & 3] - here, q[std::size_t(corner + 3) & 3] - here);
 }
 
 bool LineGrid::folds() const {

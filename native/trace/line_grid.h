@@ -8,6 +8,7 @@
 #include "mesh/parts.h"
 #include "mesh/rectangle.h"
 #include "trace/guide.h"
+#include "trace/pixels.h"
 
 namespace gradmesh {
 
@@ -68,6 +69,8 @@ class LineGrid {
 
   /// Returns the numbers of a patch's corners, clockwise from the upper left one.
   std::array<int, 4> corners(int row, int column) const;
+  /// Returns their places.
+  Quad quad(int row, int column) const;
   /// Returns twice the area of the triangle at a corner of a patch, which is positive at all four
   /// corners where the patch does not fold: then it is convex.
   double corner_area(int row, int column, int corner) const;

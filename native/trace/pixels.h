@@ -6,10 +6,11 @@
 #include <glm/vec2.hpp>
 
 #include "base/clamped_int.h"
+#include "geom/cross.h"
 
 namespace gradmesh {
 
-/// The corners of a convex patch with straight sides in pixels, clockwise from where u and v are 0;
+/// The corners of a convex patch with straight sides, clockwise from where u and v are 0;
 /// u runs from the first corner to the last, v from the first to the second (geom/patch.h).
 using Quad = std::array<glm::dvec2, 4>;
 
@@ -48,8 +49,6 @@ class QuadMap {
     const double u = std::abs(way.x) > std::abs(way.y) ? rest.x / way.x : rest.y / way.y;
     return {std::isfinite(u) ? std::clamp(u, 0.0, 1.0) : 0.5, v};
   }
-
-  static double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
  private:
   glm::dvec2 start_, along_v_, along_u_, both_;
