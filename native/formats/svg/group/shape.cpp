@@ -87,8 +87,8 @@ class ShapeReplacer {
   bool paints_otherwise() const {
     const char* other = is_stroke() ? "fill" : "stroke";
     const std::string otherwise = is_stroke() ? "black" : "none";
-    const auto shows = [&](const char* property, const std::string& otherwise) {
-      return tree_.styles().inherited(object_.node, property).value_or(otherwise) != "none";
+    const auto shows = [&](const char* property, const std::string& initial) {
+      return tree_.styles().inherited(object_.node, property).value_or(initial) != "none";
     };
     return shows(other, otherwise) || shows("marker-start", "none") ||
            shows("marker-mid", "none") || shows("marker-end", "none") || shows("marker", "none");

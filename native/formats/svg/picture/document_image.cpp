@@ -8,9 +8,9 @@
 #include "base/error.h"
 #include "base/utf8_path.h"
 #include "files/base64.h"
+#include "formats/svg/picture/image_room.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/visible.h"
-#include "formats/svg/values/length.h"
 #include "formats/svg/values/reference.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/excerpt.h"
@@ -23,11 +23,8 @@ namespace {
 /// is not said has that of its file, and may reach anywhere.
 std::optional<Box> image_box(const xmlNode* image) {
   if (!attribute(image, "width") || !attribute(image, "height")) return {};
-  const glm::dvec2 corner(read_length(image, "x", LengthAxis::x),
-                          read_length(image, "y", LengthAxis::y));
-  const glm::dvec2 size(read_length(image, "width", LengthAxis::x),
-                        read_length(image, "height", LengthAxis::y));
-  return bounding_box(mapped(rectangle(corner, corner + size), to_document(image)));
+  const ImageRoom room = image_room(image);
+  return bounding_box(mapped(rectangle(room.corner, room.corner + room.size), to_document(image)));
 }
 
 /// Returns the bytes of a `data:` reference in base64, in which lines may be broken; nothing if it

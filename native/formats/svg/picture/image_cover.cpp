@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "formats/svg/picture/image_room.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/tree/visible.h"
-#include "formats/svg/values/length.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 
@@ -30,10 +30,7 @@ Box box_of(const VisibleArea& area, Box box) {
 }  // namespace
 
 PictureInImage picture_in_image(const xmlNode* image, glm::dvec2 pixels) {
-  const glm::dvec2 corner(read_length(image, "x", LengthAxis::x),
-                          read_length(image, "y", LengthAxis::y));
-  glm::dvec2 size(read_length(image, "width", LengthAxis::x),
-                  read_length(image, "height", LengthAxis::y));
+  auto [corner, size] = image_room(image);
   // What is not said follows from the picture.
   if (!attribute(image, "width"))
     size.x = attribute(image, "height") ? size.y * pixels.x / pixels.y : pixels.x;
