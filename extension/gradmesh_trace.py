@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Trace Picture: makes meshes of pictures, or of what paths in them surround."""
 
+from functools import cached_property
+
 from gradmesh_effect import (
     LABEL,
     SHAPES,
@@ -40,7 +42,7 @@ class Trace(GradmeshEffect):
     def effect(self):
         images, shapes, guides = self.chosen_images(), self.chosen_shapes(), self.chosen_guides()
         if not shapes and not self.selects_pictures():
-            raise AbortExtension(nothing_to_trace(guides))
+            raise AbortExtension(self.nothing_to_trace(guides))
         ids = shapes or images
         # Of several pictures each path has the one below it.
         image = images[0] if shapes and len(images) == 1 else None
@@ -48,6 +50,7 @@ class Trace(GradmeshEffect):
             work = LongWork(self.titles(ids), lambda tell: self.trace(ids, image, guides, tell, work.show))
             tracings = work.run()
         report.meshes = [told(tracing) for tracing in tracings]
+        self.stopped = work.stopped
         self.take_over()
         if self.options.hide_picture:
             self.hide(images)
@@ -55,7 +58,7 @@ class Trace(GradmeshEffect):
 
     def chosen_images(self):
         """Ids of the selected pictures, or, where paths alone are selected, of the one in the document."""
-        images = [each.get("id") for each in self.chosen() if is_called(each, "image")]
+        images = [each.get("id") for each in self.chosen if is_called(each, "image")]
         if images:
             return images
         all_images = [each.get("id") for each in self.svg.iter("{*}image")]
@@ -71,22 +74,33 @@ class Trace(GradmeshEffect):
 
     def chosen_shapes(self):
         """Ids of the selected shapes that surround something."""
-        return [each.get("id") for each in self.chosen() if etree.QName(each).localname in SHAPES and not is_open(each)]
+        return [each.get("id") for each in self.chosen if etree.QName(each).localname in SHAPES and not is_open(each)]
 
     def chosen_guides(self):
         """The selected open paths, which lines of meshes follow."""
-        return [each for each in self.chosen() if is_open(each)]
+        return [each for each in self.chosen if is_open(each)]
 
     def selects_pictures(self):
-        return any(is_called(each, "image") for each in self.chosen())
+        return any(is_called(each, "image") for each in self.chosen)
 
+    @cached_property
     def chosen(self):
         """The selected elements, and all in selected groups, but what gradmesh drew."""
         blocks = {mesh.id for mesh in self.meshes.meshes if mesh.simplified} if self.meshes.ids else set()
-        for element in self.chosen_elements():
-            for each in element.iter("*"):
-                if not any(around.get("id") in blocks for around in (each, *each.iterancestors())):
-                    yield each
+        return [
+            each
+            for element in self.chosen_elements()
+            for each in element.iter("*")
+            if not any(around.get("id") in blocks for around in (each, *each.iterancestors()))
+        ]
+
+    def nothing_to_trace(self, guides):
+        """The sentence where neither a picture nor a closed path is selected."""
+        if guides:
+            return _("{id} is an open path; it surrounds something once its ends are joined.").format(
+                id=self.called(guides[0].get("id"))
+            )
+        return _("None of the selected objects is a picture or a closed path; select one that is.")
 
     def titles(self, ids):
         """What the progress window says while each of the meshes is at work."""
@@ -97,7 +111,11 @@ class Trace(GradmeshEffect):
 
     def called(self, name):
         """What a person calls an object: its label, or else its id."""
-        return self.elements_by_id()[name].get(LABEL) or name
+        return self._elements[name].get(LABEL) or name
+
+    @cached_property
+    def _elements(self):
+        return self.elements_by_id()
 
     def trace(self, ids, image, guides, tell, show):
         options = self.options
@@ -129,8 +147,10 @@ class Trace(GradmeshEffect):
             yield _("Stopped: {count} of {all} meshes are made; Ctrl+Z takes it back.").format(
                 count=len(tracings), all=len(ids)
             )
-        elif any(tracing.stopped for tracing in tracings):
+        elif self.stopped:
             yield _("It was stopped before the end; Ctrl+Z takes it back.")
+        elif any(tracing.stopped for tracing in tracings):
+            yield _("The time that is allowed under More was over before the end.")
 
 
 def is_called(element, name):
@@ -142,15 +162,6 @@ def is_open(shape):
     if is_called(shape, "path"):
         return "z" not in (shape.get("d") or "").lower()
     return is_called(shape, "polyline") or is_called(shape, "line")
-
-
-def nothing_to_trace(guides):
-    """The sentence where neither a picture nor a closed path is selected."""
-    if guides:
-        return _("{id} is an open path; it surrounds something once its ends are joined.").format(
-            id=guides[0].get(LABEL) or guides[0].get("id")
-        )
-    return _("None of the selected objects is a picture or a closed path; select one that is.")
 
 
 def told(tracing):

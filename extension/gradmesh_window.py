@@ -92,6 +92,11 @@ class LongWork:
             return _("{patches} patches so far").format(patches=self._now.patches)
         return _("Preparing …")
 
+    @property
+    def stopped(self):
+        """Whether a person has stopped it."""
+        return self._stop
+
     def stop(self):
         self._stop = True
 

@@ -23,13 +23,24 @@ if not reason and subprocess.run([PYTHON, "-c", GTK], stderr=subprocess.DEVNULL)
     reason = "not installed: gir1.2-gtk-3.0"
 pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
 
-#: Runs Simplify with somebody who looks at the window and stops the work in the way `stop` names,
-#: once patches were merged, or handles taken out. The work waits for that, so it is never too quick.
-DRIVER = """
+#: What both of the drivers below look at windows with.
+LOOKING = """
 import json, re, sys, threading
 import gi
 gi.require_version("Gtk", "3.0")
 from gi.repository import GLib, Gtk
+
+def inside(widget, kind):
+    if isinstance(widget, kind):
+        yield widget
+    elif isinstance(widget, Gtk.Container):
+        for child in widget.get_children():
+            yield from inside(child, kind)
+"""
+
+#: Runs Simplify with somebody who looks at the window and stops the work in the way `stop` names,
+#: once patches were merged, or handles taken out. The work waits for that, so it is never too quick.
+DRIVER = LOOKING + """
 import gradmesh_simplify, gradmesh_window
 
 stop, all_of_it, seen_file, _script, *arguments = sys.argv[1:]
@@ -42,13 +53,6 @@ class Waiting(gradmesh_window.LongWork):
             return goes_on
         assert stopped.wait(60)
         return self._stop is False
-
-def inside(widget, kind):
-    if isinstance(widget, kind):
-        yield widget
-    elif isinstance(widget, Gtk.Container):
-        for child in widget.get_children():
-            yield from inside(child, kind)
 
 def shown(window):
     (bar,), (button,) = inside(window, Gtk.ProgressBar), inside(window, Gtk.Button)
@@ -119,11 +123,7 @@ def test_the_window_tells_and_stops(run, display, tmp_path, stop, result):
 
 
 #: Runs Trace Picture with somebody who waits for a picture of the mesh, and then stops the work.
-TRACE_DRIVER = """
-import json, sys, threading
-import gi
-gi.require_version("Gtk", "3.0")
-from gi.repository import GLib, Gtk
+TRACE_DRIVER = LOOKING + """
 import gradmesh_trace, gradmesh_window
 
 seen_file, _script, *arguments = sys.argv[1:]
@@ -133,13 +133,6 @@ class Waiting(gradmesh_window.LongWork):
     def _progress(self, now):
         assert not self.picture or stopped.wait(60)
         return super()._progress(now)
-
-def inside(widget, kind):
-    if isinstance(widget, kind):
-        yield widget
-    elif isinstance(widget, Gtk.Container):
-        for child in widget.get_children():
-            yield from inside(child, kind)
 
 def look():
     for window in Gtk.Window.list_toplevels():

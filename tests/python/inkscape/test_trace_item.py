@@ -205,6 +205,9 @@ def test_what_is_told_of_each_mesh(extension, run, tmp_path):  # noqa: F811
     log.unlink()
     run(page(image(), spot), "--id=apple", FEW, item="trace")
     assert "Spot: " in log.read_text() and "That is seen" not in log.read_text()
+    log.unlink()
+    run(page(image(link=link), spot), "--id=apple", "--handles=1000", "--time_budget=1", item="trace")
+    assert "The time that is allowed under More was over" in log.read_text()
 
 
 @needs()
