@@ -40,9 +40,7 @@ void check_patches(std::string_view data, const Packing& packing, PatchKind kind
   const ShadingPatches all = read_patches(data, packing, kind, most);
   for (const ShadingPatch& patch : all.patches) {
     for (const Components& color : patch.colors) require_color(color, packing);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j)
-        if (i % 3 == 0 || j % 3 == 0) require_place(patch.points[i][j], packing);
+    for (const glm::dvec2 point : patch.outer) require_place(point, packing);
   }
   const ShadingPatches some = read_patches(data.substr(0, data.size() / 2), packing, kind, most);
   require(some.patches.size() <= all.patches.size(), "less data have no more patches");

@@ -98,8 +98,8 @@ TEST(Shading, ACoonsPatchGetsItsInnerPoints) {
   const ShadingPatch& patch = read.patches.front();
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
-      EXPECT_NEAR(patch.points[i][j].x, 10 + 3.0 * double(i), 1e-12);
-      EXPECT_NEAR(patch.points[i][j].y, 3.0 * double(j), 1e-12);
+      EXPECT_NEAR(patch.net()[i][j].x, 10 + 3.0 * double(i), 1e-12);
+      EXPECT_NEAR(patch.net()[i][j].y, 3.0 * double(j), 1e-12);
     }
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(patch.colors[k], Components{double(k + 1)});
 }
@@ -110,10 +110,10 @@ TEST(Shading, InnerPointsOfATensorPatchComeAroundItToo) {
   add_square(data, 0);
   data.add({41, 42, 51, 52, 61, 62, 71, 72}, 8).add({1, 2, 3, 4}, 8);
   const auto patch = read_patches(data.bytes(), bytes(), PatchKind::tensor, 1000).patches.at(0);
-  EXPECT_EQ(patch.points[1][1], glm::dvec2(41, 42));
-  EXPECT_EQ(patch.points[1][2], glm::dvec2(51, 52));
-  EXPECT_EQ(patch.points[2][2], glm::dvec2(61, 62));
-  EXPECT_EQ(patch.points[2][1], glm::dvec2(71, 72));
+  EXPECT_EQ(patch.net()[1][1], glm::dvec2(41, 42));
+  EXPECT_EQ(patch.net()[1][2], glm::dvec2(51, 52));
+  EXPECT_EQ(patch.net()[2][2], glm::dvec2(61, 62));
+  EXPECT_EQ(patch.net()[2][1], glm::dvec2(71, 72));
 }
 
 /// A patch that continues at each side has that side and its two colours, and in the flag only the
@@ -130,7 +130,7 @@ TEST_P(ContinuedPatch, SharesASide) {
   data.add({7, 8}, 8);
   const ShadingPatches read = coons(data);
   ASSERT_EQ(read.patches.size(), 2U);
-  const auto &a = read.patches[0].points, &b = read.patches[1].points;
+  const auto a = read.patches[0].net(), b = read.patches[1].net();
   const std::array<std::array<glm::dvec2, 4>, 4> sides{{{a[0][0], a[0][1], a[0][2], a[0][3]},
                                                         {a[0][3], a[1][3], a[2][3], a[3][3]},
                                                         {a[3][3], a[3][2], a[3][1], a[3][0]},
@@ -147,6 +147,25 @@ TEST_P(ContinuedPatch, SharesASide) {
 
 INSTANTIATE_TEST_SUITE_P(Sides, ContinuedPatch, testing::Values(1, 2, 3));
 
+TEST(Shading, APatchIsTheSameSurfaceHoweverItIsListed) {
+  ShadingPatch patch;
+  for (std::size_t n = 0; n < 12; ++n) patch.outer[n] = {double(n), double(n * n)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    patch.inner[k] = {100.0 + double(k), 0};
+    patch.colors[k] = {double(k)};
+  }
+  const auto net = patch.net(), turned = patch.turned(1).net(), mirrored = patch.mirrored().net();
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      EXPECT_EQ(turned[i][j], net[j][3 - i]);
+      EXPECT_EQ(mirrored[i][j], net[j][i]);
+    }
+  EXPECT_EQ(patch.turned(1).colors[0], Components{1.0});
+  EXPECT_EQ(patch.mirrored().colors[1], Components{3.0});
+  EXPECT_EQ(patch.turned(3).turned(1), patch);
+  EXPECT_EQ(patch.mirrored().mirrored(), patch);
+}
+
 TEST(Shading, EachPatchBeginsWithAByte) {
   // 2 bits of a flag, 24 numbers and 4 colours of 4 bits each: 114 bits in 15 bytes.
   BitWriter data;
@@ -160,7 +179,7 @@ TEST(Shading, EachPatchBeginsWithAByte) {
   const ShadingPatches read = coons(data, packing);
   ASSERT_EQ(read.patches.size(), 2U);
   EXPECT_FALSE(read.is_damaged);
-  EXPECT_EQ(read.patches[1].points[3][3], glm::dvec2(5, 5));
+  EXPECT_EQ(read.patches[1].net()[3][3], glm::dvec2(5, 5));
   EXPECT_EQ(read.patches[1].colors[3], Components{5.0});
 }
 

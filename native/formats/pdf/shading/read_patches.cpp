@@ -1,74 +1,52 @@
 #include "formats/pdf/shading/read_patches.h"
 
 #include <optional>
+#include <utility>
 
 #include "geom/patch.h"
 
 namespace gradmesh {
 namespace {
 
-struct Place {
-  std::size_t i, j;
-};
-
-/// The control points in the order of the data: around the patch, from (0, 0) along v, and then
-/// the inner ones likewise (ISO 32000-1, 8.7.4.5.8).
-constexpr std::size_t outer_points = 12, all_points = 16;
-constexpr std::array<Place, all_points> order{{{0, 0},
-                                               {0, 1},
-                                               {0, 2},
-                                               {0, 3},
-                                               {1, 3},
-                                               {2, 3},
-                                               {3, 3},
-                                               {3, 2},
-                                               {3, 1},
-                                               {3, 0},
-                                               {2, 0},
-                                               {1, 0},
-                                               {1, 1},
-                                               {1, 2},
-                                               {2, 2},
-                                               {2, 1}}};
-
-glm::dvec2& point_of(ShadingPatch& patch, std::size_t n) {
-  return patch.points[order[n].i][order[n].j];
-}
-
 void make_inner_points_coons(ShadingPatch& patch) {
   BezierNet net;
+  const auto points = patch.net();
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) net[i][j].position = patch.points[i][j];
+    for (std::size_t j = 0; j < 4; ++j) net[i][j].position = points[i][j];
   const auto inner = coons_interior(net);
-  for (std::size_t a = 0; a < 2; ++a)
-    for (std::size_t b = 0; b < 2; ++b) patch.points[1 + a][1 + b] = inner[a][b];
+  patch.inner = {inner[0][0], inner[0][1], inner[1][1], inner[1][0]};
 }
 
 /// Begins a patch at side `flag`, 1 to 3, of the one before.
-ShadingPatch beside(ShadingPatch before, int flag) {
+ShadingPatch beside(const ShadingPatch& before, int flag) {
+  const ShadingPatch turned = before.turned(std::size_t(flag));
   ShadingPatch patch;
-  const std::size_t side = std::size_t(flag);
-  for (std::size_t n = 0; n < 4; ++n)
-    point_of(patch, n) = point_of(before, (3 * side + n) % outer_points);
-  patch.colors[0] = before.colors[side];
-  patch.colors[1] = before.colors[(side + 1) % 4];
+  for (std::size_t n = 0; n < 4; ++n) patch.outer[n] = turned.outer[n];
+  for (std::size_t k = 0; k < 2; ++k) patch.colors[k] = turned.colors[k];
   return patch;
+}
+
+/// Reads points or colours, from number `first` on. Returns false if the data end first.
+template <class Values, class Read>
+bool read_from(std::size_t first, Values& values, const Read& read) {
+  for (std::size_t n = first; n < values.size(); ++n) {
+    auto value = read();
+    if (!value) return false;
+    values[n] = *std::move(value);
+  }
+  return true;
 }
 
 /// Reads the points and colours of a patch that are not those of the one before. Returns nothing
 /// if the data end first.
 std::optional<ShadingPatch> rest_of(ShadingReader& data, ShadingPatch patch, bool is_new,
-                                    std::size_t points) {
-  for (std::size_t n = is_new ? 0 : 4; n < points; ++n) {
-    const auto point = data.point();
-    if (!point) return {};
-    point_of(patch, n) = *point;
-  }
-  for (std::size_t n = is_new ? 0 : 2; n < 4; ++n) {
-    auto color = data.color();
-    if (!color) return {};
-    patch.colors[n] = *std::move(color);
-  }
+                                    PatchKind kind) {
+  const auto point = [&] { return data.point(); };
+  const bool is_whole = read_from(is_new ? 0 : 4, patch.outer, point) &&
+                        (kind == PatchKind::coons || read_from(0, patch.inner, point)) &&
+                        read_from(is_new ? 0 : 2, patch.colors, [&] { return data.color(); });
+  if (!is_whole) return {};
+  if (kind == PatchKind::coons) make_inner_points_coons(patch);
   return patch;
 }
 
@@ -77,7 +55,6 @@ std::optional<ShadingPatch> rest_of(ShadingReader& data, ShadingPatch patch, boo
 ShadingPatches read_patches(std::string_view bytes, const Packing& packing, PatchKind kind,
                             std::size_t most) {
   ShadingPatches read;
-  const std::size_t points = kind == PatchKind::coons ? outer_points : all_points;
   for (ShadingReader data(bytes, packing); data.has_more() && read.patches.size() < most;
        data.end_record()) {
     const bool would_be_missed = data.has_much_more();
@@ -85,13 +62,12 @@ ShadingPatches read_patches(std::string_view bytes, const Packing& packing, Patc
     const bool is_new = flag == 0;
     std::optional<ShadingPatch> patch;
     if (flag && (is_new || !read.patches.empty()))
-      patch = rest_of(data, is_new ? ShadingPatch() : beside(read.patches.back(), *flag), is_new,
-                      points);
+      patch =
+          rest_of(data, is_new ? ShadingPatch() : beside(read.patches.back(), *flag), is_new, kind);
     if (!patch) {
       read.is_damaged = would_be_missed;
       break;
     }
-    if (kind == PatchKind::coons) make_inner_points_coons(*patch);
     read.patches.push_back(*std::move(patch));
   }
   return read;

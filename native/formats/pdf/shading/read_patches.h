@@ -1,23 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
 
 #include "formats/pdf/shading/packing.h"
+#include "formats/pdf/shading/patch_around.h"
 
 namespace gradmesh {
 
 /// A patch as a shading has it, in the shading's own coordinates.
-struct ShadingPatch {
-  /// Bezier control points p(i, j), i along u and j along v.
-  std::array<std::array<glm::dvec2, 4>, 4> points{};
-  /// At (u, v) = (0, 0), (0, 1), (1, 1), (1, 0).
-  std::array<Components, 4> colors;
-
-  bool operator==(const ShadingPatch&) const = default;
-};
+using ShadingPatch = PatchAround<Components>;
 
 /// What was read of a shading.
 struct ShadingPatches {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <glm/vec4.hpp>
+
+#include "formats/pdf/shading/patch_around.h"
+
+namespace gradmesh {
+
+/// A patch of a page: in page coordinates, with the colours of its corners as Value has them.
+using PagePatch = PatchAround<glm::dvec4>;
+
+}  // namespace gradmesh

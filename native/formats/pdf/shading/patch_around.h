@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/vec2.hpp>
+
+namespace gradmesh {
+
+/// A bicubic patch as PDF lists it: the Bezier control points around it, then the inner ones, and
+/// the colours of its corners (ISO 32000-1, 8.7.4.5.7 and 8.7.4.5.8). Side k has the outer points
+/// from 3 k on, of which the first is corner k; inner point k is the one beside corner k.
+template <class Color>
+struct PatchAround {
+  static constexpr std::size_t outer_count = 12;
+
+  std::array<glm::dvec2, outer_count> outer{};
+  std::array<glm::dvec2, 4> inner{};
+  std::array<Color, 4> colors{};
+
+  bool operator==(const PatchAround&) const = default;
+
+  /// Returns point n, 0 to 3, of a side.
+  glm::dvec2 side_point(std::size_t side, std::size_t n) const {
+    return outer[(3 * side + n) % outer_count];
+  }
+
+  /// Returns the same surface, listed from corner `first` on.
+  PatchAround turned(std::size_t first) const {
+    PatchAround patch;
+    for (std::size_t n = 0; n < outer_count; ++n)
+      patch.outer[n] = outer[(3 * first + n) % outer_count];
+    for (std::size_t k = 0; k < 4; ++k) {
+      patch.inner[k] = inner[(first + k) % 4];
+      patch.colors[k] = colors[(first + k) % 4];
+    }
+    return patch;
+  }
+
+  /// Returns the same surface, listed from the same corner the other way around.
+  PatchAround mirrored() const {
+    PatchAround patch;
+    for (std::size_t n = 0; n < outer_count; ++n)
+      patch.outer[n] = outer[(outer_count - n) % outer_count];
+    for (std::size_t k = 0; k < 4; ++k) {
+      patch.inner[k] = inner[(4 - k) % 4];
+      patch.colors[k] = colors[(4 - k) % 4];
+    }
+    return patch;
+  }
+
+  /// Returns the control points p(i, j): side 0 runs along j at i = 0, side 3 along i at j = 0.
+  std::array<std::array<glm::dvec2, 4>, 4> net() const {
+    return {{{outer[0], outer[1], outer[2], outer[3]},
+             {outer[11], inner[0], inner[1], outer[4]},
+             {outer[10], inner[3], inner[2], outer[5]},
+             {outer[9], outer[8], outer[7], outer[6]}}};
+  }
+};
+
+}  // namespace gradmesh

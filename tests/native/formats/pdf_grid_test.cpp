@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "formats/pdf/grid/page_grids.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr double tolerance = 1e-3;
+
+/// A bent sheet of patches whose sides are curves that neighbours share; corner (i, j) has a colour
+/// of its own.
+class Sheet {
+ public:
+  Sheet(int rows, int columns) : rows_(rows), columns_(columns) {}
+
+  PagePatch patch(int row, int column) const {
+    PagePatch patch;
+    // Twelve points around, in thirds of a patch: u down, v to the right.
+    static constexpr int around[12][2] = {{0, 0}, {0, 1}, {0, 2}, {0, 3}, {1, 3}, {2, 3},
+                                          {3, 3}, {3, 2}, {3, 1}, {3, 0}, {2, 0}, {1, 0}};
+    static constexpr int inside[4][2] = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
+    for (std::size_t n = 0; n < 12; ++n)
+      patch.outer[n] = place(3 * row + around[n][0], 3 * column + around[n][1]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      patch.inner[k] = place(3 * row + inside[k][0], 3 * column + inside[k][1]);
+      const int i = row + (k > 1), j = column + (k == 1 || k == 2);
+      patch.colors[k] = {0.05 * i, 0.05 * j, 0.5, 1};
+    }
+    return patch;
+  }
+
+  std::vector<PagePatch> patches() const {
+    std::vector<PagePatch> all;
+    for (int i = 0; i < rows_; ++i)
+      for (int j = 0; j < columns_; ++j) all.push_back(patch(i, j));
+    return all;
+  }
+
+ private:
+  static glm::dvec2 place(int thirds_down, int thirds_right) {
+    const double y = thirds_down, x = thirds_right;
+    return {10 * x + 2 * std::sin(0.7 * y), 10 * y + 3 * std::sin(0.5 * x)};
+  }
+
+  int rows_, columns_;
+};
+
+std::vector<PageGrid> grids(const std::vector<PagePatch>& patches) {
+  return page_grids(PatchSides(patches, tolerance));
+}
+
+std::vector<int> numbers(const PageGrid& grid) {
+  std::vector<int> numbers;
+  for (const LaidPatch& lies : grid.patches) numbers.push_back(lies.patch);
+  return numbers;
+}
+
+/// Checks that neighbours share sides as a grid's do.
+void expect_joined(const PageGrid& grid, const PatchSides& sides) {
+  ASSERT_EQ(grid.patches.size(), std::size_t(grid.rows * grid.columns));
+  const auto at = [&](int row, int column) {
+    const LaidPatch& lies = grid.patches[std::size_t(row * grid.columns + column)];
+    return laid(sides.patches()[std::size_t(lies.patch)], lies);
+  };
+  for (int i = 0; i < grid.rows; ++i)
+    for (int j = 0; j < grid.columns; ++j)
+      for (std::size_t n = 0; n < 4; ++n) {
+        if (j + 1 < grid.columns) {
+          EXPECT_EQ(at(i, j).side_point(1, n), at(i, j + 1).side_point(3, 3 - n));
+        }
+        if (i + 1 < grid.rows) {
+          EXPECT_EQ(at(i, j).side_point(2, n), at(i + 1, j).side_point(0, 3 - n));
+        }
+      }
+}
+
+TEST(WeldedPoints, ClosePointsAreOneWhereverCellsEnd) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(-5, 5), close(-0.9 * tolerance, 0.9 * tolerance);
+  for (int n = 0; n < 500; ++n) {
+    WeldedPoints points(tolerance);
+    const glm::dvec2 point(anywhere(random), anywhere(random));
+    const int number = points.number(point);
+    EXPECT_EQ(points.number(point + glm::dvec2(close(random), close(random))), number);
+    EXPECT_NE(points.number(point + glm::dvec2(1.5 * tolerance, 0)), number);
+    EXPECT_EQ(points.point(number), point);
+  }
+}
+
+TEST(PageGrids, RowsAndColumnsAreThoseOfTheFirstPatch) {
+  const auto found = grids(Sheet(3, 5).patches());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].rows, 3);
+  EXPECT_EQ(found[0].columns, 5);
+  for (std::size_t n = 0; n < 15; ++n) EXPECT_EQ(found[0].patches[n], LaidPatch{int(n)});
+}
+
+/// Whatever the order of patches is, and from which corner and which way each is listed.
+TEST(PageGrids, OrderAndListingDoNotMatter) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    const int rows = 1 + int(random() % 5), columns = 1 + int(random() % 5);
+    std::vector<PagePatch> patches = Sheet(rows, columns).patches();
+    std::ranges::shuffle(patches, random);
+    std::uniform_real_distribution<double> jitter(-0.3 * tolerance, 0.3 * tolerance);
+    for (PagePatch& patch : patches) {
+      patch = laid(patch, {0, int(random() % 4), random() % 2 == 0});
+      for (glm::dvec2& point : patch.outer) point += glm::dvec2(jitter(random), jitter(random));
+    }
+    const PatchSides sides(patches, tolerance);
+    const auto found = page_grids(sides);
+    ASSERT_EQ(found.size(), 1U) << seed;
+    const bool is_turned = found[0].rows != rows;
+    EXPECT_EQ(found[0].rows, is_turned ? columns : rows);
+    EXPECT_EQ(found[0].columns, is_turned ? rows : columns);
+    expect_joined(found[0], sides);
+    // None is a mirror image of what is seen: corners lie clockwise.
+    for (const LaidPatch& lies : found[0].patches) {
+      const PagePatch patch = laid(sides.patches()[std::size_t(lies.patch)], lies);
+      const glm::dvec2 a = patch.outer[3] - patch.outer[0], b = patch.outer[9] - patch.outer[0];
+      EXPECT_GT(a.x * b.y - a.y * b.x, 0);
+    }
+  }
+}
+
+TEST(PageGrids, AMirroredSheetKeepsItsRows) {
+  std::vector<PagePatch> patches = Sheet(2, 4).patches();
+  for (PagePatch& patch : patches) {
+    for (glm::dvec2& point : patch.outer) point.x = -point.x;
+    for (glm::dvec2& point : patch.inner) point.x = -point.x;
+  }
+  const auto found = grids(patches);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].rows, 2);
+  EXPECT_EQ(numbers(found[0]), (std::vector<int>{3, 2, 1, 0, 7, 6, 5, 4}));
+}
+
+TEST(PageGrids, WhatIsNoRectangleBecomesSeveral) {
+  const Sheet sheet(3, 3);
+  std::vector<PagePatch> patches = sheet.patches();
+  patches.pop_back();
+  const auto found = grids(patches);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(numbers(found[0]), (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(numbers(found[1]), (std::vector<int>{6, 7}));
+}
+
+TEST(PageGrids, ColoursThatDifferAreABorder) {
+  std::vector<PagePatch> patches = Sheet(1, 3).patches();
+  for (glm::dvec4& color : patches[2].colors) color.b = 0;
+  EXPECT_EQ(grids(patches).size(), 2U);
+}
+
+TEST(PageGrids, AThirdPatchOnASideJoinsNothing) {
+  const Sheet sheet(1, 2);
+  std::vector<PagePatch> patches = sheet.patches();
+  PagePatch third = sheet.patch(0, 1);
+  for (std::size_t n = 4; n < 9; ++n) third.outer[n] += glm::dvec2(1, 1);
+  patches.push_back(third);
+  EXPECT_EQ(grids(patches).size(), 3U);
+}
+
+TEST(PageGrids, PatchesOverOneAnotherAreNotFoldedOut) {
+  const PagePatch patch = Sheet(1, 1).patch(0, 0);
+  EXPECT_EQ(grids({patch, patch}).size(), 2U);
+}
+
+TEST(PageGrids, ARingIsCutWhereItBegins) {
+  // Four patches around a hole; the last one ends where the first one begins.
+  std::vector<PagePatch> patches;
+  for (int k = 0; k < 4; ++k) {
+    const auto at = [&](double radius, double share) {
+      const double angle = std::acos(-1) / 2 * (std::fmod(k + share, 4.0));
+      return glm::dvec2(radius * std::cos(angle), radius * std::sin(angle));
+    };
+    PagePatch patch;
+    for (std::size_t n = 0; n < 4; ++n) {
+      patch.outer[n] = at(10, double(n) / 3);
+      patch.outer[3 + n] = at(10 - double(n), 1);
+      patch.outer[6 + n] = at(7, 1 - double(n) / 3);
+      if (n > 0 && n < 3) patch.outer[9 + n] = at(7 + double(n), 0);
+    }
+    patches.push_back(patch);
+  }
+  const auto found = grids(patches);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].rows, 1);
+  EXPECT_EQ(numbers(found[0]), (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(PageGrids, TipsAreBorders) {
+  // Both patches have a side that is the same point.
+  std::vector<PagePatch> patches(2);
+  for (int k = 0; k < 2; ++k) {
+    PagePatch& patch = patches[std::size_t(k)];
+    const double far = k ? -9 : 9;
+    for (std::size_t n = 4; n < 9; ++n) patch.outer[n] = {far, double(n)};
+    for (const std::size_t n : {9U, 10U, 11U}) patch.outer[n] = {far / 3, double(n)};
+  }
+  EXPECT_EQ(grids(patches).size(), 2U);
+}
+
+}  // namespace
+}  // namespace gradmesh
