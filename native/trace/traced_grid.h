@@ -41,9 +41,10 @@ struct TracedGrid {
 
 /// Returns the grid of at most `points` points, 4 or more, that came of the beginnings and is the
 /// best: of the fewest points if one is enough, else the closest to its picture. Colours are in
-/// whole levels. Lines are put in one after the other where they gain most, exchanged and taken
-/// out, and all is fitted again, on smaller pictures first. Where the watch stops it, returns the
-/// best grid so far.
+/// whole levels. In every beginning lines are put in one after the other where they gain most, on
+/// smaller pictures; the two that are most promising then are finished: fitted on the whole
+/// picture, with lines exchanged and taken out. Where the watch stops it, returns the best grid so
+/// far.
 TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, StopWatch& watch);
 
 }  // namespace gradmesh

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -278,6 +279,35 @@ TEST(TracedGrid, ends_when_it_is_enough_or_told_to_stop) {
   EXPECT_GE(stopped.points(), 30);
   EXPECT_LT(stopped.points(), 50);
   EXPECT_FALSE(stopped.folds());
+}
+
+TEST(TracedGrid, comes_closer_to_the_end_through_all_beginnings) {
+  const TargetPicture target = picture_of(random_grid(6, 6, {100, 100}, 4), 100, 100);
+  std::vector<std::size_t> done;
+  std::size_t total = 0;
+  StopWatch watch(0, [&](const Progress& progress) {
+    done.push_back(progress.done);
+    total = progress.total;
+    return true;
+  });
+  traced(target, 60, watch);
+  EXPECT_TRUE(std::ranges::is_sorted(done));
+  EXPECT_LE(done.back(), total);
+  EXPECT_GT(double(done.back()), 0.85 * double(total));
+}
+
+TEST(TracedGrid, is_whole_wherever_it_is_stopped) {
+  const TargetPicture target = picture_of(random_grid(6, 6, {100, 100}, 4), 100, 100);
+  double before = 1e9;
+  for (const std::size_t asked : {1, 6, 20, 30, 1000}) {
+    std::size_t times = 0;
+    StopWatch watch(0, [&](const Progress&) { return ++times < asked; });
+    const LineGrid grid = traced(target, 60, watch);
+    EXPECT_LE(grid.points(), 60);
+    EXPECT_FALSE(grid.folds());
+    EXPECT_LE(rmse(grid, target), 1.001 * before) << asked;
+    before = rmse(grid, target);
+  }
 }
 
 TEST(TracedGrid, is_the_same_on_any_number_of_threads) {
