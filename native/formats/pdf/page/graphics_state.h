@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/affine.h"
+#include "formats/pdf/page/page_path.h"
+#include "formats/pdf/page/qpdf.h"
+
+namespace gradmesh {
+
+/// All that is seen through: what is painted lies inside of each.
+using Clips = std::vector<std::shared_ptr<const PagePath>>;
+
+/// A shading where a page paints it.
+struct PaintedShading {
+  QPDFObjectHandle shading;
+  /// From the shading's coordinates to those of the page.
+  Affine to_page;
+  Clips clips;
+  double opacity = 1;
+  /// The shadings whose luminosity is its opacity, if there is such a mask.
+  std::shared_ptr<const std::vector<PaintedShading>> mask;
+};
+
+/// What operators of a content stream set, as far as it counts for shadings (ISO 32000-1, 8.4).
+struct GraphicsState {
+  Affine to_page;
+  Clips clips;
+  /// The constant alpha of fills, and that of the groups around.
+  double opacity = 1, group_opacity = 1;
+  std::shared_ptr<const std::vector<PaintedShading>> mask;
+  /// The pattern that fills, if one does.
+  std::optional<QPDFObjectHandle> pattern;
+};
+
+}  // namespace gradmesh

@@ -1,0 +1,134 @@
+#include "formats/pdf/page/read_shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/clamped_int.h"
+#include "base/error.h"
+#include "base/limits.h"
+#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/page/read_color_space.h"
+#include "formats/pdf/page/read_function.h"
+#include "formats/pdf/page/stream_bytes.h"
+#include "formats/pdf/shading/read_triangles.h"
+
+namespace gradmesh {
+namespace {
+
+int integer(QPDFObjectHandle dictionary, const char* key) {
+  constexpr int most = 1 << 20;
+  return clamped_int(number_of(value_of(dictionary, key)).value_or(0), 0, most);
+}
+
+ShadingColors colors_of(QPDFObjectHandle shading) {
+  ColorSpace space = read_color_space(value_of(shading, "/ColorSpace"));
+  QPDFObjectHandle function = value_of(shading, "/Function");
+  if (function.isNull()) return {std::move(space), {}};
+  return {std::move(space), read_function(function)};
+}
+
+Packing packing_of(QPDFObjectHandle shading, std::size_t components) {
+  Packing packing;
+  packing.coordinate_bits = integer(shading, "/BitsPerCoordinate");
+  packing.component_bits = integer(shading, "/BitsPerComponent");
+  packing.flag_bits = integer(shading, "/BitsPerFlag");
+  const std::vector<double> decode = numbers_of(value_of(shading, "/Decode"));
+  if (decode.size() >= 4 + 2 * components) {
+    packing.x = {decode[0], decode[1]};
+    packing.y = {decode[2], decode[3]};
+    for (std::size_t n = 4; n < 4 + 2 * components; n += 2)
+      packing.components.push_back({decode[n], decode[n + 1]});
+  }
+  return packing;
+}
+
+/// Sets points `first` to `first` + 3 of a side to a straight line.
+void set_straight(ShadingPatch& patch, std::size_t side, glm::dvec2 from, glm::dvec2 to) {
+  for (std::size_t n = 0; n < 4; ++n)
+    patch.outer[(3 * side + n) % patch.outer_count] = from + double(n) / 3 * (to - from);
+}
+
+ShadingPatch straight_patch_of(const std::array<const ShadingVertex*, 4>& corners) {
+  ShadingPatch patch;
+  for (std::size_t k = 0; k < 4; ++k) {
+    set_straight(patch, k, corners[k]->place, corners[(k + 1) % 4]->place);
+    patch.colors[k] = corners[k]->color;
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    // Bilinear: the inner point beside a corner is where the sides' thirds meet.
+    patch.inner[k] = (4.0 * corners[k]->place + 2.0 * corners[(k + 1) % 4]->place +
+                      1.0 * corners[(k + 2) % 4]->place + 2.0 * corners[(k + 3) % 4]->place) /
+                     9.0;
+  return patch;
+}
+
+ShadingPatches triangles_of(std::string_view data, const Packing& packing, std::size_t most) {
+  const ShadingTriangles read = read_triangles(data, packing, most);
+  ShadingPatches patches{{}, read.is_damaged};
+  for (const ShadingTriangle& t : read.triangles)
+    patches.patches.push_back(straight_patch_of({&t[0], &t[1], &t[2], &t[2]}));
+  return patches;
+}
+
+ShadingPatches cells_of(std::string_view data, const Packing& packing, std::size_t columns,
+                        std::size_t most) {
+  if (columns < 2) throw InputError("a row of its lattice has less than two points");
+  const ShadingLattice read = read_lattice(data, packing, columns, most);
+  ShadingPatches patches{{}, read.is_damaged};
+  const std::size_t rows = read.vertices.size() / columns;
+  for (std::size_t i = 0; i + 1 < rows; ++i)
+    for (std::size_t j = 0; j + 1 < columns; ++j) {
+      const ShadingVertex* const above = &read.vertices[i * columns + j];
+      const ShadingVertex* const below = above + columns;
+      patches.patches.push_back(straight_patch_of({above, above + 1, below + 1, below}));
+    }
+  return patches;
+}
+
+ShadingPatches patches_of(int type, std::string_view data, const Packing& packing,
+                          std::size_t columns) {
+  const std::uint64_t most = limits().patches;
+  check(packing, type != 5);
+  ShadingPatches read = [&] {
+    if (type == 4) return triangles_of(data, packing, most + 1);
+    if (type == 5) return cells_of(data, packing, columns, 2 * (most + 2));
+    return read_patches(data, packing, type == 6 ? PatchKind::coons : PatchKind::tensor, most + 1);
+  }();
+  if (read.patches.size() > most)
+    throw InputError("it has more than {0} patches, {1}", most,
+                     beyond_limit("patches", most, read.patches.size()));
+  return read;
+}
+
+/// Maps a patch to the page. Returns false if it has no size there, or lies beyond any page.
+bool put_on_page(ShadingPatch& patch, const Affine& to_page) {
+  constexpr double farthest = 1e6;
+  Box box;
+  const auto put = [&](glm::dvec2& point) {
+    point = to_page.point(point);
+    box.add(point);
+    return std::abs(point.x) <= farthest && std::abs(point.y) <= farthest;
+  };
+  return std::ranges::all_of(patch.outer, put) && std::ranges::all_of(patch.inner, put) &&
+         std::max(box.size().x, box.size().y) > 0;
+}
+
+}  // namespace
+
+PageShading read_shading(const PaintedShading& painted) {
+  const QPDFObjectHandle shading = painted.shading;
+  PageShading read{integer(shading, "/ShadingType"), colors_of(shading), {}};
+  if (!QPDFObjectHandle(shading).isStream()) throw InputError("it has no patches");
+  const StreamBytes data = stream_bytes(shading);
+  ShadingPatches patches =
+      patches_of(read.type, data.bytes, packing_of(shading, read.colors.count()),
+                 std::size_t(integer(shading, "/VerticesPerRow")));
+  const std::size_t count = patches.patches.size();
+  std::erase_if(patches.patches,
+                [&](ShadingPatch& patch) { return !put_on_page(patch, painted.to_page); });
+  read.is_damaged = data.is_damaged || patches.is_damaged || patches.patches.size() < count;
+  read.patches = std::move(patches.patches);
+  return read;
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "formats/pdf/page/graphics_state.h"
+#include "formats/pdf/page/shading_colors.h"
+#include "formats/pdf/shading/read_patches.h"
+
+namespace gradmesh {
+
+/// The patches of a shading where a page paints it.
+struct PageShading {
+  /// 4 to 7.
+  int type = 0;
+  ShadingColors colors;
+  /// In page coordinates. A triangle is a patch of which side 2 is one point, which is exact; of a
+  /// lattice each cell is a patch with straight sides.
+  std::vector<ShadingPatch> patches;
+  /// Whether a part of it could not be read, as it is damaged, or lies beyond any page.
+  bool is_damaged = false;
+};
+
+/// Reads a shading of type 4 to 7. Throws InputError, whose message is a clause, where nothing of
+/// it can be read.
+PageShading read_shading(const PaintedShading& painted);
+
+}  // namespace gradmesh

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "formats/pdf/page/qpdf.h"
+
+namespace gradmesh {
+
+/// What a stream holds once it is unpacked.
+struct StreamBytes {
+  std::string bytes;
+  /// Whether it could not be unpacked to its end, as it is damaged.
+  bool is_damaged = false;
+};
+
+/// Returns what a stream holds. Throws InputError if that is more than the limit of documents.
+StreamBytes stream_bytes(QPDFObjectHandle stream);
+
+}  // namespace gradmesh

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace gradmesh {
+
+/// Returns the body of a stream object; `entries` stand in its dictionary beside Length.
+inline std::string pdf_stream(const std::string& entries, const std::string& data) {
+  return "<< " + entries + " /Length " + std::to_string(data.size()) + " >>\nstream\n" + data +
+         "\nendstream";
+}
+
+/// Returns a PDF document of one page, whose entries and content are these. Its further objects
+/// have the numbers from 5 on.
+inline std::string pdf_document(const std::string& page_entries, const std::string& content,
+                                const std::vector<std::string>& objects = {}) {
+  std::vector<std::string> all{
+      "<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
+      "<< /Type /Page /Parent 2 0 R /Contents 4 0 R " + page_entries + " >>",
+      pdf_stream("", content)};
+  all.insert(all.end(), objects.begin(), objects.end());
+  std::string text = "%PDF-1.7\n", table;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    char entry[32];
+    std::snprintf(entry, sizeof entry, "%010zu 00000 n \n", text.size());
+    table += entry;
+    text += std::to_string(n + 1) + " 0 obj\n" + all[n] + "\nendobj\n";
+  }
+  const std::string size = std::to_string(all.size() + 1), start = std::to_string(text.size());
+  return text + "xref\n0 " + size + "\n0000000000 65535 f \n" + table + "trailer\n<< /Size " +
+         size + " /Root 1 0 R >>\nstartxref\n" + start + "\n%%EOF\n";
+}
+
+}  // namespace gradmesh
