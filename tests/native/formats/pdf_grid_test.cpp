@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <random>
 #include <set>
 
+#include "formats/pdf/grid/joined_halves.h"
 #include "formats/pdf/grid/page_grids.h"
 
 namespace gradmesh {
@@ -203,6 +206,96 @@ TEST(PageGrids, TipsAreBorders) {
     for (const std::size_t n : {9U, 10U, 11U}) patch.outer[n] = {far / 3, double(n)};
   }
   EXPECT_EQ(grids(patches).size(), 2U);
+}
+
+/// The half of a patch beside side 3 (`which` 0) or side 1, by de Casteljau's rule in each row.
+ShadingPatch half_of(const ShadingPatch& patch, int which) {
+  ShadingPatch half;
+  auto net = patch.net();
+  for (auto& row : net) {
+    const glm::dvec2 a = 0.5 * (row[0] + row[1]), b = 0.5 * (row[1] + row[2]);
+    const glm::dvec2 c = 0.5 * (row[2] + row[3]), d = 0.5 * (a + b), e = 0.5 * (b + c);
+    const glm::dvec2 middle = 0.5 * (d + e);
+    if (which == 0)
+      row = {row[0], a, d, middle};
+    else
+      row = {middle, e, c, row[3]};
+  }
+  half.outer = {net[0][0], net[0][1], net[0][2], net[0][3], net[1][3], net[2][3],
+                net[3][3], net[3][2], net[3][1], net[3][0], net[2][0], net[1][0]};
+  half.inner = {net[1][1], net[1][2], net[2][2], net[2][1]};
+  const auto between = [&](std::size_t a, std::size_t b) {
+    return Components{(patch.colors[a][0] + patch.colors[b][0]) / 2};
+  };
+  half.colors = patch.colors;
+  half.colors[which == 0 ? 1 : 0] = between(0, 1);
+  half.colors[which == 0 ? 2 : 3] = between(3, 2);
+  return half;
+}
+
+/// Halves a patch again and again and lists each half in any way, on 1/2048 of a point.
+void add_halves(const ShadingPatch& patch, int levels, std::mt19937& random,
+                std::vector<ShadingPatch>& halves) {
+  const std::size_t turns = random() % 4;
+  const bool is_mirrored = random() % 2 == 0;
+  const ShadingPatch listed = is_mirrored ? patch.turned(turns).mirrored() : patch.turned(turns);
+  if (levels == 0 || random() % 5 == 0) {
+    halves.push_back(listed);
+    for (glm::dvec2& point : halves.back().outer) point = glm::round(point * 2048.0) / 2048.0;
+    for (glm::dvec2& point : halves.back().inner) point = glm::round(point * 2048.0) / 2048.0;
+    return;
+  }
+  for (const int which : {0, 1}) add_halves(half_of(listed, which), levels - 1, random, halves);
+}
+
+ShadingPatch patch_of_sheet(int row, int column) {
+  const PagePatch page = Sheet(2, 3).patch(row, column);
+  ShadingPatch patch{page.outer, page.inner, {}};
+  for (std::size_t k = 0; k < 4; ++k) patch.colors[k] = {page.colors[k].r + page.colors[k].g};
+  return patch;
+}
+
+TEST(JoinedHalves, AreThePatchHoweverTheyAreListed) {
+  const ShadingPatch whole = patch_of_sheet(0, 0);
+  const ShadingPatch a = half_of(whole, 0), b = half_of(whole, 1);
+  for (std::size_t n = 0; n < 4; ++n)
+    for (const ShadingPatch& second : {b.turned(n), b.turned(n).mirrored()}) {
+      const auto found = joined(a, second, 1e-9);
+      ASSERT_TRUE(found);
+      for (std::size_t i = 0; i < 12; ++i)
+        EXPECT_LT(glm::distance(found->outer[i], whole.outer[i]), 1e-9);
+      for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_LT(glm::distance(found->inner[k], whole.inner[k]), 1e-9);
+      EXPECT_EQ(found->colors, whole.colors);
+    }
+}
+
+TEST(JoinedHalves, OtherNeighboursAreNone) {
+  EXPECT_FALSE(joined(patch_of_sheet(0, 0), patch_of_sheet(0, 1), 0.01));
+  const ShadingPatch whole = patch_of_sheet(0, 0);
+  ShadingPatch b = half_of(whole, 1);
+  b.colors[0] = {0.9};
+  EXPECT_FALSE(joined(half_of(whole, 0), b, 0.01));
+}
+
+/// Up to five levels, about as many as Illustrator has.
+TEST(JoinedHalves, HalvingIsTakenBack) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<ShadingPatch> halves;
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 3; ++j) add_halves(patch_of_sheet(i, j), 5, random, halves);
+    const auto wholes = without_halving(halves);
+    ASSERT_EQ(wholes.size(), 6U) << seed;
+    for (std::size_t n = 0; n < 6; ++n)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const ShadingPatch wanted = patch_of_sheet(int(n) / 3, int(n) % 3);
+        const bool is_there = std::ranges::any_of(wanted.outer, [&](glm::dvec2 point) {
+          return glm::distance(point, wholes[n].outer[3 * k]) < 1e-3;
+        });
+        EXPECT_TRUE(is_there);
+      }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+#include "formats/pdf/grid/joined_halves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gradmesh {
+namespace {
+
+using Row = std::array<glm::dvec2, 4>;
+using Net = std::array<Row, 4>;
+
+bool is_close(glm::dvec2 a, glm::dvec2 b, double tolerance) {
+  return std::abs(a.x - b.x) <= tolerance && std::abs(a.y - b.y) <= tolerance;
+}
+
+/// Returns the curve of which two are the halves, by de Casteljau's rule, if they are.
+std::optional<Row> whole_curve(const Row& a, const Row& b, double tolerance) {
+  if (!is_close(a[3], b[0], tolerance)) return {};
+  const Row whole{a[0], 2.0 * a[1] - a[0], 2.0 * b[2] - b[3], b[3]};
+  const glm::dvec2 middle = 0.5 * (whole[1] + whole[2]);
+  const bool is_one = is_close(a[2], 0.5 * (a[1] + middle), tolerance) &&
+                      is_close(b[1], 0.5 * (b[2] + middle), tolerance) &&
+                      is_close(a[3], 0.5 * (a[2] + b[1]), tolerance);
+  return is_one ? std::optional(whole) : std::nullopt;
+}
+
+bool is_close(const Components& a, const Components& b) {
+  constexpr double hardly = 2.5 / 255;
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= hardly; });
+}
+
+/// The patch with these control points, side 0 along j at i = 0.
+ShadingPatch patch_of(const Net& n) {
+  ShadingPatch patch;
+  patch.outer = {n[0][0], n[0][1], n[0][2], n[0][3], n[1][3], n[2][3],
+                 n[3][3], n[3][2], n[3][1], n[3][0], n[2][0], n[1][0]};
+  patch.inner = {n[1][1], n[1][2], n[2][2], n[2][1]};
+  return patch;
+}
+
+/// Joins patches that meet at side 1 of `a` and side 3 of `b`.
+std::optional<ShadingPatch> joined_along(const ShadingPatch& a, const ShadingPatch& b,
+                                         double tolerance) {
+  if (!is_close(a.colors[1], b.colors[0]) || !is_close(a.colors[2], b.colors[3])) return {};
+  const Net left = a.net(), right = b.net();
+  Net whole;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto row = whole_curve(left[i], right[i], tolerance);
+    if (!row) return {};
+    whole[i] = *row;
+  }
+  ShadingPatch patch = patch_of(whole);
+  patch.colors = {a.colors[0], b.colors[1], b.colors[2], a.colors[3]};
+  return patch;
+}
+
+}  // namespace
+
+std::optional<ShadingPatch> joined(const ShadingPatch& a, const ShadingPatch& b, double tolerance) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const ShadingPatch first = a.turned(k);
+    const glm::dvec2 from = first.outer[3], to = first.outer[6];
+    for (std::size_t n = 0; n < 4; ++n)
+      for (const bool is_mirrored : {false, true}) {
+        const ShadingPatch second = is_mirrored ? b.turned(n).mirrored() : b.turned(n);
+        if (!is_close(second.outer[0], from, tolerance) ||
+            !is_close(second.outer[9], to, tolerance))
+          continue;
+        if (auto whole = joined_along(first, second, tolerance)) return whole;
+      }
+  }
+  return {};
+}
+
+std::vector<ShadingPatch> without_halving(const std::vector<ShadingPatch>& patches) {
+  // Points lie on 1/2048 of one, and each level of halves doubles the error of what follows from
+  // them.
+  constexpr double first_tolerance = 0.01, largest_tolerance = 0.03;
+  struct Part {
+    ShadingPatch patch;
+    double tolerance;
+  };
+  std::vector<Part> stack;
+  for (const ShadingPatch& patch : patches) {
+    stack.push_back({patch, first_tolerance});
+    while (stack.size() > 1) {
+      const Part &a = stack[stack.size() - 2], &b = stack.back();
+      const double tolerance = std::max(a.tolerance, b.tolerance);
+      auto whole = joined(a.patch, b.patch, tolerance);
+      if (!whole) break;
+      stack.pop_back();
+      stack.back() = {*std::move(whole), std::min(2 * tolerance, largest_tolerance)};
+    }
+  }
+  std::vector<ShadingPatch> wholes;
+  for (Part& part : stack) wholes.push_back(std::move(part.patch));
+  return wholes;
+}
+
+}  // namespace gradmesh
