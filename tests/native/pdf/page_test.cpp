@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "base/error.h"
+#include "formats/pdf/grid/joined_halves.h"
+#include "formats/pdf/grid/page_grids.h"
 #include "formats/pdf/page/pdf_file.h"
 #include "formats/pdf/page/read_shading.h"
 #include "pdf_documents.h"
@@ -191,6 +194,25 @@ TEST(PdfShading, TrianglesArePatchesWithATip) {
 std::string read_shared(const std::string& name) {
   std::ifstream file(std::filesystem::path(GRADMESH_SHARED_DIR) / "pdf" / name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The artist's grids, of which Illustrator writes only halves of halves.
+TEST(SharedPdfGrids, AreWholeWhereHalvingIsTakenBack) {
+  const std::string bytes = read_shared("illustrator/personwithdog.pdf");
+  if (bytes.empty()) GTEST_SKIP() << "absent: pdf/illustrator";
+  const PageContent page = page_of(bytes);
+  std::vector<std::pair<int, int>> sizes;
+  for (const PaintedShading& each : page.painted) {
+    const PageShading read = read_shading(each);
+    const PatchSides sides(in_srgb(without_halving(read.patches), read.colors), 0.02);
+    const auto grids = page_grids(sides);
+    ASSERT_EQ(grids.size(), 1U);
+    sizes.push_back(std::minmax(grids[0].rows, grids[0].columns));
+  }
+  using Sizes = std::vector<std::pair<int, int>>;
+  EXPECT_EQ(
+      sizes,
+      (Sizes{{2, 3}, {3, 3}, {3, 3}, {3, 3}, {3, 3}, {2, 2}, {3, 3}, {3, 3}, {2, 2}, {3, 3}}));
 }
 
 struct SharedFile {

@@ -74,9 +74,9 @@ std::optional<ShadingPatch> joined(const ShadingPatch& a, const ShadingPatch& b,
 }
 
 std::vector<ShadingPatch> without_halving(const std::vector<ShadingPatch>& patches) {
-  // Points lie on 1/2048 of one, and each level of halves doubles the error of what follows from
-  // them.
-  constexpr double first_tolerance = 0.01, largest_tolerance = 0.03;
+  // Points lie on 1/2048 of one, so the sums of a few of them may be off by a few of these, and
+  // each level of halves doubles the error.
+  constexpr double first_tolerance = 0.002, largest_tolerance = 0.06;
   struct Part {
     ShadingPatch patch;
     double tolerance;
