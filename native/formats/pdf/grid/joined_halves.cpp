@@ -14,14 +14,39 @@ bool is_close(glm::dvec2 a, glm::dvec2 b, double tolerance) {
   return std::abs(a.x - b.x) <= tolerance && std::abs(a.y - b.y) <= tolerance;
 }
 
-/// Returns the curve of which two are the halves, by de Casteljau's rule, if they are.
+/// Returns the curve of which two are about the halves: the closest to their points, which are off
+/// by what rounds them, and where they begin and end.
+Row closest_whole(const Row& a, const Row& b) {
+  const glm::dvec2 from = a[0], to = b[3], middle = 0.5 * (a[3] + b[0]);
+  // By de Casteljau's rule each of the points between is a sum of the four control points; of the
+  // two that are not known these are the normal equations, with `sum` and `difference` of them.
+  const std::array<glm::dvec2, 5> known{a[1] - 0.5 * from, a[2] - 0.25 * from,
+                                        middle - 0.125 * (from + to), b[1] - 0.25 * to,
+                                        b[2] - 0.5 * to};
+  constexpr std::array<double, 5> first{0.5, 0.5, 0.375, 0.25, 0}, second{0, 0.25, 0.375, 0.5, 0.5};
+  glm::dvec2 by_first(0.0), by_second(0.0);
+  double square = 0, product = 0;
+  for (std::size_t n = 0; n < known.size(); ++n) {
+    by_first += first[n] * known[n];
+    by_second += second[n] * known[n];
+    square += first[n] * first[n];
+    product += first[n] * second[n];
+  }
+  const glm::dvec2 sum = (by_first + by_second) / (square + product);
+  const glm::dvec2 difference = (by_first - by_second) / (square - product);
+  return {from, 0.5 * (sum + difference), 0.5 * (sum - difference), to};
+}
+
+/// Returns the curve of which two are the halves, if they are.
 std::optional<Row> whole_curve(const Row& a, const Row& b, double tolerance) {
   if (!is_close(a[3], b[0], tolerance)) return {};
-  const Row whole{a[0], 2.0 * a[1] - a[0], 2.0 * b[2] - b[3], b[3]};
+  const Row whole = closest_whole(a, b);
   const glm::dvec2 middle = 0.5 * (whole[1] + whole[2]);
-  const bool is_one = is_close(a[2], 0.5 * (a[1] + middle), tolerance) &&
-                      is_close(b[1], 0.5 * (b[2] + middle), tolerance) &&
-                      is_close(a[3], 0.5 * (a[2] + b[1]), tolerance);
+  const glm::dvec2 a1 = 0.5 * (whole[0] + whole[1]), b2 = 0.5 * (whole[2] + whole[3]);
+  const glm::dvec2 a2 = 0.5 * (a1 + middle), b1 = 0.5 * (b2 + middle);
+  const bool is_one = is_close(a[1], a1, tolerance) && is_close(a[2], a2, tolerance) &&
+                      is_close(a[3], 0.5 * (a2 + b1), tolerance) && is_close(b[1], b1, tolerance) &&
+                      is_close(b[2], b2, tolerance);
   return is_one ? std::optional(whole) : std::nullopt;
 }
 
@@ -74,9 +99,9 @@ std::optional<ShadingPatch> joined(const ShadingPatch& a, const ShadingPatch& b,
 }
 
 std::vector<ShadingPatch> without_halving(const std::vector<ShadingPatch>& patches) {
-  // Points lie on 1/2048 of one, so the sums of a few of them may be off by a few of these, and
-  // each level of halves doubles the error.
-  constexpr double first_tolerance = 0.002, largest_tolerance = 0.06;
+  // Points lie on 1/2048 of one. Each level adds less than half of the error of what follows from
+  // them; what is beyond the largest tolerance only looks like halves.
+  constexpr double first_tolerance = 0.002, growth = 1.5, largest_tolerance = 0.015;
   struct Part {
     ShadingPatch patch;
     double tolerance;
@@ -90,7 +115,7 @@ std::vector<ShadingPatch> without_halving(const std::vector<ShadingPatch>& patch
       auto whole = joined(a.patch, b.patch, tolerance);
       if (!whole) break;
       stack.pop_back();
-      stack.back() = {*std::move(whole), std::min(2 * tolerance, largest_tolerance)};
+      stack.back() = {*std::move(whole), std::min(growth * tolerance, largest_tolerance)};
     }
   }
   std::vector<ShadingPatch> wholes;

@@ -36,6 +36,22 @@ bool is_same(const Curve& a, const Curve& b, double tolerance) {
   });
 }
 
+/// Returns the share of a curve that another is the beginning of; nothing if it is not.
+std::optional<double> share_of(const Curve& part, const Curve& curve, double tolerance) {
+  // The first point away from the start comes nearer to it as the share does, or, where handles
+  // have no length, as its square or cube.
+  for (std::size_t n = 1; n < 4; ++n) {
+    const double all = glm::distance(curve[0], curve[n]);
+    if (all <= 4 * tolerance) continue;
+    const double share = std::pow(glm::distance(part[0], part[n]) / all, 1.0 / double(n));
+    if (!(share > 0 && share <= 1 + tolerance / all)) return {};
+    const double within = std::min(share, 1.0);
+    return is_same(parts_at(curve, within)[0], part, tolerance) ? std::optional(within)
+                                                                : std::nullopt;
+  }
+  return {};
+}
+
 Patch patch_of(const PagePatch& page) {
   BezierNet net;
   const auto points = page.net();
@@ -134,15 +150,10 @@ class Joiner {
 
   /// Returns the side from a point on that is the beginning of a curve.
   std::optional<Part> part_of(const Curve& curve, int from, int besides) const {
-    const double speed = glm::distance(curve[0], curve[1]);
-    if (!(speed > 0)) return {};
     for (const int other : from_.at(from)) {
       if (side(other).is_joined || other / 4 == besides / 4) continue;
-      const Curve& part = side(other).curve;
-      const double share = glm::distance(part[0], part[1]) / speed;
-      if (share > 0 && share <= 1 + 1e-3 &&
-          is_same(parts_at(curve, std::min(share, 1.0))[0], part, tolerance_))
-        return Part{other, std::min(share, 1.0)};
+      const auto share = share_of(side(other).curve, curve, tolerance_);
+      if (share) return Part{other, *share};
     }
     return {};
   }
