@@ -5,18 +5,10 @@
 
 #include "base/error.h"
 #include "formats/pdf/color/function.h"
+#include "pdf_numbers.h"
 
 namespace gradmesh {
 namespace {
-
-using Numbers = std::vector<double>;
-using Ranges = std::vector<ValueRange>;
-
-void expect_numbers(const Numbers& found, const Numbers& expected, double tolerance = 1e-9) {
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i)
-    EXPECT_NEAR(found[i], expected[i], tolerance) << "value " << i;
-}
 
 /// Returns what the program makes of `in`, which it reads and leaves within +-1000.
 Numbers calculated(const std::string& program, const Numbers& in, std::size_t outputs) {

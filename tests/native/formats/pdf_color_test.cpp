@@ -5,15 +5,10 @@
 
 #include "base/error.h"
 #include "formats/pdf/color/color_space.h"
+#include "pdf_numbers.h"
 
 namespace gradmesh {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-using Numbers = std::vector<double>;
-using Ranges = std::vector<ValueRange>;
 
 /// Expects a colour in levels of sRGB, 0 to 255, which have been rounded.
 void expect_levels(const ColorSpace& space, const Numbers& components, glm::dvec3 levels) {

@@ -7,21 +7,10 @@
 
 #include "base/error.h"
 #include "formats/pdf/color/function.h"
+#include "pdf_numbers.h"
 
 namespace gradmesh {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-using Numbers = std::vector<double>;
-using Ranges = std::vector<ValueRange>;
-
-void expect_numbers(const Numbers& found, const Numbers& expected, double tolerance = 1e-9) {
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i)
-    EXPECT_NEAR(found[i], expected[i], tolerance) << "value " << i;
-}
 
 ExponentialFunction line(Numbers from, Numbers to) { return {{{0, 1}}, {}, from, to, 1}; }
 

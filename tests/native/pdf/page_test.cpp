@@ -207,7 +207,8 @@ class SharedPdfGrids : public testing::TestWithParam<ArtistsGrids> {};
 
 TEST_P(SharedPdfGrids, AreWholeWhereHalvingIsTakenBack) {
   const std::string bytes = read_shared(GetParam().name);
-  if (bytes.empty()) GTEST_SKIP() << "absent: " << GetParam().name;
+  if (bytes.empty())
+    GTEST_SKIP() << GetParam().name << " is not beside the project, in ../shared/pdf";
   const PageContent page = page_of(bytes);
   std::vector<std::pair<int, int>> sizes;
   for (const PaintedShading& each : page.painted) {
@@ -241,7 +242,8 @@ class SharedPdf : public testing::TestWithParam<SharedFile> {};
 
 TEST_P(SharedPdf, HasThesePatches) {
   const std::string bytes = read_shared(GetParam().name);
-  if (bytes.empty()) GTEST_SKIP() << "absent: " << GetParam().name;
+  if (bytes.empty())
+    GTEST_SKIP() << GetParam().name << " is not beside the project, in ../shared/pdf";
   const PdfFile file(bytes, GetParam().name, "");
   std::vector<std::size_t> patches;
   const PageContent page = file.page(0);

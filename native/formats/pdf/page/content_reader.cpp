@@ -34,6 +34,11 @@ void ContentReader::read(const std::vector<QPDFObjectHandle>& contents,
     if (!each.isStream()) continue;
     StreamBytes read = stream_bytes(each);
     is_damaged_ = is_damaged_ || read.is_damaged;
+    bytes_ += read.bytes.size();
+    const std::uint64_t most = limits().document;
+    if (bytes_ > most)
+      throw InputError("it shows forms of more than {0} bytes, {1}", most,
+                       beyond_limit("document", most, bytes_));
     // Operators may begin in one stream and end in the next, tokens may not (ISO 32000-1, 7.8.2).
     all += read.bytes + "\n";
   }

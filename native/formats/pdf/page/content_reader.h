@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,9 +34,12 @@ class ContentReader {
 
   std::vector<PaintedShading> painted_;
   bool is_damaged_ = false;
-  /// The forms that are being read, one inside the other, and how many were read in all.
+  /// The forms that are being read, one inside the other; how many were read in all, and how long
+  /// these and the page's own content were: a form of a stranger's file may be shown again and
+  /// again.
   std::set<QPDFObjGen> around_;
   int forms_ = 0;
+  std::uint64_t bytes_ = 0;
 };
 
 }  // namespace gradmesh
