@@ -1,16 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "base/error.h"
 #include "formats/pdf/grid/joined_halves.h"
 #include "formats/pdf/grid/page_grids.h"
+#include "formats/pdf/page/patch_colors.h"
 #include "formats/pdf/page/pdf_file.h"
 #include "formats/pdf/page/read_shading.h"
 #include "pdf_documents.h"
+#include "pdf_shadings.h"
 #include "shading_bits.h"
 
 namespace gradmesh {
@@ -21,27 +20,8 @@ constexpr const char* page_entries =
     "/XObject << /x 7 0 R >> /ExtGState << /half << /ca 0.5 >> /masked << /SMask << /S "
     "/Luminosity /G 8 0 R >> >> /plain << /SMask /None >> >> >>";
 
-/// A shading of type 7 with one patch over the square from (0, 0) to (9, 9): red, green, blue and
-/// white corners.
-std::string shading(const std::string& space = "/DeviceRGB", int components = 3) {
-  BitWriter data;
-  data.add(0, 8);
-  for (const std::uint32_t step : {0U, 3U, 6U, 9U}) data.add({0, step}, 8);
-  for (const std::uint32_t step : {3U, 6U, 9U}) data.add({step, 9}, 8);
-  for (const std::uint32_t step : {6U, 3U, 0U}) data.add({9, step}, 8);
-  for (const std::uint32_t step : {6U, 3U}) data.add({step, 0}, 8);
-  data.add({3, 3, 3, 6, 6, 6, 6, 3}, 8);
-  for (int corner = 0; corner < 4; ++corner)
-    for (int n = 0; n < components; ++n) data.add(corner == n || corner == 3 ? 255 : 0, 8);
-  std::string decode = "/Decode [0 255 0 255";
-  for (int n = 0; n < components; ++n) decode += " 0 1";
-  return pdf_stream("/ShadingType 7 /ColorSpace " + space +
-                        " /BitsPerCoordinate 8 /BitsPerComponent 8 /BitsPerFlag 8 " + decode + "]",
-                    data.bytes());
-}
-
 std::vector<std::string> objects(const std::string& form = "/sh sh") {
-  return {shading(), "<< /PatternType 2 /Shading 5 0 R /Matrix [2 0 0 2 0 0] >>",
+  return {square_shading(), "<< /PatternType 2 /Shading 5 0 R /Matrix [2 0 0 2 0 0] >>",
           pdf_stream("/Type /XObject /Subtype /Form /BBox [0 0 50 50] /Matrix [1 0 0 1 5 0] "
                      "/Group << /S /Transparency >>",
                      form),
@@ -160,7 +140,8 @@ TEST(PdfFile, SaysWhyItCannotBeOpened) {
 
 TEST(PdfShading, ColoursAreThoseOfItsSpace) {
   const auto colors_of = [](const std::string& space, int components) {
-    const std::string document = pdf_document(page_entries, "/sh sh", {shading(space, components)});
+    const std::string document =
+        pdf_document(page_entries, "/sh sh", {square_shading(space, components)});
     const PageContent page = page_of(document);
     const PageShading read = read_shading(page.painted.at(0));
     std::vector<glm::dvec3> colors;
@@ -191,11 +172,6 @@ TEST(PdfShading, TrianglesArePatchesWithATip) {
   EXPECT_FALSE(read.is_damaged);
 }
 
-std::string read_shared(const std::string& name) {
-  std::ifstream file(std::filesystem::path(GRADMESH_SHARED_DIR) / "pdf" / name, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 struct ArtistsGrids {
   const char* name;
   /// Rows and columns, the smaller number first; nothing where it is not one grid.
@@ -206,14 +182,14 @@ struct ArtistsGrids {
 class SharedPdfGrids : public testing::TestWithParam<ArtistsGrids> {};
 
 TEST_P(SharedPdfGrids, AreWholeWhereHalvingIsTakenBack) {
-  const std::string bytes = read_shared(GetParam().name);
+  const std::string bytes = shared_pdf(GetParam().name);
   if (bytes.empty())
     GTEST_SKIP() << GetParam().name << " is not beside the project, in ../shared/pdf";
   const PageContent page = page_of(bytes);
   std::vector<std::pair<int, int>> sizes;
   for (const PaintedShading& each : page.painted) {
     const PageShading read = read_shading(each);
-    const PatchSides sides(in_srgb(without_halving(read.patches), read.colors), 0.02);
+    const PatchSides sides(corners_in_srgb(without_halving(read.patches), read.colors), 0.02);
     const auto grids = page_grids(sides);
     const PageGrid& grid = grids.at(0);
     sizes.push_back({0, 0});
@@ -241,7 +217,7 @@ struct SharedFile {
 class SharedPdf : public testing::TestWithParam<SharedFile> {};
 
 TEST_P(SharedPdf, HasThesePatches) {
-  const std::string bytes = read_shared(GetParam().name);
+  const std::string bytes = shared_pdf(GetParam().name);
   if (bytes.empty())
     GTEST_SKIP() << GetParam().name << " is not beside the project, in ../shared/pdf";
   const PdfFile file(bytes, GetParam().name, "");

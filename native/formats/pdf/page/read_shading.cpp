@@ -115,19 +115,6 @@ bool put_on_page(ShadingPatch& patch, const Affine& to_page) {
 
 }  // namespace
 
-std::vector<PagePatch> in_srgb(const std::vector<ShadingPatch>& patches,
-                               const ShadingColors& colors) {
-  std::vector<PagePatch> all;
-  for (const ShadingPatch& patch : patches) {
-    PagePatch& made = all.emplace_back();
-    made.outer = patch.outer;
-    made.inner = patch.inner;
-    for (std::size_t k = 0; k < 4; ++k)
-      made.colors[k] = glm::dvec4(colors.srgb(patch.colors[k]), 1);
-  }
-  return all;
-}
-
 PageShading read_shading(const PaintedShading& painted) {
   const QPDFObjectHandle shading = painted.shading;
   PageShading read{integer(shading, "/ShadingType"), colors_of(shading), {}};

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "formats/pdf/grid/page_patch.h"
 #include "formats/pdf/page/graphics_state.h"
 #include "formats/pdf/page/shading_colors.h"
 #include "formats/pdf/shading/read_patches.h"
@@ -20,10 +19,6 @@ struct PageShading {
   /// Whether a part of it could not be read, as it is damaged, or lies beyond any page.
   bool is_damaged = false;
 };
-
-/// Returns patches with the colours of their corners in sRGB, opaque.
-std::vector<PagePatch> in_srgb(const std::vector<ShadingPatch>& patches,
-                               const ShadingColors& colors);
 
 /// Reads a shading of type 4 to 7. Throws InputError, whose message is a clause, where nothing of
 /// it can be read.
