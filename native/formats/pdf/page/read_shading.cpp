@@ -115,20 +115,27 @@ bool put_on_page(ShadingPatch& patch, const Affine& to_page) {
 
 }  // namespace
 
-PageShading read_shading(const PaintedShading& painted) {
-  const QPDFObjectHandle shading = painted.shading;
+PageShading unplaced_shading(QPDFObjectHandle shading) {
   PageShading read{integer(shading, "/ShadingType"), colors_of(shading), {}};
-  if (!QPDFObjectHandle(shading).isStream()) throw InputError("it has no patches");
+  if (!shading.isStream()) throw InputError("it has no patches");
   const StreamBytes data = stream_bytes(shading);
   ShadingPatches patches =
       patches_of(read.type, data.bytes, packing_of(shading, read.colors.count()),
                  std::size_t(integer(shading, "/VerticesPerRow")));
-  const std::size_t count = patches.patches.size();
-  std::erase_if(patches.patches,
-                [&](ShadingPatch& patch) { return !put_on_page(patch, painted.to_page); });
-  read.is_damaged = data.is_damaged || patches.is_damaged || patches.patches.size() < count;
+  read.is_damaged = data.is_damaged || patches.is_damaged;
   read.patches = std::move(patches.patches);
   return read;
+}
+
+PageShading placed(PageShading shading, const Affine& to_page) {
+  const std::size_t left_out = std::erase_if(
+      shading.patches, [&](ShadingPatch& patch) { return !put_on_page(patch, to_page); });
+  shading.is_damaged = shading.is_damaged || left_out > 0;
+  return shading;
+}
+
+PageShading read_shading(const PaintedShading& painted) {
+  return placed(unplaced_shading(painted.shading), painted.to_page);
 }
 
 }  // namespace gradmesh

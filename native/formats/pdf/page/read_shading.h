@@ -8,20 +8,27 @@
 
 namespace gradmesh {
 
-/// The patches of a shading where a page paints it.
+/// The patches of a shading, where a page paints it or in its own coordinates.
 struct PageShading {
   /// 4 to 7.
   int type = 0;
   ShadingColors colors;
-  /// In page coordinates. A triangle is a patch of which side 2 is one point, which is exact; of a
-  /// lattice each cell is a patch with straight sides.
+  /// A triangle is a patch of which side 2 is one point, which is exact; of a lattice each cell is
+  /// a patch with straight sides.
   std::vector<ShadingPatch> patches;
   /// Whether a part of it could not be read, as it is damaged, or lies beyond any page.
   bool is_damaged = false;
 };
 
-/// Reads a shading of type 4 to 7. Throws InputError, whose message is a clause, where nothing of
-/// it can be read.
+/// Reads a shading of type 4 to 7, in its own coordinates. Throws InputError, whose message is a
+/// clause, where nothing of it can be read.
+PageShading unplaced_shading(QPDFObjectHandle shading);
+
+/// Returns a shading with its patches on the page, without those that have no size there, or lie
+/// beyond any page.
+PageShading placed(PageShading shading, const Affine& to_page);
+
+/// Reads a shading where a page paints it. Throws InputError as unplaced_shading() does.
 PageShading read_shading(const PaintedShading& painted);
 
 }  // namespace gradmesh
