@@ -4,6 +4,7 @@
 
 #include "base/clamped_int.h"
 #include "base/error.h"
+#include "formats/pdf/bits/bit_reader.h"
 #include "formats/pdf/color/function_rule.h"
 
 namespace gradmesh {
@@ -20,7 +21,7 @@ class SampledRule : public FunctionRule {
 
  private:
   /// Returns the sample with this number, 0 to the largest of its bits. Samples follow each other
-  /// without gaps, the highest bit of a byte first.
+  /// without gaps.
   double sample(std::size_t number) const;
 
   SampledFunction grid_;
@@ -28,13 +29,8 @@ class SampledRule : public FunctionRule {
 };
 
 double SampledRule::sample(std::size_t number) const {
-  const auto bits = static_cast<std::size_t>(grid_.bits_per_sample);
-  const std::size_t first = number * bits, last = first + bits - 1;
-  std::uint64_t read = 0;
-  for (std::size_t i = first / 8; i <= last / 8; ++i)
-    read = read << 8 | static_cast<unsigned char>(grid_.samples[i]);
-  const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
-  return static_cast<double>(read >> (7 - last % 8) & mask);
+  const int bits = grid_.bits_per_sample;
+  return BitReader(grid_.samples, number * static_cast<std::size_t>(bits)).read(bits).value_or(0);
 }
 
 void SampledRule::evaluate(std::span<const double> in, std::span<double> out) const {

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-#include "formats/pdf/shading/bit_reader.h"
+#include "formats/pdf/bits/bit_reader.h"
 
 namespace gradmesh {
 

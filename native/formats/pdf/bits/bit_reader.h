@@ -10,7 +10,8 @@ namespace gradmesh {
 /// Reads numbers of some bits each, the highest bit first, from the data of a PDF's stream.
 class BitReader {
  public:
-  explicit BitReader(std::string_view bytes) : bytes_(bytes) {}
+  /// Begins at a bit, from 0 on.
+  explicit BitReader(std::string_view bytes, std::size_t first = 0) : bytes_(bytes), at_(first) {}
 
   /// Returns the number in the next `bits` bits, 1 to 32; nothing if there are not as many, and
   /// then nothing is read.
@@ -23,7 +24,7 @@ class BitReader {
  private:
   std::string_view bytes_;
   /// In bits.
-  std::size_t at_ = 0;
+  std::size_t at_;
 };
 
 }  // namespace gradmesh

@@ -1,4 +1,4 @@
-#include "formats/pdf/shading/bit_reader.h"
+#include "formats/pdf/bits/bit_reader.h"
 
 #include <algorithm>
 
