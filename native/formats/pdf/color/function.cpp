@@ -8,9 +8,6 @@
 namespace gradmesh {
 namespace {
 
-/// More functions within each other than any producer writes; few enough for the stack.
-constexpr int max_function_depth = 16;
-
 /// Makes PDF numbers of the ends of all ranges. Throws an InputError if one is empty.
 void check_order(std::vector<ValueRange>& ranges) {
   limit_ranges(ranges);

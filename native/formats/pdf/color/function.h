@@ -20,6 +20,9 @@ struct ValueRange {
 inline constexpr double max_pdf_number = 3.403e38;
 /// The most inputs and outputs of a function, which is the most components of a DeviceN space.
 inline constexpr int max_function_values = 32;
+/// The most functions within each other, the outermost included: more than any producer writes, few
+/// enough for the stack.
+inline constexpr int max_function_depth = 16;
 /// The most inputs of a sampled function: 2^inputs samples are blended.
 inline constexpr int max_sampled_inputs = 8;
 

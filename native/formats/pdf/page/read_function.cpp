@@ -1,5 +1,7 @@
 #include "formats/pdf/page/read_function.h"
 
+#include <map>
+
 #include "base/clamped_int.h"
 #include "base/error.h"
 #include "formats/pdf/page/dictionary.h"
@@ -7,8 +9,6 @@
 
 namespace gradmesh {
 namespace {
-
-constexpr int deepest_function = 8;
 
 [[noreturn]] void throw_no_function() {
   throw InputError("a function of its colours cannot be read");
@@ -62,28 +62,32 @@ Function calculator(QPDFObjectHandle object) {
   return Function(function);
 }
 
-Function function_within(QPDFObjectHandle object, int depth);
+/// Reads a function and those within it.
+class FunctionReader {
+ public:
+  /// `depth` is the number of functions around it.
+  Function read(QPDFObjectHandle object, int depth);
 
-std::vector<Function> all_of(QPDFObjectHandle array, int depth) {
-  if (!array.isArray() || array.getArrayNItems() > max_function_values) throw_no_function();
-  std::vector<Function> functions;
-  for (QPDFObjectHandle each : array.getArrayAsVector())
-    functions.push_back(function_within(each, depth + 1));
-  return functions;
+ private:
+  Function read_now(QPDFObjectHandle object, int depth);
+  std::vector<Function> all_of(QPDFObjectHandle array, int depth);
+  Function stitching(QPDFObjectHandle object, int depth);
+
+  /// Those that are objects of their own: each function of a stranger's file may hold the next one
+  /// again and again.
+  std::map<QPDFObjGen, Function> read_;
+};
+
+Function FunctionReader::read(QPDFObjectHandle object, int depth) {
+  if (depth >= max_function_depth) throw_no_function();
+  if (!object.isIndirect()) return read_now(object, depth);
+  const QPDFObjGen number = object.getObjGen();
+  auto found = read_.find(number);
+  if (found == read_.end()) found = read_.emplace(number, read_now(object, depth)).first;
+  return found->second;
 }
 
-Function stitching(QPDFObjectHandle object, int depth) {
-  StitchingFunction function;
-  function.domain = ranges_of(value_of(object, "/Domain"));
-  function.range = ranges_of(value_of(object, "/Range"));
-  function.functions = all_of(value_of(object, "/Functions"), depth);
-  function.bounds = numbers_of(value_of(object, "/Bounds"));
-  function.encode = ranges_of(value_of(object, "/Encode"));
-  return Function(std::move(function));
-}
-
-Function function_within(QPDFObjectHandle object, int depth) {
-  if (depth > deepest_function) throw_no_function();
+Function FunctionReader::read_now(QPDFObjectHandle object, int depth) {
   if (object.isArray()) return joined(all_of(object, depth));
   const double type = number_of(value_of(object, "/FunctionType")).value_or(-1);
   if (type == 0) return sampled(object);
@@ -93,8 +97,27 @@ Function function_within(QPDFObjectHandle object, int depth) {
   throw_no_function();
 }
 
+std::vector<Function> FunctionReader::all_of(QPDFObjectHandle array, int depth) {
+  // More than a gradient has stops.
+  constexpr int most_functions = 4096;
+  if (!array.isArray() || array.getArrayNItems() > most_functions) throw_no_function();
+  std::vector<Function> functions;
+  for (QPDFObjectHandle each : array.getArrayAsVector()) functions.push_back(read(each, depth + 1));
+  return functions;
+}
+
+Function FunctionReader::stitching(QPDFObjectHandle object, int depth) {
+  StitchingFunction function;
+  function.domain = ranges_of(value_of(object, "/Domain"));
+  function.range = ranges_of(value_of(object, "/Range"));
+  function.functions = all_of(value_of(object, "/Functions"), depth);
+  function.bounds = numbers_of(value_of(object, "/Bounds"));
+  function.encode = ranges_of(value_of(object, "/Encode"));
+  return Function(std::move(function));
+}
+
 }  // namespace
 
-Function read_function(QPDFObjectHandle object) { return function_within(object, 0); }
+Function read_function(QPDFObjectHandle object) { return FunctionReader().read(object, 0); }
 
 }  // namespace gradmesh
