@@ -146,5 +146,22 @@ TEST(PaintedPatches, OpacitiesOfInkscapeAreThoseOfItsStops) {
       EXPECT_NEAR(alphas(made.patches[n])[k], of_shape * wanted[n][k], 1.0 / 255) << n;
 }
 
+/// Adobe's programs have halved their patches far enough.
+TEST(PaintedPatches, PatchesOfIllustratorAndInDesignAreNotDivided) {
+  for (const std::string name :
+       {"illustrator/personwithdog.pdf", "illustrator/issue13520.pdf",
+        "illustrator/vectorapple.pdf", "indesign/bug1703683_page2_reduced.pdf"}) {
+    const std::string bytes = shared_pdf(name);
+    if (bytes.empty()) GTEST_SKIP() << name << " is not beside the project, in ../shared/pdf";
+    const PageContent page = PdfFile(bytes, name, "").page(0);
+    KeptShadings kept;
+    EXPECT_FALSE(page.painted.empty()) << name;
+    for (const PaintedShading& each : page.painted) {
+      const PaintedPatches made = painted_patches(each, kept);
+      EXPECT_EQ(made.patches, corners_in_srgb(made.shading.patches, made.shading.colors)) << name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gradmesh
