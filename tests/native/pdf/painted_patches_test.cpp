@@ -143,7 +143,7 @@ TEST(PaintedPatches, OpacitiesOfInkscapeAreThoseOfItsStops) {
   constexpr double of_shape = 0.9;
   for (std::size_t n = 0; n < wanted.size(); ++n)
     for (std::size_t k = 0; k < 4; ++k)
-      EXPECT_NEAR(alphas(made.patches[n])[k], of_shape * wanted[n][k], 1.0 / 255) << n;
+      EXPECT_NEAR(alphas(made.patches[n])[k], of_shape * wanted[n][k], 0.01 / 255) << n;
 }
 
 /// Adobe's programs have halved their patches far enough.
