@@ -1,6 +1,7 @@
 #include "app/document.h"
 
 #include "app/common_frames.h"
+#include "app/page_documents.h"
 #include "base/limits.h"
 #include "base/utf8_path.h"
 #include "files/atomic_file.h"
@@ -29,17 +30,29 @@ std::string unpacked(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path) {
-  std::unique_ptr<Document> document = parse(read_bytes(path), path.string());
+  return read_file(path, {});
+}
+
+std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::string& name) {
+  return parse(bytes, name, {});
+}
+
+std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path,
+                                              const PageChoice& choice) {
+  std::unique_ptr<Document> document = parse(read_bytes(path), path.string(), choice);
   document->look_in({path.parent_path()});
   return document;
 }
 
-std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::string& name) {
+std::unique_ptr<Document> Document::parse(std::string_view bytes, const std::string& name,
+                                          const PageChoice& choice) {
   if (is_gzip(bytes)) {
-    std::unique_ptr<Document> document = parse(unpacked(bytes, name), name);
-    document->compressed_ = bytes;
+    std::unique_ptr<Document> document = parse(unpacked(bytes, name), name, choice);
+    if (!document->pages()) document->compressed_ = bytes;
     return document;
   }
+  if (holds_pages(bytes)) return read_pages(bytes, name, choice);
+  if (choice.page) throw InputError("{0}: it has no pages to choose from.", name);
   return format_of_content(bytes, utf8_path(name)).read(bytes, name);
 }
 
@@ -141,6 +154,9 @@ std::vector<UpdateReport> Document::update_edited(const std::vector<MeshEntry>&)
 }
 
 void Document::check_target(const std::filesystem::path& path) const {
+  if (is_of_pages(path))
+    throw InputError("{0}: such documents are only read; write an SVG document or a .hemesh file.",
+                     path.string());
   const Format* promised = format_of(path);
   if (promised && *promised != format())
     throw InputError(

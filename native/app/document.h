@@ -19,6 +19,8 @@
 namespace gradmesh {
 
 class SvgMeshes;
+struct FoundPages;
+struct PageChoice;
 
 /// A mesh as its document lists it.
 struct MeshEntry {
@@ -100,6 +102,12 @@ class Document {
   /// Read a document, whose content decides which format the document has.
   static std::unique_ptr<Document> read_file(const std::filesystem::path& path);
   static std::unique_ptr<Document> parse(std::string_view bytes, const std::string& name);
+  /// Read what `choice` says of a document of pages, which becomes one of SVG. Throw InputError if
+  /// pages are chosen of another one.
+  static std::unique_ptr<Document> read_file(const std::filesystem::path& path,
+                                             const PageChoice& choice);
+  static std::unique_ptr<Document> parse(std::string_view bytes, const std::string& name,
+                                         const PageChoice& choice);
   virtual ~Document() = default;
 
   const std::string& name() const { return name_; }
@@ -234,6 +242,8 @@ class Document {
   /// Returns the content of the document, never compressed: exactly the bytes that were read if
   /// nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : content_; }
+  /// Returns what was found of a document of pages; null if this was none.
+  virtual const FoundPages* pages() const { return nullptr; }
   /// Returns the document if it is one of SVG; else null.
   virtual const SvgMeshes* svg() const { return nullptr; }
   /// Returns the document as one of SVG. Throws InputError with the message `otherwise` if it is

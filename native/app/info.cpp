@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <ranges>
 
+#include "app/page_documents.h"
 #include "form/handles.h"
 #include "formats/json/elements.h"
 #include "simplify/options.h"
@@ -37,6 +38,21 @@ ordered_json weights_json(const std::vector<std::pair<std::string, double>>& wei
   ordered_json list = ordered_json::array();
   for (const auto& [id, factor] : weights) list.push_back({{"id", id}, {"factor", factor}});
   return list;
+}
+
+/// Returns what was found of an entry's mesh on a page; null if it was read from none.
+const FoundMesh* found_of(const Document& document, const MeshEntry& entry) {
+  if (!document.pages()) return nullptr;
+  const auto& meshes = document.pages()->meshes;
+  const auto found = std::ranges::find(meshes, entry.id, &FoundMesh::id);
+  return found != meshes.end() ? &*found : nullptr;
+}
+
+ordered_json found_json(const FoundMesh& found) {
+  return {
+      {"page", found.page},        {"number", found.number},    {"type", found.type},
+      {"patches", found.patches},  {"rows", found.rows},        {"columns", found.columns},
+      {"joined", found.is_joined}, {"smooth", found.is_smooth}, {"difference", found.difference}};
 }
 
 }  // namespace
@@ -117,15 +133,24 @@ ordered_json info_json(const Document& document) {
       mesh["refused"] = entry.refused->english();
     else
       mesh["elements"] = elements_json(document.mesh(entry));
+    if (const FoundMesh* const found = found_of(document, entry))
+      mesh["found"] = found_json(*found);
   }
   for (const UnusedMesh& mesh : document.unused())
     unused.push_back({{"id", mesh.id}, {"patches", mesh.patches}});
   // Says that there is none.
   if (meshes.empty() && unused.empty()) document.selected({});
-  return {{"file", document.name()},
-          {"kind", document.format().name},
-          {"meshes", meshes},
-          {"unused", unused}};
+  ordered_json json = {{"file", document.name()},
+                       {"kind", document.pages() ? "pdf" : document.format().name},
+                       {"meshes", meshes},
+                       {"unused", unused}};
+  if (document.pages()) {
+    ordered_json left_out = ordered_json::array();
+    for (const Message& sentence : document.pages()->left_out)
+      left_out.push_back(sentence.english());
+    json["left_out"] = left_out;
+  }
+  return json;
 }
 
 std::string info_text(const Document& document) {

@@ -13,6 +13,7 @@
 #include "formats/svg/gradient/written_gradient.h"
 #include "formats/svg/group/memory.h"
 #include "formats/svg/group/mesh_group.h"
+#include "formats/svg/group/new_svg.h"
 #include "formats/svg/group/shape.h"
 #include "formats/svg/group/write_group.h"
 #include "formats/svg/picture/image_cover.h"
@@ -62,8 +63,9 @@ std::string SvgMeshes::write_new(const NewDocument& document) {
   const WrittenForm form = exact_block_rules()->form(mesh, frame);
   const MeshCounts counts = counts_of(form.surface);
   const std::string label = mesh_label(counts).in(translation);
-  return new_svg({page.x, page.y}, outline_path(original), {mesh, *form.blocks, label, counts})
-      .serialize();
+  NewSvg svg({{page.x, page.y}});
+  svg.add(0, {"mesh", {outline_path(original)}, {}, {mesh, *form.blocks, label, counts}});
+  return svg.tree().serialize();
 }
 
 void SvgMeshes::check_conversion(const Format& to) const {

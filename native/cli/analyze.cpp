@@ -20,7 +20,7 @@ struct AnalyzeArguments {
 
 void run_analyze(AnalyzeArguments& a) {
   take_renderer(a.renderer, a.options);
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in);
   const std::unique_ptr<Document> original = take_original(a.original, *document);
   std::size_t prices = 0;
   {

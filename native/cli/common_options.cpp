@@ -1,6 +1,7 @@
 #include "cli/common_options.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 #include <limits>
 
@@ -61,7 +62,27 @@ struct Adding {
 
 }  // namespace
 
-std::string any_document() { return formats_in_words(&Format::document); }
+std::string any_document() {
+  std::string words;
+  for (const Format& format : all_formats())
+    words.append(words.empty() ? "" : ", ").append(format.document);
+  return words + " or " + page_document();
+}
+
+void add_page_options(CLI::App& command, PageChoice& choice) {
+  command.add_option("--page", choice.page, page_document() + ": only this page, from 1")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--password", choice.password, page_document() + ": what it is encrypted by");
+}
+
+std::unique_ptr<Document> read_document(const std::filesystem::path& path,
+                                        const PageChoice& choice) {
+  std::unique_ptr<Document> document = Document::read_file(path, choice);
+  if (document->pages())
+    for (const Message& sentence : document->pages()->left_out)
+      std::fprintf(stderr, "gradmesh: %s\n", sentence.english().c_str());
+  return document;
+}
 
 std::string flag_of(const std::string& option) {
   std::string flag = "--" + option;
@@ -94,7 +115,7 @@ void add_original_option(CLI::App& command, std::filesystem::path& original) {
 
 std::unique_ptr<Document> take_original(const std::filesystem::path& original, Document& document) {
   if (original.empty()) return nullptr;
-  std::unique_ptr<Document> other = Document::read_file(original);
+  std::unique_ptr<Document> other = read_document(original);
   document.measure_against(other.get());
   return other;
 }

@@ -5,12 +5,19 @@
 #include <optional>
 #include <string>
 
+#include "app/page_documents.h"
 #include "app/runs.h"
 
 namespace gradmesh {
 
-/// Returns what help calls a document of any format: "SVG document or .hemesh file".
+/// Returns what help calls a document that can be read: "SVG document, .hemesh file or PDF".
 std::string any_document();
+
+/// Adds --page and --password.
+void add_page_options(CLI::App& command, PageChoice& choice);
+/// Reads a document, and says on stderr what of its pages was left out.
+std::unique_ptr<Document> read_document(const std::filesystem::path& path,
+                                        const PageChoice& choice = {});
 
 /// Returns the name of an option of a run on the command line, such as "--max-local-error".
 std::string flag_of(const std::string& option);

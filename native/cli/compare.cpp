@@ -17,7 +17,7 @@ struct CompareArguments {
 
 /// The only mesh of a document.
 struct OnlyMesh {
-  explicit OnlyMesh(const std::filesystem::path& path) : document(Document::read_file(path)) {
+  explicit OnlyMesh(const std::filesystem::path& path) : document(read_document(path)) {
     const auto found = document->selected({});
     if (found.size() > 1)
       throw InputError("{0}: there are {1} meshes, but a document to be compared must hold one.",
@@ -42,15 +42,17 @@ Pair paint_both(const OnlyMesh& a, const OnlyMesh& b, int resolution) {
   return {rasterizer->paint(a.seen.mesh, first), rasterizer->paint(b.seen.mesh, second)};
 }
 
+bool is_document(const std::filesystem::path& path) { return format_of(path) || is_of_pages(path); }
+
 /// Returns the two pictures. A document beside an image is painted as large as the image.
 Pair pictures(const std::filesystem::path& a, const std::filesystem::path& b, int resolution) {
-  if (format_of(a) && format_of(b)) return paint_both(OnlyMesh(a), OnlyMesh(b), resolution);
-  if (format_of(a)) {
+  if (is_document(a) && is_document(b)) return paint_both(OnlyMesh(a), OnlyMesh(b), resolution);
+  if (is_document(a)) {
     const Image second = read_image(b);
     return {OnlyMesh(a).paint_like(second), second};
   }
   const Image first = read_image(a);
-  return {first, format_of(b) ? OnlyMesh(b).paint_like(first) : read_image(b)};
+  return {first, is_document(b) ? OnlyMesh(b).paint_like(first) : read_image(b)};
 }
 
 void run_compare(const CompareArguments& args) {

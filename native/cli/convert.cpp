@@ -11,6 +11,7 @@ namespace {
 
 struct ConvertArguments {
   std::filesystem::path in, out;
+  PageChoice pages;
   std::string id;
   SimplifyOptions measure;
   ConvertOptions options;
@@ -23,7 +24,13 @@ void run_convert(ConvertArguments& a) {
                                 formats_in_words(&Format::extension) + ".");
   a.options.metric = a.measure.metric;
   a.options.resolution = a.measure.resolution;
-  const std::unique_ptr<Document> from = Document::read_file(a.in);
+  const std::unique_ptr<Document> from = read_document(a.in, a.pages);
+  if (from->pages() && *format == from->format() && a.id.empty()) {
+    from->write_file(a.out);
+    for (const MeshEntry& entry : from->meshes())
+      std::printf("%s: %d patches\n", entry.id.c_str(), from->mesh(entry).face_count());
+    return;
+  }
   const MeshEntry entry = one_mesh(*from, a.id);
   const Conversion to = convert(*from, entry, *format, a.options);
   to.document->write_file(a.out);
@@ -39,12 +46,15 @@ void run_convert(ConvertArguments& a) {
 
 void add_convert(CLI::App& program) {
   const auto a = std::make_shared<ConvertArguments>();
-  CLI::App& command =
-      *program.add_subcommand("convert", "Make an SVG document of a .hemesh file, or the reverse");
+  CLI::App& command = *program.add_subcommand(
+      "convert",
+      "Make an SVG document of a .hemesh file, or the reverse, or either of the "
+      "meshes of a PDF");
   add_path(command, "IN", a->in, any_document())->required();
   add_path(command, "OUT", a->out,
            "Its extension, " + formats_in_words(&Format::extension) + ", says what it becomes")
       ->required();
+  add_page_options(command, a->pages);
   add_id(command, a->id);
   CLI::Option* subdivide =
       command.add_option("--subdivide", a->options.subdivide, "Split every patch into N x N")

@@ -39,7 +39,7 @@ void print_choice(const DevicesArguments& a, const std::vector<DeviceInfo>& devi
     return;
   }
   std::printf("\n");
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in);
   for (const MeshEntry& entry : document->selected(a.ids)) {
     const Mesh mesh = document->mesh(entry);
     const RendererChoice choice =

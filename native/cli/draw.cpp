@@ -29,7 +29,7 @@ void run_draw(DrawArguments& a) {
   a.options.show = show_named(a.show);
   a.options.picture = !a.no_picture;
   if (!a.region.empty()) a.options.region = a.region == "all" ? 0 : std::stoi(a.region);
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in);
   std::string text;
   {
     ProgressBar bar(a.quiet || a.options.show == Show::edges || a.options.show == Show::faces);

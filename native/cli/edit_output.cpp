@@ -35,7 +35,7 @@ void write_preview(const Document& document, const std::vector<EditReport>& repo
     return picture_with_lines(of, entry, a.measure.resolution);
   };
   const Image after = picture(document, one_mesh(document, ids));
-  const std::unique_ptr<Document> before = Document::read_file(a.in);
+  const std::unique_ptr<Document> before = read_document(a.in);
   write_png(beside(picture(*before, one_mesh(*before, ids)), after), a.preview);
 }
 
@@ -61,7 +61,7 @@ void add_patches(CLI::App& command, std::vector<int>& patches, const std::string
 
 void run_edit(const EditArguments& a,
               const std::function<std::vector<EditReport>(Document&)>& edit) {
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in);
   const std::unique_ptr<Document> original = take_original(a.original, *document);
   const std::vector<EditReport> reports = edit(*document);
   if (a.preview.empty())

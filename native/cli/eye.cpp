@@ -47,7 +47,11 @@ std::map<std::string, MeshEntry> named_entries(const std::vector<MeshEntry>& ent
 }
 
 void simplify(const EyeArguments& a) {
-  const auto document = Document::read_file(a.in);
+  const auto document = read_document(a.in);
+  if (document->pages() && a.out.empty())
+    throw InputError("{0}: please say with --output where the SVG document is to be written.",
+                     document->name());
+  document->check_target(a.out.empty() ? a.in : a.out);
   document->set_translation(translation_for(choices(a)));
   std::vector<std::filesystem::path> folders;
   for (const std::string& folder : a.folders) folders.push_back(utf8_path(folder));

@@ -11,11 +11,24 @@ namespace {
 
 struct InfoArguments {
   std::filesystem::path in;
+  PageChoice pages;
   bool as_json = false;
 };
 
+/// Returns what was found of a mesh of a page.
+std::string in_words(const nlohmann::ordered_json& found) {
+  char difference[32];
+  std::snprintf(difference, sizeof difference, "%.4f", found["difference"].get<double>());
+  std::string words = "; " + std::to_string(found["patches"].get<int>()) + " patches on the page";
+  if (const int rows = found["rows"]; rows > 0)
+    words += ", one grid of " + std::to_string(rows) + " x " +
+             std::to_string(found["columns"].get<int>()) +
+             (found["smooth"] ? " with smooth colours" : "");
+  return words + ", FLIP " + difference;
+}
+
 void run_info(const InfoArguments& a) {
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in, a.pages);
   if (a.as_json) {
     std::cout << info_text(*document);
     return;
@@ -30,12 +43,13 @@ void run_info(const InfoArguments& a) {
       continue;
     }
     const int objects = mesh["objects"];
-    std::printf("%s%s: %d handles, %d patches, %d object%s, %d points, %d T-junctions%s%s\n",
+    std::printf("%s%s: %d handles, %d patches, %d object%s, %d points, %d T-junctions%s%s%s\n",
                 mesh["id"].get<std::string>().c_str(), role.c_str(), mesh["handles"].get<int>(),
                 mesh["patches"].get<int>(), objects, objects == 1 ? "" : "s",
                 mesh["points"].get<int>(), mesh["t_junctions"].get<int>(),
                 mesh["simplified"] ? ", simplified" : "",
-                mesh["remembers"] ? ", remembers its original" : "");
+                mesh["remembers"] ? ", remembers its original" : "",
+                mesh.contains("found") ? in_words(mesh["found"]).c_str() : "");
   }
   for (const auto& mesh : info["unused"])
     std::printf("%s: %d patches, unused: no object is painted by it\n",
@@ -48,6 +62,7 @@ void add_info(CLI::App& program) {
   const auto a = std::make_shared<InfoArguments>();
   CLI::App& command = *program.add_subcommand("info", "List the meshes of a document");
   add_path(command, "IN", a->in, any_document())->required();
+  add_page_options(command, a->pages);
   command.add_flag("--json", a->as_json,
                    "Print JSON, with all points, handles, faces and half-edges");
   command.callback([a] { run_info(*a); });

@@ -10,6 +10,7 @@ namespace gradmesh {
 namespace {
 
 struct PublishArguments {
+  PageChoice pages;
   std::filesystem::path in, out;
   PublishOptions options;
   bool quiet = false;
@@ -24,7 +25,7 @@ void print(const PublishedMesh& mesh) {
 }
 
 void run_publish(const PublishArguments& a) {
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in, a.pages);
   document->check_target(a.out);
   const std::vector<PublishedMesh> meshes = publish(*document, a.options);
   document->write_file(a.out);
@@ -45,8 +46,9 @@ void add_publish(CLI::App& program) {
   const auto a = std::make_shared<PublishArguments>();
   CLI::App& command = *program.add_subcommand(
       "publish", "Make a copy for programs without mesh gradients, such as browsers");
-  add_path(command, "IN", a->in, "SVG document")->required();
+  add_path(command, "IN", a->in, "SVG document or PDF")->required();
   add_path(command, "-o,--output", a->out, "Where to write the copy")->required();
+  add_page_options(command, a->pages);
   command
       .add_option("--scale", a->options.scale,
                   "Most pixels of the pictures for each pixel of the document")

@@ -33,10 +33,10 @@ Image render(const Document& document, const MeshEntry& entry, const RenderArgum
 }
 
 void run_render(const RenderArguments& a) {
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in);
   const MeshEntry entry = one_mesh(*document, a.id);
   std::unique_ptr<Document> other;
-  if (!a.framed_as.empty()) other = Document::read_file(a.framed_as);
+  if (!a.framed_as.empty()) other = read_document(a.framed_as);
   write_png(a.like_inkscape
                 ? document->render_like_inkscape(entry, a.options.resolution, other.get())
                 : render(*document, entry, a, other.get()),

@@ -21,7 +21,7 @@ struct ReportArguments {
 void run_report(ReportArguments& a, const CLI::App& command) {
   for (const std::string name : {"metric", "epsilon", "resolution", "color_model"})
     if (command.count(flag_of(name)) > 0) a.options.given.push_back(name);
-  const auto before = Document::read_file(a.before), after = Document::read_file(a.after);
+  const auto before = read_document(a.before), after = read_document(a.after);
   if (!a.run.empty()) {
     a.options.run = read_bytes(a.run);
     a.options.run_name = a.run.string();

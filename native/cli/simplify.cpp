@@ -17,6 +17,7 @@ namespace {
 
 struct SimplifyArguments {
   std::filesystem::path in, out, original, report, curve;
+  PageChoice pages;
   std::optional<int> state;
   std::string renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
@@ -114,7 +115,7 @@ std::vector<MeshReport> run(Document& document, const SimplifyArguments& a) {
 
 void run_simplify(SimplifyArguments& a) {
   take_renderer(a.renderer, a.options);
-  std::unique_ptr<Document> in = Document::read_file(a.in);
+  std::unique_ptr<Document> in = read_document(a.in, a.pages);
   const std::unique_ptr<Document> original = take_original(a.original, *in);
   const std::unique_ptr<Document> document = to_be_written(std::move(in), a);
   std::vector<MeshReport> reports;
@@ -156,6 +157,7 @@ void add_simplify(CLI::App& program) {
       add_path(target, "--curve", a->curve,
                "Write every state between the mesh as it is and one that is too simple, as JSON");
   preview->excludes(out)->excludes(curve);
+  add_page_options(command, a->pages);
   add_ids(command, a->ids);
   add_run_options(command, a->options);
   command

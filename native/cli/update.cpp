@@ -14,7 +14,7 @@ struct UpdateArguments {
 };
 
 void run_update(const UpdateArguments& a) {
-  const std::unique_ptr<Document> document = Document::read_file(a.in);
+  const std::unique_ptr<Document> document = read_document(a.in);
   const std::vector<UpdateReport> reports = document->update(a.ids);
   document->write_file(a.out);
   if (a.quiet) return;

@@ -2,6 +2,7 @@
 
 #include "app/convert.h"
 #include "app/info.h"
+#include "app/page_documents.h"
 #include "base/utf8_path.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"
@@ -11,12 +12,21 @@
 
 namespace gradmesh {
 
+namespace {
+
+PageChoice page_choice(const Call& call) {
+  return {call.get<std::optional<int>>("page"), call.get("password", std::string())};
+}
+
+}  // namespace
+
 Json read_document(const Call& call) {
-  return call.add(Document::read_file(path_argument(call, "path")));
+  return call.add(Document::read_file(path_argument(call, "path"), page_choice(call)));
 }
 
 Json parse_document(const Call& call) {
-  auto document = Document::parse(call.get<Bytes>("bytes").bytes, call.get<std::string>("name"));
+  auto document = Document::parse(call.get<Bytes>("bytes").bytes, call.get<std::string>("name"),
+                                  page_choice(call));
   std::vector<std::filesystem::path> folders;
   for (const std::string& folder : call.get("folders", std::vector<std::string>{}))
     folders.push_back(utf8_path(folder));

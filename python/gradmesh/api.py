@@ -108,10 +108,15 @@ class Document:
         self._core.call("write", path=os.fspath(path))
 
 
-def load(path: Path) -> Document:
-    """Reads an SVG document or a .hemesh file. Raises InputError, whose text is one sentence for the person."""
+def load(path: Path, page: Optional[int] = None, password: str = "") -> Document:
+    """Reads an SVG document, a .hemesh file, or the meshes of a PDF as an SVG document.
+
+    page: the number of the one page of a PDF that is read, from 1; None for all. password: what the PDF is
+    encrypted by. What was found on its pages is in info(), as "found" and "left_out". Raises InputError, whose text
+    is one sentence for the person.
+    """
     here = core()
-    return Document(here.document(here.call("read", path=os.fspath(path))))
+    return Document(here.document(here.call("read", path=os.fspath(path), page=page, password=password)))
 
 
 def loads(
@@ -119,12 +124,14 @@ def loads(
     name: str = "document",
     translate: Optional[Callable[[str], str]] = None,
     folders: Sequence[Path] = (),
+    page: Optional[int] = None,
+    password: str = "",
 ) -> Document:
-    """Reads a document of either kind from memory; `name` stands for the file in messages.
+    """Reads a document of any kind from memory; `name` stands for the file in messages.
 
     translate: from a text in English, with places such as {0}, to that in which labels and drawings
     are written. folders: where files that the document names are looked for, such as linked
-    pictures, one after the other; of load() it is the folder of the file.
+    pictures, one after the other; of load() it is the folder of the file. page, password: as of load().
     """
     if isinstance(data, str):
         data = data.encode("utf-8")
@@ -135,6 +142,8 @@ def loads(
         name=name,
         translated=translate is not None,
         folders=[os.fspath(folder) for folder in folders],
+        page=page,
+        password=password,
     )
     return Document(here.document(number, translate))
 

@@ -1,25 +1,31 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "formats/pdf/grid/mesh_forms.h"
+#include "formats/pdf/page/painted_patches.h"
 #include "formats/pdf/page/pdf_file.h"
-#include "formats/pdf/page/read_shading.h"
+#include "mesh/build.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {
 namespace {
 
-void check_shading(const PaintedShading& painted) {
-  const PageShading read = [&] {
-    try {
-      return read_shading(painted);
+void check_shading(const PaintedShading& painted, KeptShadings& kept) {
+  constexpr std::size_t most_patches = 200;
+  PaintedPatches read = painted_patches(painted, kept);
+  std::vector<ShadingPatch>& own = read.shading.patches;
+  for (const PagePatch& patch : read.patches)
+    for (const glm::dvec4& color : patch.colors)
+      for (int c = 0; c < 4; ++c) require(color[c] >= 0 && color[c] <= 1, "a colour can be shown");
+  if (own.empty() || read.patches.size() > most_patches) return;
+  const std::vector<MeshForm> forms = mesh_forms(own, read.patches, [&](const auto& patches) {
+    return corners_in_srgb(patches, read.shading.colors);
+  });
+  require(!forms.empty() && forms.back().kind == MeshForm::Kind::page, "the page's own is last");
+  for (const MeshForm& form : forms) try {
+      build_mesh(form.mesh);
     } catch (const InputError&) {
-      return PageShading{0, {ColorSpace::device_gray(), {}}, {}};
-    }
-  }();
-  for (const ShadingPatch& patch : read.patches)
-    for (const Components& color : patch.colors) {
-      const glm::dvec3 srgb = read.colors.srgb(color);
-      for (int c = 0; c < 3; ++c) require(srgb[c] >= 0 && srgb[c] <= 1, "a colour can be shown");
+      continue;
     }
 }
 
@@ -30,12 +36,17 @@ void check(std::string_view data) {
   constexpr std::size_t most_pages = 2, most_shadings = 20;
   try {
     const PdfFile file(std::string(data), "document", "");
+    KeptShadings kept;
     for (std::size_t n = 0; n < std::min(most_pages, file.page_count()); ++n) {
       const PageContent page = file.page(n);
       require(page.size.x > 0 && page.size.y > 0, "a page has a size");
       for (std::size_t k = 0; k < std::min(most_shadings, page.painted.size()); ++k) {
         require(page.painted[k].opacity >= 0 && page.painted[k].opacity <= 1, "an opacity is one");
-        check_shading(page.painted[k]);
+        try {
+          check_shading(page.painted[k], kept);
+        } catch (const InputError&) {
+          continue;
+        }
       }
     }
   } catch (const InputError&) {

@@ -7,7 +7,7 @@
 #include "app/document.h"
 #include "branch_meshes.h"
 #include "form/block_outline.h"
-#include "formats/svg/group/write_group.h"
+#include "formats/svg/group/new_svg.h"
 #include "formats/svg/values/mesh_outline.h"
 #include "mesh/boundary.h"
 #include "mesh/subdivide.h"
@@ -117,7 +117,9 @@ TEST(MeshOutline, parts_that_lie_over_one_another_turn_the_same_way) {
 /// The new document of a bilinear mesh, as it reads back.
 std::unique_ptr<Document> written(const Mesh& mesh) {
   const BlockForm form = block_form(mesh, 1e-6);
-  const SvgTree svg = new_svg({20, 20}, outline_path(mesh), {mesh, form, "label", counts_of(mesh)});
+  NewSvg made({{20, 20}});
+  made.add(0, {"mesh", {outline_path(mesh)}, {}, {mesh, form, "label", counts_of(mesh)}});
+  const SvgTree& svg = made.tree();
   return Document::parse(svg.serialize(), "new.svg");
 }
 

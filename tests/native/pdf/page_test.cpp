@@ -5,9 +5,13 @@
 #include "base/error.h"
 #include "formats/pdf/grid/joined_halves.h"
 #include "formats/pdf/grid/page_grids.h"
+#include "formats/pdf/grid/page_mesh.h"
+#include "formats/pdf/grid/smooth_grid.h"
+#include "formats/pdf/grid/without_anchors.h"
 #include "formats/pdf/page/patch_colors.h"
 #include "formats/pdf/page/pdf_file.h"
 #include "formats/pdf/page/read_shading.h"
+#include "mesh/build.h"
 #include "pdf_documents.h"
 #include "pdf_shadings.h"
 #include "shading_bits.h"
@@ -176,12 +180,14 @@ struct ArtistsGrids {
   const char* name;
   /// Rows and columns, the smaller number first; nothing where it is not one grid.
   std::vector<std::pair<int, int>> sizes;
+  /// How far sides with anchors may be from the curves of which one was made.
+  double distance = 0;
 };
 
 /// The artist's grids, of which Illustrator writes only halves of halves.
 class SharedPdfGrids : public testing::TestWithParam<ArtistsGrids> {};
 
-TEST_P(SharedPdfGrids, AreWholeWhereHalvingIsTakenBack) {
+TEST_P(SharedPdfGrids, AreWholeWhereHalvingAndAnchorsAreTakenBack) {
   const std::string bytes = shared_pdf(GetParam().name);
   if (bytes.empty())
     GTEST_SKIP() << GetParam().name << " is not beside the project, in ../shared/pdf";
@@ -189,7 +195,11 @@ TEST_P(SharedPdfGrids, AreWholeWhereHalvingIsTakenBack) {
   std::vector<std::pair<int, int>> sizes;
   for (const PaintedShading& each : page.painted) {
     const PageShading read = read_shading(each);
-    const PatchSides sides(corners_in_srgb(without_halving(read.patches), read.colors), 0.02);
+    constexpr double tolerance = 0.02;
+    const auto wholes = corners_in_srgb(without_halving(read.patches), read.colors);
+    const JoinedPatches joined = without_anchors(wholes, tolerance);
+    EXPECT_LE(joined.distance, GetParam().distance);
+    const PatchSides sides(joined.patches, tolerance);
     const auto grids = page_grids(sides);
     const PageGrid& grid = grids.at(0);
     sizes.push_back({0, 0});
@@ -198,7 +208,21 @@ TEST_P(SharedPdfGrids, AreWholeWhereHalvingIsTakenBack) {
   EXPECT_EQ(sizes, GetParam().sizes);
 }
 
-// Of the last file the others have patches that anchors divide.
+/// Whatever T-junctions there are, on both sides of curves too.
+TEST_P(SharedPdfGrids, HalvesAndWhatIsJoinedOfThemMakeAMesh) {
+  const std::string bytes = shared_pdf(GetParam().name);
+  if (bytes.empty())
+    GTEST_SKIP() << GetParam().name << " is not beside the project, in ../shared/pdf";
+  const PageContent page = page_of(bytes);
+  for (const PaintedShading& each : page.painted) {
+    const PageShading read = read_shading(each);
+    for (const auto& patches : {read.patches, without_halving(read.patches)}) {
+      const MeshParts parts = page_mesh(corners_in_srgb(patches, read.colors), 0.02);
+      EXPECT_EQ(build_mesh(parts).face_count(), int(patches.size()));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Files, SharedPdfGrids,
     testing::Values(
@@ -206,7 +230,22 @@ INSTANTIATE_TEST_SUITE_P(
             "illustrator/personwithdog.pdf",
             {{2, 3}, {3, 3}, {3, 3}, {3, 3}, {3, 3}, {2, 2}, {3, 3}, {3, 3}, {2, 2}, {3, 3}}},
         ArtistsGrids{"illustrator/issue13520.pdf", {6, {2, 3}}},
-        ArtistsGrids{"illustrator/vectorapple.pdf", {{0, 0}, {0, 0}, {4, 23}}}));
+        ArtistsGrids{"illustrator/vectorapple.pdf", {{9, 9}, {4, 4}, {4, 23}}, 0.41},
+        ArtistsGrids{"indesign/bug1703683_page2_reduced.pdf", {{6, 6}, {4, 5}, {4, 5}}, 0.02}));
+
+TEST(SharedPdf, SmoothColoursOfInkscapeAreJoined) {
+  const std::string name = "inkscape/smooth.pdf", bytes = shared_pdf(name);
+  if (bytes.empty()) GTEST_SKIP() << name << " is not beside the project, in ../shared/pdf";
+  const PageContent page = page_of(bytes);
+  const PageShading read = read_shading(page.painted.at(0));
+  const PatchSides sides(corners_in_srgb(read.patches, read.colors), 0.002);
+  const auto grids = page_grids(sides);
+  ASSERT_EQ(grids.size(), 1U);
+  const auto smooth = smooth_grid(as_it_is(grids[0], sides));
+  ASSERT_TRUE(smooth);
+  EXPECT_EQ(smooth->rows, 11);
+  EXPECT_EQ(smooth->columns, 8);
+}
 
 struct SharedFile {
   const char* name;
@@ -214,9 +253,9 @@ struct SharedFile {
   std::vector<std::size_t> patches;
 };
 
-class SharedPdf : public testing::TestWithParam<SharedFile> {};
+class SharedPdfPatches : public testing::TestWithParam<SharedFile> {};
 
-TEST_P(SharedPdf, HasThesePatches) {
+TEST_P(SharedPdfPatches, HasThesePatches) {
   const std::string bytes = shared_pdf(GetParam().name);
   if (bytes.empty())
     GTEST_SKIP() << GetParam().name << " is not beside the project, in ../shared/pdf";
@@ -229,7 +268,7 @@ TEST_P(SharedPdf, HasThesePatches) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Files, SharedPdf,
+    Files, SharedPdfPatches,
     testing::Values(SharedFile{"inkscape/fruit.pdf", {132}},
                     SharedFile{"inkscape/fruit.eps.gs.pdf", {132}},
                     SharedFile{"inkscape/smooth.pdf", {5632}},

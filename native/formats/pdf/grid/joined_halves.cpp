@@ -55,15 +55,6 @@ bool is_close(const Components& a, const Components& b) {
   return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= hardly; });
 }
 
-/// The patch with these control points, side 0 along j at i = 0.
-ShadingPatch patch_of(const Net& n) {
-  ShadingPatch patch;
-  patch.outer = {n[0][0], n[0][1], n[0][2], n[0][3], n[1][3], n[2][3],
-                 n[3][3], n[3][2], n[3][1], n[3][0], n[2][0], n[1][0]};
-  patch.inner = {n[1][1], n[1][2], n[2][2], n[2][1]};
-  return patch;
-}
-
 /// Joins patches that meet at side 1 of `a` and side 3 of `b`.
 std::optional<ShadingPatch> joined_along(const ShadingPatch& a, const ShadingPatch& b,
                                          double tolerance) {
@@ -75,7 +66,8 @@ std::optional<ShadingPatch> joined_along(const ShadingPatch& a, const ShadingPat
     if (!row) return {};
     whole[i] = *row;
   }
-  ShadingPatch patch = patch_of(whole);
+  ShadingPatch patch;
+  patch.set_net(whole);
   patch.colors = {a.colors[0], b.colors[1], b.colors[2], a.colors[3]};
   return patch;
 }

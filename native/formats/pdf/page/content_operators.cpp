@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "formats/pdf/page/clip_box.h"
 #include "formats/pdf/page/dictionary.h"
 
 namespace gradmesh {
@@ -171,6 +172,7 @@ void ContentOperators::paint(QPDFObjectHandle shading, const Affine& to_page, Cl
   if (reader_.painted_.size() >= most)
     throw InputError("it has more than {0} shadings, {1}", most,
                      beyond_limit("patches", most, most + 1));
+  clip_to_box(clips, shading, to_page);
   reader_.painted_.push_back(
       {shading, to_page, std::move(clips), state_.opacity * state_.group_opacity, state_.mask});
 }

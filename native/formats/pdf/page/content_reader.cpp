@@ -4,28 +4,13 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "formats/pdf/page/clip_box.h"
 #include "formats/pdf/page/content_operators.h"
 #include "formats/pdf/page/dictionary.h"
 #include "formats/pdf/page/qpdf.h"
 #include "formats/pdf/page/stream_bytes.h"
 
 namespace gradmesh {
-namespace {
-
-std::shared_ptr<const PagePath> box_path(const std::vector<double>& box, const Affine& to_page) {
-  using Kind = PagePath::Step::Kind;
-  PagePath path;
-  const std::array<glm::dvec2, 4> corners{
-      {{box[0], box[1]}, {box[2], box[1]}, {box[2], box[3]}, {box[0], box[3]}}};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const glm::dvec2 at = to_page.point(corners[k]);
-    path.steps.push_back({k == 0 ? Kind::move : Kind::line, {at, at, at}});
-  }
-  path.steps.push_back({});
-  return std::make_shared<const PagePath>(std::move(path));
-}
-
-}  // namespace
 
 void ContentReader::read(const std::vector<QPDFObjectHandle>& contents,
                          const QPDFObjectHandle& resources, const GraphicsState& state) {
@@ -67,8 +52,7 @@ void ContentReader::read_form(QPDFObjectHandle form, const QPDFObjectHandle& res
                      beyond_limit("nesting", most, most + 1));
   if (++forms_ > most_forms) throw InputError("it shows more than {0} forms", most_forms);
   state.to_page = state.to_page * matrix_of(value_of(form, "/Matrix"));
-  const std::vector<double> box = numbers_of(value_of(form, "/BBox"));
-  if (box.size() == 4) state.clips.push_back(box_path(box, state.to_page));
+  clip_to_box(state.clips, form, state.to_page);
   if (value_of(form, "/Group").isDictionary()) {
     state.group_opacity *= state.opacity;
     state.opacity = 1;

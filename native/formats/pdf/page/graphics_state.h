@@ -10,9 +10,6 @@
 
 namespace gradmesh {
 
-/// All that is seen through: what is painted lies inside of each.
-using Clips = std::vector<std::shared_ptr<const PagePath>>;
-
 /// A shading where a page paints it.
 struct PaintedShading {
   QPDFObjectHandle shading;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <vector>
 
 #include "geom/outline.h"
@@ -21,5 +22,8 @@ struct PagePath {
   std::vector<Step> steps;
   FillRule rule = FillRule::nonzero;
 };
+
+/// All that is seen through: what is painted lies inside of each.
+using Clips = std::vector<std::shared_ptr<const PagePath>>;
 
 }  // namespace gradmesh

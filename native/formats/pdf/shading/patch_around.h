@@ -55,6 +55,11 @@ struct PatchAround {
              {outer[10], inner[3], inner[2], outer[5]},
              {outer[9], outer[8], outer[7], outer[6]}}};
   }
+  void set_net(const std::array<std::array<glm::dvec2, 4>, 4>& p) {
+    outer = {p[0][0], p[0][1], p[0][2], p[0][3], p[1][3], p[2][3],
+             p[3][3], p[3][2], p[3][1], p[3][0], p[2][0], p[1][0]};
+    inner = {p[1][1], p[1][2], p[2][2], p[2][1]};
+  }
 };
 
 }  // namespace gradmesh

@@ -6,7 +6,6 @@
 
 #include "form/block_outline.h"
 #include "form/rounding.h"
-#include "formats/svg/gradient/rows.h"
 #include "formats/svg/group/memory.h"
 #include "formats/svg/group/mesh_group.h"
 #include "formats/svg/group/shape.h"
@@ -36,17 +35,6 @@ std::string path_data(const std::vector<glm::dvec2>& polygon, double step, int d
   for (const glm::dvec2 p : polygon)
     d.append(d.empty() ? "M" : " ").append(number(p.x)).append(",").append(number(p.y));
   return d + "Z";
-}
-
-/// Adds a meshgradient in userSpaceOnUse that holds the block. Returns its id, which begins with
-/// `prefix`.
-std::string add_gradient(SvgTree& tree, const Mesh& mesh, const Rectangle& block,
-                         const GradientFormat& format, const std::string& prefix) {
-  xmlNode* gradient = add_child(tree.defs(), mesh_gradient_name);
-  std::string id = tree.give_id(gradient, prefix);
-  set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
-  write_rows(gradient, mesh, block, format);
-  return id;
 }
 
 /// Removes the blocks in a group or mask, and then their gradients. Returns what remove_blocks()
@@ -216,24 +204,6 @@ class GroupWriter {
   std::string fallback_;
 };
 
-/// Returns true if the mesh is one block whose sides are the boundary of the mesh; the block of a
-/// ring is joined to itself.
-bool is_rectangle(const Mesh& mesh, const std::vector<Rectangle>& blocks) {
-  if (blocks.size() != 1) return false;
-  const Rectangle& block = blocks.front();
-  int on_boundary = 0;
-  for (const Halfedge h : mesh.halfedges())
-    on_boundary += mesh.is_leaf(h) && !mesh.other_side(h).valid();
-  return on_boundary == 2 * (block.rows + block.columns);
-}
-
-std::string empty_page(const SvgPage& page) {
-  const std::string width = format_number(page.width), height = format_number(page.height);
-  return "<svg xmlns=\"" + std::string(svg_namespace) + "\" xmlns:inkscape=\"" +
-         std::string(inkscape_namespace) + "\" width=\"" + width + "\" height=\"" + height +
-         "\" viewBox=\"0 0 " + width + " " + height + "\">\n<defs/>\n<path/>\n</svg>\n";
-}
-
 }  // namespace
 
 void write_group(SvgTree& tree, const MeshObject& object, const WrittenMesh& written) {
@@ -252,20 +222,13 @@ std::string remove_blocks(SvgTree& tree, xmlNode* group) {
   return remove_paths(tree, group);
 }
 
-SvgTree new_svg(const SvgPage& page, const std::string& outline, const WrittenMesh& written) {
-  SvgTree tree = SvgTree::parse(empty_page(page), "new document");
-  MeshObject object{.node = child_elements(tree.root(), "path").front(), .id = "mesh"};
-  tree.set_id(object.node, object.id);
-  const std::string gradient = add_gradient(tree, written.mesh, written.form.blocks.front(),
-                                            {.precision = written.form.precision}, "mesh-gradient");
-  object.gradient = tree.find(gradient);
-  set_attribute(object.node, "d", outline);
-  set_attribute(object.node, "style", "fill:" + paint_by(gradient) + ";stroke:none");
-  if (is_rectangle(written.mesh, written.form.blocks))
-    set_attribute(object.node, "label", written.label, inkscape_namespace, "inkscape");
-  else
-    write_group(tree, object, written);
-  return tree;
+std::string add_gradient(SvgTree& tree, const Mesh& mesh, const Rectangle& block,
+                         const GradientFormat& format, const std::string& prefix) {
+  xmlNode* gradient = add_child(tree.defs(), mesh_gradient_name);
+  std::string id = tree.give_id(gradient, prefix);
+  set_attribute(gradient, "gradientUnits", "userSpaceOnUse");
+  write_rows(gradient, mesh, block, format);
+  return id;
 }
 
 }  // namespace gradmesh

@@ -5,6 +5,7 @@
 
 #include "form/blocks.h"
 #include "form/counts.h"
+#include "formats/svg/gradient/rows.h"
 #include "formats/svg/tree/objects.h"
 #include "mesh/mesh.h"
 
@@ -38,15 +39,9 @@ void write_group(SvgTree& tree, const MeshObject& object, const WrittenMesh& wri
 /// of the blocks; empty if there is none.
 std::string remove_blocks(SvgTree& tree, xmlNode* group);
 
-/// A page for new_svg, in pixels; the mesh's coordinates are the page's.
-struct SvgPage {
-  double width, height;
-};
-
-/// Returns a document that holds one object, called "mesh", with the outline `outline` (path data),
-/// painted by the mesh. If one rectangle of patches holds all of the mesh, and no two of its sides
-/// are joined, the object is a path with one mesh gradient, such as Inkscape makes; otherwise it is
-/// a group of blocks as of write_group.
-SvgTree new_svg(const SvgPage& page, const std::string& outline, const WrittenMesh& written);
+/// Adds a meshgradient in userSpaceOnUse that holds the block. Returns its id, which begins with
+/// `prefix`.
+std::string add_gradient(SvgTree& tree, const Mesh& mesh, const Rectangle& block,
+                         const GradientFormat& format, const std::string& prefix);
 
 }  // namespace gradmesh

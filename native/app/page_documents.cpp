@@ -1,0 +1,47 @@
+#include "app/page_documents.h"
+
+#include <algorithm>
+
+#include "app/read_pdf.h"
+#include "app/svg_meshes.h"
+
+namespace gradmesh {
+namespace {
+
+constexpr const char* extensions[] = {".pdf", ".ai"};
+
+/// A document whose meshes a page has, as one of SVG.
+class PageDocument : public SvgMeshes {
+ public:
+  PageDocument(PagesAsSvg read, const std::string& name)
+      : SvgMeshes(read.svg, name), found_(std::move(read.found)) {}
+
+  const FoundPages* pages() const override { return &found_; }
+
+ private:
+  const FoundPages found_;
+};
+
+}  // namespace
+
+bool holds_pages(std::string_view bytes) {
+  // Programs may write something else before the header (ISO 32000-1, annex H, note 13).
+  constexpr std::size_t within = 1024;
+  return bytes.substr(0, within).find("%PDF-") != bytes.npos;
+}
+
+bool is_of_pages(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+  return std::ranges::find(extensions, extension) != std::end(extensions);
+}
+
+std::string page_document() { return "PDF"; }
+
+std::unique_ptr<Document> read_pages(std::string_view bytes, const std::string& name,
+                                     const PageChoice& choice) {
+  return std::make_unique<PageDocument>(read_pdf(bytes, name, choice), name);
+}
+
+}  // namespace gradmesh

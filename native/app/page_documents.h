@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/document.h"
+
+namespace gradmesh {
+
+/// Documents of pages, PDF and Illustrator's: they are only read, and become SVG documents that
+/// hold their meshes.
+
+/// What of them is read.
+struct PageChoice {
+  /// The number of the one page, from 1; nothing for all.
+  std::optional<int> page;
+  std::string password;
+};
+
+/// What was found of a mesh of a page.
+struct FoundMesh {
+  std::string id;
+  /// Numbers of the page, and of the mesh among those that the page paints, from 1; the type of its
+  /// shading, 4 to 7 (ISO 32000-1, 8.7.4.5).
+  int page = 0, number = 0, type = 0;
+  /// How many patches the page has of it.
+  int patches = 0;
+  /// Rows and columns of the grid that it became; 0 for a mesh with T-junctions.
+  int rows = 0, columns = 0;
+  /// Whether patches of the page were taken together, and whether colours are smooth.
+  bool is_joined = false, is_smooth = false;
+  /// FLIP between the page's own patches and the mesh, both painted with 700 pixels along the
+  /// longer side.
+  double difference = 0;
+};
+
+/// What was found of all pages that were read.
+struct FoundPages {
+  std::vector<FoundMesh> meshes;
+  /// A sentence for all that was not read, or not all of it.
+  std::vector<Message> left_out;
+};
+
+/// Returns true if the content is a document of pages.
+bool holds_pages(std::string_view bytes);
+/// Returns true if the extension of a file promises one.
+bool is_of_pages(const std::filesystem::path& path);
+/// Returns what help calls such a document.
+std::string page_document();
+
+/// Reads a document of pages as one of SVG, whose pages() are what was found. `name` is that of the
+/// file in messages. Throws InputError if there is no such page or no mesh, if the document cannot
+/// be opened, and if this program was built without PDF.
+std::unique_ptr<Document> read_pages(std::string_view bytes, const std::string& name,
+                                     const PageChoice& choice);
+
+}  // namespace gradmesh

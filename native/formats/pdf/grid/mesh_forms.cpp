@@ -1,0 +1,105 @@
+#include "formats/pdf/grid/mesh_forms.h"
+
+#include <cmath>
+#include <optional>
+
+#include "formats/pdf/grid/joined_halves.h"
+#include "formats/pdf/grid/page_grids.h"
+#include "formats/pdf/grid/page_mesh.h"
+#include "formats/pdf/grid/refined_grid.h"
+#include "formats/pdf/grid/smooth_grid.h"
+#include "formats/pdf/grid/without_anchors.h"
+
+namespace gradmesh {
+namespace {
+
+/// Points that are closer than this, in points of a page, are one: programs round to 1/2048, and
+/// middles of sides are off by several times as much. Of patches that make no grid the smallest may
+/// be narrower than that.
+constexpr double grid_tolerance = 0.02, mesh_tolerance = 0.005;
+
+/// Returns patches with colours as a document holds them.
+std::vector<PagePatch> rounded_colors(std::vector<PagePatch> patches) {
+  for (PagePatch& patch : patches)
+    for (glm::dvec4& color : patch.colors)
+      for (int channel = 0; channel < 3; ++channel)
+        color[channel] = std::round(255 * color[channel]) / 255;
+  return patches;
+}
+
+/// Returns the patches as one grid; nothing if they are none.
+std::optional<ArtistsGrid> one_grid(const std::vector<PagePatch>& patches) {
+  const PatchSides sides(patches, grid_tolerance);
+  const std::vector<PageGrid> grids = page_grids(sides);
+  return grids.size() == 1 ? std::optional(as_it_is(grids.front(), sides)) : std::nullopt;
+}
+
+PatchGrid patches_of(const ArtistsGrid& grid) {
+  PatchGrid patches{grid.rows, grid.columns, {}};
+  for (const PagePatch& page : grid.patches) patches.patches.push_back(mesh_patch(page));
+  return patches;
+}
+
+MeshForm form_of(const PatchGrid& grid, MeshForm::Kind kind, bool is_smooth = false) {
+  MeshForm form{parts_of({grid}), kind};
+  form.mesh.smooth = is_smooth;
+  return form;
+}
+
+/// Returns the grid, and before it the one with smooth colours as which Inkscape has painted it.
+std::vector<MeshForm> forms_of_grid(const ArtistsGrid& grid) {
+  std::vector<MeshForm> forms;
+  if (const std::optional<ArtistsGrid> smooth = smooth_grid(grid))
+    forms.push_back(form_of(patches_of(*smooth), MeshForm::Kind::artists, true));
+  forms.push_back(form_of(patches_of(grid), MeshForm::Kind::page));
+  return forms;
+}
+
+/// Adds the artist's grid with smooth colours, with more and more rows and columns, as long as it
+/// has fewer patches than the page, and behind the first one that with bilinear colours.
+void add_grids(std::vector<MeshForm>& forms, const ArtistsGrid& artists, MeshForm::Kind kind,
+               const PageColors& colors, std::size_t most) {
+  RefinedGrid refined(patches_of(artists), colors);
+  forms.push_back(form_of(patches_of(artists), kind, true));
+  forms.push_back(form_of(patches_of(artists), MeshForm::Kind::joined));
+  while (refined.divide() && std::size_t(refined.rows() * refined.columns()) < most)
+    forms.push_back(form_of(refined.grid(), kind, true));
+}
+
+}  // namespace
+
+MeshParts loose_mesh(const std::vector<PagePatch>& patches) {
+  MeshParts mesh;
+  for (const PagePatch& patch : patches) mesh.patches.push_back(mesh_patch(patch));
+  return mesh;
+}
+
+std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
+                                 const std::vector<PagePatch>& page, const CornerColors& corners) {
+  const PageColors colors(page);
+  const auto colored = [&](const std::vector<ShadingPatch>& patches) {
+    std::vector<PagePatch> all = corners(patches);
+    for (PagePatch& patch : all)
+      for (std::size_t k = 0; k < 4; ++k) patch.colors[k].a = colors.at(patch.outer[3 * k]).a;
+    return rounded_colors(std::move(all));
+  };
+  const std::vector<PagePatch> all = rounded_colors(page);
+  const bool is_as_painted = own.size() == page.size();
+  std::vector<MeshForm> forms;
+  if (const std::optional<ArtistsGrid> grid = one_grid(is_as_painted ? all : colored(own))) {
+    // Halves of what is one grid already are the artist's own.
+    if (is_as_painted) return forms_of_grid(*grid);
+    add_grids(forms, *grid, MeshForm::Kind::joined, colors, page.size());
+  } else if (const std::vector<ShadingPatch> whole = without_halving(own);
+             whole.size() < own.size()) {
+    const std::vector<PagePatch> joined = without_anchors(colored(whole), grid_tolerance).patches;
+    if (const std::optional<ArtistsGrid> artists = one_grid(joined))
+      add_grids(forms, *artists, MeshForm::Kind::artists, colors, page.size());
+    else
+      forms.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
+  }
+  forms.push_back({page_mesh(all, mesh_tolerance)});
+  return forms;
+}
+
+}  // namespace gradmesh
