@@ -114,13 +114,17 @@ TEST(MeshOutline, parts_that_lie_over_one_another_turn_the_same_way) {
   EXPECT_EQ(areas(outline_path(build_mesh(parts))).size(), 2u);
 }
 
-/// The new document of a bilinear mesh, as it reads back.
-std::unique_ptr<Document> written(const Mesh& mesh) {
+/// The new document of a bilinear mesh.
+std::string written_svg(const Mesh& mesh, const std::optional<SvgStroke>& stroke = {}) {
   const BlockForm form = block_form(mesh, 1e-6);
   NewSvg made({{20, 20}});
-  made.add(0, {"mesh", {outline_path(mesh)}, {}, {mesh, form, "label", counts_of(mesh)}});
-  const SvgTree& svg = made.tree();
-  return Document::parse(svg.serialize(), "new.svg");
+  made.add(0, {"mesh", {outline_path(mesh)}, {}, {mesh, form, "label", counts_of(mesh)}, stroke});
+  return made.tree().serialize();
+}
+
+/// It as it reads back.
+std::unique_ptr<Document> written(const Mesh& mesh) {
+  return Document::parse(written_svg(mesh), "new.svg");
 }
 
 TEST(NewSvg, a_rectangle_is_one_gradient_and_a_ring_stays_closed) {
@@ -135,6 +139,21 @@ TEST(NewSvg, a_rectangle_is_one_gradient_and_a_ring_stays_closed) {
   const auto closed = written(ring);
   EXPECT_TRUE(closed->meshes()[0].simplified);
   EXPECT_EQ(boundary_leaves(closed->mesh(closed->meshes()[0])), 16);
+}
+
+TEST(NewSvg, a_stroke_is_one_gradient_or_a_group_that_it_masks) {
+  const SvgStroke stroke{.width = 3, .cap = "round", .dashes = {4, 2}};
+  for (const Mesh& mesh : {test::grid_mesh({.rows = 2, .columns = 3}), build_mesh(test::ring(8))}) {
+    const std::string svg = written_svg(mesh, stroke);
+    const auto document = Document::parse(svg, "new.svg");
+    ASSERT_EQ(document->meshes().size(), 1u);
+    EXPECT_EQ(document->meshes()[0].role, PaintRole::stroke);
+    EXPECT_EQ(document->mesh(document->meshes()[0]).face_count(), mesh.face_count());
+    const bool is_masked = svg.find("<mask") != svg.npos;
+    EXPECT_EQ(is_masked, document->meshes()[0].simplified) << svg;
+    for (const std::string part : {"stroke-width:3", "stroke-linecap:round", "stroke-dasharray:4"})
+      EXPECT_NE(svg.find(part), svg.npos) << part << '\n' << svg;
+  }
 }
 
 TEST(Blocks, are_found_however_the_faces_are_turned) {

@@ -56,6 +56,20 @@ xmlNode* add_path(xmlNode* parent, const SvgShape& shape, const char* rule) {
   return path;
 }
 
+/// Returns the style of a shape that is painted by what has this id.
+std::string style_of(const std::optional<SvgStroke>& stroke, const std::string& id) {
+  if (!stroke) return "fill:" + paint_by(id) + ";stroke:none";
+  std::string style = "fill:none;stroke:" + paint_by(id) +
+                      ";stroke-width:" + format_number(stroke->width) +
+                      ";stroke-linecap:" + stroke->cap + ";stroke-linejoin:" + stroke->join +
+                      ";stroke-miterlimit:" + format_number(stroke->miter_limit);
+  if (stroke->dashes.empty()) return style;
+  style += ";stroke-dasharray:";
+  for (std::size_t n = 0; n < stroke->dashes.size(); ++n)
+    style.append(n > 0 ? "," : "").append(format_number(stroke->dashes[n]));
+  return style + ";stroke-dashoffset:" + format_number(stroke->dash_offset);
+}
+
 }  // namespace
 
 NewSvg::NewSvg(const std::vector<SvgPage>& pages)
@@ -89,14 +103,16 @@ xmlNode* NewSvg::clipped(xmlNode* layer, const NewMesh& mesh) {
 }
 
 void NewSvg::add(std::size_t page, const NewMesh& mesh) {
-  const auto& [id, shape, clips, written] = mesh;
-  MeshObject object{.node = add_path(clipped(layer(page), mesh), shape, "fill-rule"), .id = id};
+  const auto& [id, shape, clips, written, stroke] = mesh;
+  MeshObject object{.node = add_path(clipped(layer(page), mesh), shape, "fill-rule"),
+                    .id = id,
+                    .role = stroke ? PaintRole::stroke : PaintRole::fill};
   tree_.set_id(object.node, id);
   const std::string gradient = add_gradient(tree_, written.mesh, written.form.blocks.front(),
                                             {.precision = written.form.precision}, id + "-mesh");
   object.gradient = tree_.find(gradient);
   if (written.mesh.is_smooth()) set_attribute(object.gradient, "type", "bicubic");
-  set_attribute(object.node, "style", "fill:" + paint_by(gradient) + ";stroke:none");
+  set_attribute(object.node, "style", style_of(stroke, gradient));
   if (is_rectangle(written.mesh, written.form.blocks))
     set_attribute(object.node, "label", written.label, inkscape_namespace, "inkscape");
   else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,17 @@ struct SvgShape {
   FillRule rule = FillRule::nonzero;
 };
 
+/// How a shape is stroked, in pixels.
+struct SvgStroke {
+  double width = 1;
+  /// Words of CSS.
+  std::string cap = "butt", join = "miter";
+  double miter_limit = 4;
+  /// Lengths of dashes and of the gaps between them, by turns; empty for a line without gaps.
+  std::vector<double> dashes = {};
+  double dash_offset = 0;
+};
+
 /// A mesh that becomes an object of a new document.
 struct NewMesh {
   std::string id;
@@ -31,6 +43,8 @@ struct NewMesh {
   SvgShape shape;
   std::vector<SvgShape> clips = {};
   WrittenMesh written;
+  /// The stroke of the shape that the mesh paints; nothing if it paints what the shape surrounds.
+  std::optional<SvgStroke> stroke = {};
 };
 
 /// A new document.
