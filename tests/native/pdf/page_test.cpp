@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/error.h"
 #include "formats/pdf/grid/joined_halves.h"
@@ -21,7 +22,8 @@ namespace {
 
 constexpr const char* page_entries =
     "/MediaBox [10 20 110 220] /Resources << /Shading << /sh 5 0 R >> /Pattern << /p 6 0 R >> "
-    "/XObject << /x 7 0 R >> /ExtGState << /half << /ca 0.5 >> /masked << /SMask << /S "
+    "/XObject << /x 7 0 R >> /ExtGState << /half << /ca 0.5 >> "
+    "/stroked << /CA 0.25 /LW 7 /LC 1 /LJ 2 /ML 3 /D [[4 5] 6] >> /masked << /SMask << /S "
     "/Luminosity /G 8 0 R >> >> /plain << /SMask /None >> >> >>";
 
 std::vector<std::string> objects(const std::string& form = "/sh sh") {
@@ -98,6 +100,135 @@ TEST(PdfPage, AnotherColourEndsAPattern) {
   const std::string fill = " 0 0 9 9 re f ";
   for (const std::string color : {"1 0 0 rg", "0 g", "0 0 0 1 k", "/DeviceRGB cs"})
     EXPECT_EQ(painted_by("/Pattern cs /p scn" + fill + color + fill).painted.size(), 1U) << color;
+}
+
+/// The stroke that a content paints by a mesh, and nothing else.
+PageStroke stroked_by(const std::string& content) {
+  const PageContent page = painted_by("/Pattern CS /p SCN " + content);
+  EXPECT_EQ(page.painted.size(), 1U) << content;
+  if (page.painted.size() != 1) return {};
+  EXPECT_TRUE(page.painted[0].stroke) << content;
+  return page.painted[0].stroke ? *page.painted[0].stroke : PageStroke{};
+}
+
+std::vector<PagePath::Step::Kind> kinds(const PagePath& path) {
+  std::vector<PagePath::Step::Kind> all;
+  for (const PagePath::Step& step : path.steps) all.push_back(step.kind);
+  return all;
+}
+
+TEST(PdfStroke, IsAPathOnThePage) {
+  const PageContent page =
+      painted_by("q 0 0 99 99 re W n /Pattern CS /p SCN 3 0 0 3 10 20 cm 1 2 m 9 4 l S Q /sh sh");
+  const auto& found = page.painted;
+  ASSERT_EQ(found.size(), 2U);
+  ASSERT_TRUE(found[0].stroke);
+  const auto& steps = found[0].stroke->path.steps;
+  ASSERT_EQ(steps.size(), 2U);
+  EXPECT_EQ(steps[0].points[2], glm::dvec2(3, 194));
+  EXPECT_EQ(steps[1].points[2], glm::dvec2(27, 188));
+  // It is no clip, and its pattern lies in the space of the page.
+  EXPECT_EQ(found[0].clips.size(), 1U);
+  EXPECT_EQ(corners(found[0]).second, glm::dvec2(8, 202));
+  EXPECT_FALSE(found[1].stroke);
+}
+
+TEST(PdfStroke, HasTheStyleOfItsState) {
+  const LineStyle usual = stroked_by("0 0 m 9 9 l S").line;
+  EXPECT_EQ(usual.width, 1);
+  EXPECT_EQ(usual.cap, LineCap::butt);
+  EXPECT_EQ(usual.join, LineJoin::miter);
+  EXPECT_EQ(usual.miter_limit, 10);
+  EXPECT_TRUE(usual.dashes.empty());
+  for (const std::string set : {"7 w 1 J 2 j 3 M [4 5] 6 d", "/stroked gs"}) {
+    const LineStyle line = stroked_by(set + " q 1 w 0 J 0 j 9 M [] 0 d Q 0 0 m 9 9 l S").line;
+    EXPECT_EQ(line.width, 7);
+    EXPECT_EQ(line.cap, LineCap::round);
+    EXPECT_EQ(line.join, LineJoin::bevel);
+    EXPECT_EQ(line.miter_limit, 3);
+    EXPECT_EQ(line.dashes, (std::vector<double>{4, 5}));
+    EXPECT_EQ(line.dash_phase, 6);
+  }
+}
+
+TEST(PdfStroke, HasLengthsOfThePage) {
+  const LineStyle line = stroked_by("2 w [3] 1 d 8 0 0 -2 5 5 cm 0 0 m 9 9 l S").line;
+  EXPECT_DOUBLE_EQ(line.width, 8);
+  ASSERT_EQ(line.dashes.size(), 1U);
+  EXPECT_DOUBLE_EQ(line.dashes[0], 12);
+  EXPECT_DOUBLE_EQ(line.dash_phase, 4);
+}
+
+TEST(PdfStroke, IsOpaqueAsStrokesAre) {
+  const std::string line = " 0 0 m 9 9 l S ";
+  const PageContent page =
+      painted_by("/Pattern CS /p SCN /half gs" + line + "/stroked gs" + line + "/sh sh");
+  const auto& found = page.painted;
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].opacity, 1);
+  EXPECT_EQ(found[1].opacity, 0.25);
+  EXPECT_EQ(found[2].opacity, 0.5);
+}
+
+TEST(PdfStroke, LiesAboveTheFill) {
+  const std::string both = "/Pattern CS /p SCN /Pattern cs /p scn 0 0 m 9 0 l 9 9 l ";
+  for (const auto& [painting, closes, rule] :
+       {std::tuple("B", false, FillRule::nonzero), std::tuple("B*", false, FillRule::evenodd),
+        std::tuple("b", true, FillRule::nonzero), std::tuple("b*", true, FillRule::evenodd)}) {
+    const PageContent page = painted_by(both + painting);
+    const auto& found = page.painted;
+    ASSERT_EQ(found.size(), 2U) << painting;
+    EXPECT_FALSE(found[0].stroke) << painting;
+    ASSERT_EQ(found[0].clips.size(), 1U) << painting;
+    EXPECT_EQ(found[0].clips[0]->rule, rule) << painting;
+    ASSERT_TRUE(found[1].stroke) << painting;
+    EXPECT_TRUE(found[1].clips.empty()) << painting;
+    EXPECT_EQ(found[1].stroke->path.steps.size(), closes ? 4U : 3U) << painting;
+  }
+  // Either has a paint of its own.
+  const std::string square = " 0 0 9 9 re B ";
+  EXPECT_TRUE(stroked_by(square).path.steps.size() == 5);
+  EXPECT_FALSE(painted_by("/Pattern cs /p scn" + square).painted.at(0).stroke);
+  EXPECT_FALSE(painted_by("/Pattern cs /p scn 1 0 0 RG" + square).painted.at(0).stroke);
+}
+
+TEST(PdfStroke, IsClosedOnce) {
+  using enum PagePath::Step::Kind;
+  using Kinds = std::vector<PagePath::Step::Kind>;
+  const std::string corner = "0 0 m 9 0 l 9 9 l ";
+  EXPECT_EQ(kinds(stroked_by(corner + "S").path), (Kinds{move, line, line}));
+  EXPECT_EQ(kinds(stroked_by(corner + "s").path), (Kinds{move, line, line, close}));
+  EXPECT_EQ(kinds(stroked_by(corner + "h s").path), (Kinds{move, line, line, close}));
+  // Inkscape goes back to where a closed path began.
+  EXPECT_EQ(kinds(stroked_by("5 5 m " + corner + "h 0 0 m S").path),
+            (Kinds{move, line, line, close}));
+}
+
+TEST(PdfStroke, AnotherColourEndsItsPattern) {
+  const std::string line = " 0 0 m 9 9 l S ";
+  for (const std::string color :
+       {"1 0 0 RG", "0 G", "0 0 0 1 K", "/DeviceRGB CS", "0 SC", "0 SCN", "q /none SCN"})
+    stroked_by(line + color + line);
+  for (const std::string color : {"1 0 0 rg", "0 g", "0 0 0 1 k", "/DeviceRGB cs", "0 sc"})
+    EXPECT_EQ(painted_by("/Pattern CS /p SCN " + color + line).painted.size(), 1U) << color;
+  EXPECT_EQ(painted_by("/Pattern CS /p SCN q 0 G Q" + line).painted.size(), 1U);
+}
+
+TEST(PdfStroke, WhatIsNoStyleOrNoPathDoesNothing) {
+  const LineStyle line = stroked_by(
+                             "2 w -1 w /a w J (a) j 0.5 M [1 -1] 0 d [/a] 0 d [0 0] 0 d 1 d "
+                             "1000000000000 J 0 0 m 9 9 l S")
+                             .line;
+  EXPECT_EQ(line.width, 2);
+  EXPECT_EQ(line.cap, LineCap::square);
+  EXPECT_EQ(line.join, LineJoin::miter);
+  EXPECT_EQ(line.miter_limit, 10);
+  EXPECT_TRUE(line.dashes.empty());
+  std::string dashes;
+  for (int n = 0; n < 1001; ++n) dashes += "1 ";
+  EXPECT_TRUE(stroked_by("[" + dashes + "] 0 d 0 0 m 9 9 l S").line.dashes.empty());
+  for (const std::string path : {"", "h", "5 5 l", "1 1 m", "0 0 m 99999999 9 l"})
+    EXPECT_TRUE(painted_by("/Pattern CS /p SCN " + path + " S").painted.empty()) << path;
 }
 
 TEST(PdfPage, FormsHaveTheirSpaceTheirBoxAndTheirOpacity) {

@@ -1,6 +1,7 @@
 #include "formats/pdf/page/content_operators.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "base/error.h"
@@ -9,6 +10,31 @@
 #include "formats/pdf/page/dictionary.h"
 
 namespace gradmesh {
+namespace {
+
+/// Returns a path without the steps after which nothing is drawn: no stroke shows them.
+PagePath without_idle_moves(const PagePath& path) {
+  PagePath drawn;
+  const auto is_move = [](const PagePath::Step& step) {
+    return step.kind == PagePath::Step::Kind::move;
+  };
+  for (std::size_t n = 0; n < path.steps.size(); ++n)
+    if (!is_move(path.steps[n]) || (n + 1 < path.steps.size() && !is_move(path.steps[n + 1])))
+      drawn.steps.push_back(path.steps[n]);
+  return drawn;
+}
+
+/// Returns false if a coordinate is farther than those of any page, or no number at all.
+bool lies_near_pages(const PagePath& path) {
+  constexpr double farthest = 1e6;
+  return std::ranges::all_of(path.steps, [](const PagePath::Step& step) {
+    return std::ranges::all_of(step.points, [](const glm::dvec2& point) {
+      return std::abs(point.x) <= farthest && std::abs(point.y) <= farthest;
+    });
+  });
+}
+
+}  // namespace
 
 struct ContentOperators::Entry {
   const char* name;
@@ -18,18 +44,50 @@ struct ContentOperators::Entry {
 
 const ContentOperators::Entry* ContentOperators::find(const std::string& name) {
   using C = ContentOperators;
-  // ISO 32000-1, table 51. Strokes only end a path: meshes on strokes are left out.
+  constexpr FillRule nonzero = FillRule::nonzero, evenodd = FillRule::evenodd;
+  // ISO 32000-1, table 51.
   static const Entry entries[] = {
-      {"q", 0, &C::save},           {"Q", 0, &C::restore},         {"cm", 6, &C::transform},
-      {"gs", 1, &C::set_state},     {"m", 2, &C::move_to},         {"l", 2, &C::line_to},
-      {"c", 6, &C::curve_to},       {"v", 4, &C::curve_from_here}, {"y", 4, &C::curve_to_there},
-      {"re", 4, &C::rectangle},     {"h", 0, &C::close_path},      {"W", 0, &C::clip_nonzero},
-      {"W*", 0, &C::clip_evenodd},  {"n", 0, &C::end_path},        {"S", 0, &C::end_path},
-      {"s", 0, &C::end_path},       {"f", 0, &C::fill_nonzero},    {"F", 0, &C::fill_nonzero},
-      {"f*", 0, &C::fill_evenodd},  {"B", 0, &C::fill_nonzero},    {"B*", 0, &C::fill_evenodd},
-      {"b", 0, &C::fill_nonzero},   {"b*", 0, &C::fill_evenodd},   {"scn", 1, &C::set_color},
-      {"sc", 1, &C::unset_pattern}, {"cs", 1, &C::unset_pattern},  {"g", 1, &C::unset_pattern},
-      {"rg", 3, &C::unset_pattern}, {"k", 4, &C::unset_pattern},   {"sh", 1, &C::paint_shading},
+      {"q", 0, &C::save},
+      {"Q", 0, &C::restore},
+      {"cm", 6, &C::transform},
+      {"gs", 1, &C::set_state},
+      {"w", 1, &C::set_width},
+      {"J", 1, &C::set_cap},
+      {"j", 1, &C::set_join},
+      {"M", 1, &C::set_miter},
+      {"d", 2, &C::set_dash},
+      {"m", 2, &C::move_to},
+      {"l", 2, &C::line_to},
+      {"c", 6, &C::curve_to},
+      {"v", 4, &C::curve_from_here},
+      {"y", 4, &C::curve_to_there},
+      {"re", 4, &C::rectangle},
+      {"h", 0, &C::close_path},
+      {"W", 0, &C::clip_nonzero},
+      {"W*", 0, &C::clip_evenodd},
+      {"n", 0, &C::end_path},
+      {"f", 0, &C::fill_path<nonzero>},
+      {"F", 0, &C::fill_path<nonzero>},
+      {"f*", 0, &C::fill_path<evenodd>},
+      {"S", 0, &C::stroke_path},
+      {"s", 0, &C::close_and_stroke},
+      {"B", 0, &C::fill_and_stroke<nonzero>},
+      {"B*", 0, &C::fill_and_stroke<evenodd>},
+      {"b", 0, &C::close_fill_and_stroke<nonzero>},
+      {"b*", 0, &C::close_fill_and_stroke<evenodd>},
+      {"scn", 1, &C::set_fill_color},
+      {"sc", 1, &C::unset_fill_pattern},
+      {"cs", 1, &C::unset_fill_pattern},
+      {"g", 1, &C::unset_fill_pattern},
+      {"rg", 3, &C::unset_fill_pattern},
+      {"k", 4, &C::unset_fill_pattern},
+      {"SCN", 1, &C::set_stroke_color},
+      {"SC", 1, &C::unset_stroke_pattern},
+      {"CS", 1, &C::unset_stroke_pattern},
+      {"G", 1, &C::unset_stroke_pattern},
+      {"RG", 3, &C::unset_stroke_pattern},
+      {"K", 4, &C::unset_stroke_pattern},
+      {"sh", 1, &C::paint_shading},
       {"Do", 1, &C::paint_object},
   };
   const auto found = std::ranges::find(entries, name, &Entry::name);
@@ -84,6 +142,9 @@ void ContentOperators::set_state() {
   QPDFObjectHandle state = named("/ExtGState");
   if (const auto alpha = number_of(value_of(state, "/ca")))
     state_.opacity = std::clamp(*alpha, 0.0, 1.0);
+  if (const auto alpha = number_of(value_of(state, "/CA")))
+    state_.stroke_opacity = std::clamp(*alpha, 0.0, 1.0);
+  set_line_style(state_.line, state);
   QPDFObjectHandle mask = value_of(state, "/SMask");
   if (mask.isName()) state_.mask = nullptr;
   if (mask.isDictionary()) state_.mask = reader_.mask_of(mask, resources_, state_);
@@ -91,6 +152,8 @@ void ContentOperators::set_state() {
 
 void ContentOperators::add_step(PagePath::Step::Kind kind, glm::dvec2 a, glm::dvec2 b,
                                 glm::dvec2 to) {
+  // What comes before the first point of a path is an error, and no path of SVG.
+  if (path_.steps.empty() && kind != PagePath::Step::Kind::move) return;
   const Affine& map = state_.to_page;
   path_.steps.push_back({kind, {map.point(a), map.point(b), map.point(to)}});
   here_ = to;
@@ -128,18 +191,53 @@ void ContentOperators::rectangle() {
 }
 
 void ContentOperators::close_path() {
+  // Closed twice, its part would be followed by another one, of a single point.
+  if (!path_.steps.empty() && path_.steps.back().kind == PagePath::Step::Kind::close) return;
   add_step(PagePath::Step::Kind::close, begin_, begin_, begin_);
 }
 
-void ContentOperators::fill(FillRule rule) {
-  if (state_.pattern) {
-    Clips clips = state_.clips;
-    add_to(clips, rule);
-    QPDFObjectHandle pattern = *state_.pattern;
-    paint(value_of(pattern, "/Shading"), base_ * matrix_of(value_of(pattern, "/Matrix")),
-          std::move(clips));
-  }
+template <FillRule rule>
+void ContentOperators::fill_path() {
+  fill(rule);
   end_path();
+}
+
+void ContentOperators::stroke_path() {
+  stroke();
+  end_path();
+}
+
+void ContentOperators::close_and_stroke() {
+  close_path();
+  stroke_path();
+}
+
+template <FillRule rule>
+void ContentOperators::fill_and_stroke() {
+  fill(rule);
+  stroke_path();
+}
+
+template <FillRule rule>
+void ContentOperators::close_fill_and_stroke() {
+  close_path();
+  fill_and_stroke<rule>();
+}
+
+void ContentOperators::fill(FillRule rule) {
+  if (!state_.pattern) return;
+  Clips clips = state_.clips;
+  add_to(clips, rule);
+  paint_pattern(*state_.pattern, std::move(clips), state_.opacity, nullptr);
+}
+
+void ContentOperators::stroke() {
+  if (!state_.stroke_pattern) return;
+  PagePath path = without_idle_moves(path_);
+  if (path.steps.empty() || !lies_near_pages(path)) return;
+  PageStroke stroke{std::move(path), mapped(state_.line, state_.to_page)};
+  paint_pattern(*state_.stroke_pattern, state_.clips, state_.stroke_opacity,
+                std::make_shared<const PageStroke>(std::move(stroke)));
 }
 
 void ContentOperators::end_path() {
@@ -156,25 +254,33 @@ void ContentOperators::add_to(Clips& clips, FillRule rule) {
   clips.push_back(std::make_shared<const PagePath>(path_));
 }
 
-void ContentOperators::set_color() {
-  state_.pattern.reset();
-  QPDFObjectHandle pattern = named("/Pattern");
+void ContentOperators::set_color(std::optional<QPDFObjectHandle>& pattern) {
+  pattern.reset();
+  QPDFObjectHandle found = named("/Pattern");
   constexpr double of_a_shading = 2;
-  if (number_of(value_of(pattern, "/PatternType")) == of_a_shading) state_.pattern = pattern;
+  if (number_of(value_of(found, "/PatternType")) == of_a_shading) pattern = found;
 }
 
-void ContentOperators::paint_shading() { paint(named("/Shading"), state_.to_page, state_.clips); }
+void ContentOperators::paint_shading() {
+  paint({named("/Shading"), state_.to_page, state_.clips, state_.opacity * state_.group_opacity,
+         state_.mask, nullptr});
+}
 
-void ContentOperators::paint(QPDFObjectHandle shading, const Affine& to_page, Clips clips) {
-  const auto type = number_of(value_of(shading, "/ShadingType"));
+void ContentOperators::paint_pattern(QPDFObjectHandle pattern, Clips clips, double opacity,
+                                     std::shared_ptr<const PageStroke> stroke) {
+  paint({value_of(pattern, "/Shading"), base_ * matrix_of(value_of(pattern, "/Matrix")),
+         std::move(clips), opacity * state_.group_opacity, state_.mask, std::move(stroke)});
+}
+
+void ContentOperators::paint(PaintedShading painted) {
+  const auto type = number_of(value_of(painted.shading, "/ShadingType"));
   if (!type || *type < 4) return;
   const std::uint64_t most = limits().patches;
   if (reader_.painted_.size() >= most)
     throw InputError("it has more than {0} shadings, {1}", most,
                      beyond_limit("patches", most, most + 1));
-  clip_to_box(clips, shading, to_page);
-  reader_.painted_.push_back(
-      {shading, to_page, std::move(clips), state_.opacity * state_.group_opacity, state_.mask});
+  clip_to_box(painted.clips, painted.shading, painted.to_page);
+  reader_.painted_.push_back(std::move(painted));
 }
 
 void ContentOperators::paint_object() {

@@ -43,20 +43,42 @@ class ContentOperators : public QPDFObjectHandle::ParserCallbacks {
   void close_path();
   void clip_nonzero() { clip_ = FillRule::nonzero; }
   void clip_evenodd() { clip_ = FillRule::evenodd; }
-  void fill_nonzero() { fill(FillRule::nonzero); }
-  void fill_evenodd() { fill(FillRule::evenodd); }
-  void fill(FillRule rule);
   void end_path();
 
-  void set_color();
-  void unset_pattern() { state_.pattern.reset(); }
+  void set_width() { set_line_width(state_.line, operand(0)); }
+  void set_cap() { set_line_cap(state_.line, operand(0)); }
+  void set_join() { set_line_join(state_.line, operand(0)); }
+  void set_miter() { set_miter_limit(state_.line, operand(0)); }
+  void set_dash() { set_dashes(state_.line, operand(0), operand(1)); }
+
+  void set_fill_color() { set_color(state_.pattern); }
+  void set_stroke_color() { set_color(state_.stroke_pattern); }
+  void unset_fill_pattern() { state_.pattern.reset(); }
+  void unset_stroke_pattern() { state_.stroke_pattern.reset(); }
+  void set_color(std::optional<QPDFObjectHandle>& pattern);
+
+  template <FillRule rule>
+  void fill_path();
+  void stroke_path();
+  void close_and_stroke();
+  template <FillRule rule>
+  void fill_and_stroke();
+  template <FillRule rule>
+  void close_fill_and_stroke();
+  /// Paints the area of the path, or its stroke, and keeps it for what else is done with it.
+  void fill(FillRule rule);
+  void stroke();
   void paint_shading();
   void paint_object();
 
   void add_step(PagePath::Step::Kind kind, glm::dvec2 a, glm::dvec2 b, glm::dvec2 to);
   /// Adds the path to what is seen through.
   void add_to(Clips& clips, FillRule rule);
-  void paint(QPDFObjectHandle shading, const Affine& to_page, Clips clips);
+  /// Adds what a pattern paints: a stroke, or an area where that is null.
+  void paint_pattern(QPDFObjectHandle pattern, Clips clips, double opacity,
+                     std::shared_ptr<const PageStroke> stroke);
+  /// Adds a shading, if it is a mesh.
+  void paint(PaintedShading painted);
 
   ContentReader& reader_;
   QPDFObjectHandle resources_;

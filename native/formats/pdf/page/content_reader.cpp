@@ -55,7 +55,7 @@ void ContentReader::read_form(QPDFObjectHandle form, const QPDFObjectHandle& res
   clip_to_box(state.clips, form, state.to_page);
   if (value_of(form, "/Group").isDictionary()) {
     state.group_opacity *= state.opacity;
-    state.opacity = 1;
+    state.opacity = state.stroke_opacity = 1;
   }
   const QPDFObjectHandle own = value_of(form, "/Resources");
   around_.insert(number);

@@ -10,7 +10,7 @@
 namespace gradmesh {
 
 /// Finds the shadings of types 4 to 7 that content streams paint, in painting order: by `sh`, or as
-/// patterns of fills, in forms at any depth.
+/// patterns of fills and strokes, in forms at any depth.
 class ContentReader {
  public:
   /// Reads content streams of a page, which are one after the other, or of a form; `state` is that

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "base/affine.h"
+#include "formats/pdf/page/line_style.h"
 #include "formats/pdf/page/page_path.h"
+#include "formats/pdf/page/page_stroke.h"
 #include "formats/pdf/page/qpdf.h"
 
 namespace gradmesh {
@@ -19,17 +21,21 @@ struct PaintedShading {
   double opacity = 1;
   /// The shadings whose luminosity is its opacity, if there is such a mask.
   std::shared_ptr<const std::vector<PaintedShading>> mask;
+  /// The stroke that it paints; null if it paints an area. The clips are then others than its path.
+  std::shared_ptr<const PageStroke> stroke = nullptr;
 };
 
 /// What operators of a content stream set, as far as it counts for shadings (ISO 32000-1, 8.4).
 struct GraphicsState {
   Affine to_page;
   Clips clips;
-  /// The constant alpha of fills, and that of the groups around.
-  double opacity = 1, group_opacity = 1;
+  /// The constant alphas of fills and of strokes, and that of the groups around.
+  double opacity = 1, stroke_opacity = 1, group_opacity = 1;
   std::shared_ptr<const std::vector<PaintedShading>> mask;
-  /// The pattern that fills, if one does.
-  std::optional<QPDFObjectHandle> pattern;
+  /// The pattern that fills, and that which strokes, if one does.
+  std::optional<QPDFObjectHandle> pattern, stroke_pattern;
+  /// With lengths in the coordinates of the content.
+  LineStyle line;
 };
 
 }  // namespace gradmesh

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "formats/pdf/page/line_style.h"
+#include "formats/pdf/page/page_path.h"
+
+namespace gradmesh {
+
+/// A path that is stroked, and how: its points and lengths are in page coordinates.
+struct PageStroke {
+  PagePath path;
+  LineStyle line;
+};
+
+}  // namespace gradmesh
