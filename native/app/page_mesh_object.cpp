@@ -1,7 +1,9 @@
 #include "app/page_mesh_object.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <numbers>
 
 #include "base/error.h"
 #include "form/smooth_colors.h"
@@ -23,6 +25,9 @@ constexpr double same_look = 0.01;
 /// must hold leaves out edges and seams.
 constexpr int accuracy_of_pages = 4;
 constexpr double most_pixels = 0.95;
+/// The width in pixels of a line of width 0, which PDF shows as thin as can be seen, and SVG not at
+/// all.
+constexpr double thinnest_line = 1;
 
 Mesh in_pixels(MeshParts parts) {
   transform(parts, Affine::scaling(glm::dvec2(pixels_per_point)));
@@ -73,6 +78,28 @@ Box box_of(const PagePath& path) {
   Box box;
   for (const PagePath::Step& step : path.steps)
     for (const glm::dvec2 point : step.points) box.add(point);
+  return box;
+}
+
+/// Returns a box that holds all that a stroke paints; of its curves it is the exact one, since
+/// programs clip by boxes that are hardly larger.
+Box box_of(const PageStroke& stroke) {
+  const auto& [path, line] = stroke;
+  Box curves;
+  glm::dvec2 here(0.0);
+  for (const auto& [kind, points] : path.steps) {
+    if (kind == PagePath::Step::Kind::curve)
+      curves.add_cubic(here, points[0], points[1], points[2]);
+    else
+      curves.add(points[2]);
+    here = points[2];
+  }
+  const double corner = line.cap == LineCap::square ? std::numbers::sqrt2 : 1;
+  const double reach = line.join == LineJoin::miter ? std::max(corner, line.miter_limit) : corner;
+  const double margin = 0.5 * reach * std::max(line.width, thinnest_line / pixels_per_point);
+  Box box;
+  box.add(curves.low() - margin);
+  box.add(curves.high() + margin);
   return box;
 }
 
@@ -151,8 +178,12 @@ ChosenForm choose_form(const std::vector<PagePatch>& patches, std::vector<MeshFo
   throw InputError("it has no patches");
 }
 
-std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips) {
-  const Box box = bounding_box(mesh, Affine::scaling(glm::dvec2(1 / pixels_per_point)));
+std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const PageStroke* stroke) {
+  Box box = bounding_box(mesh, Affine::scaling(glm::dvec2(1 / pixels_per_point)));
+  if (stroke) {
+    box = overlap(box, box_of(*stroke));
+    if (box.empty()) return {};
+  }
   std::vector<SvgShape> shapes;
   for (auto clip = clips.rbegin(); clip != clips.rend(); ++clip) {
     const Box seen = box_of(**clip);
@@ -164,8 +195,23 @@ std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips) {
         shapes, [&](const SvgShape& s) { return s.path == shape.path && s.rule == shape.rule; });
     if (!is_there) shapes.push_back(std::move(shape));
   }
-  if (shapes.empty()) shapes.push_back({outline_path(mesh)});
+  if (stroke)
+    shapes.insert(shapes.begin(), {path_data(stroke->path)});
+  else if (shapes.empty())
+    shapes.push_back({outline_path(mesh)});
   return shapes;
+}
+
+SvgStroke svg_stroke(const LineStyle& line) {
+  static constexpr std::array<const char*, 3> caps{"butt", "round", "square"};
+  static constexpr std::array<const char*, 3> joins{"miter", "round", "bevel"};
+  SvgStroke stroke{.width = line.width > 0 ? pixels_per_point * line.width : thinnest_line,
+                   .cap = caps[std::size_t(line.cap)],
+                   .join = joins[std::size_t(line.join)],
+                   .miter_limit = line.miter_limit,
+                   .dash_offset = pixels_per_point * line.dash_phase};
+  for (const double length : line.dashes) stroke.dashes.push_back(pixels_per_point * length);
+  return stroke;
 }
 
 }  // namespace gradmesh

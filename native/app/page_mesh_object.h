@@ -7,6 +7,7 @@
 
 #include "formats/pdf/grid/mesh_forms.h"
 #include "formats/pdf/page/page_path.h"
+#include "formats/pdf/page/page_stroke.h"
 #include "formats/svg/group/new_svg.h"
 #include "mesh/mesh.h"
 
@@ -29,7 +30,11 @@ struct ChosenForm {
 ChosenForm choose_form(const std::vector<PagePatch>& patches, std::vector<MeshForm> forms);
 
 /// Returns the shapes through which a mesh of a page is seen, the innermost first: clip paths
-/// that hide some of it, or else its own outline alone. Empty if they hide all of it.
-std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips);
+/// that hide some of it, or else its own outline alone; in front of them the path of the stroke, if
+/// it paints one. Empty if they hide all of it.
+std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const PageStroke* stroke);
+
+/// Returns the same stroke in pixels.
+SvgStroke svg_stroke(const LineStyle& line);
 
 }  // namespace gradmesh

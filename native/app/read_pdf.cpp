@@ -1,5 +1,6 @@
 #include "app/read_pdf.h"
 
+#include <optional>
 #include <tuple>
 
 #include "app/mesh_label.h"
@@ -21,6 +22,7 @@ struct PageObject {
   std::vector<SvgShape> shapes;
   Mesh mesh;
   int patches;
+  std::optional<SvgStroke> stroke;
 };
 
 class PdfReader {
@@ -80,7 +82,7 @@ class PdfReader {
         choose_form(read.patches, mesh_forms(own, read.patches, [&read](const auto& patches) {
                       return corners_in_srgb(patches, read.shading.colors);
                     }));
-    std::vector<SvgShape> shapes = shapes_of(chosen.mesh, painted.clips);
+    std::vector<SvgShape> shapes = shapes_of(chosen.mesh, painted.clips, painted.stroke.get());
     if (shapes.empty()) throw InputError("its clip path hides it");
     if (read.mask_left_out)
       found_.left_out.push_back(
@@ -100,7 +102,10 @@ class PdfReader {
     found.is_joined = chosen.kind != MeshForm::Kind::page;
     found.is_smooth = chosen.mesh.is_smooth();
     found.difference = chosen.difference;
-    objects_.push_back({pages_.size(), id, std::move(shapes), chosen.mesh, patches});
+    std::optional<SvgStroke> stroke;
+    if (painted.stroke) stroke = svg_stroke(painted.stroke->line);
+    objects_.push_back(
+        {pages_.size(), id, std::move(shapes), chosen.mesh, patches, std::move(stroke)});
   }
 
   /// Throws where a document has more patches than a mesh may have: each takes its time.
@@ -113,16 +118,18 @@ class PdfReader {
   }
 
   static void write(NewSvg& svg, const PageObject& object) {
-    const auto& [page, id, shapes, mesh, patches] = object;
+    const auto& [page, id, shapes, mesh, patches, stroke] = object;
     const WrittenForm form = exact_block_rules()->form(mesh, fit_frame(mesh, {}, usual_resolution));
     const MeshCounts counts = counts_of(form.surface);
     const MeshCounts before{0, patches};
     const std::string label =
         (patches > counts.patches ? mesh_label(counts, before) : mesh_label(counts)).english();
-    svg.add(page, {id,
-                   shapes.front(),
-                   {shapes.rbegin(), shapes.rend() - 1},
-                   {mesh, *form.blocks, label, before}});
+    NewMesh made{id,
+                 shapes.front(),
+                 {shapes.rbegin(), shapes.rend() - 1},
+                 {mesh, *form.blocks, label, before}};
+    made.stroke = stroke;
+    svg.add(page, made);
   }
 
   const PdfFile file_;
