@@ -21,8 +21,9 @@ struct PageObject {
   std::string id;
   std::vector<SvgShape> shapes;
   Mesh mesh;
-  int patches;
+  int patches, handles;
   std::optional<SvgStroke> stroke;
+  std::string blend_mode;
 };
 
 class PdfReader {
@@ -102,10 +103,11 @@ class PdfReader {
     found.is_joined = chosen.kind != MeshForm::Kind::page;
     found.is_smooth = chosen.mesh.is_smooth();
     found.difference = chosen.difference;
+    found.handles = chosen.page_handles;
     std::optional<SvgStroke> stroke;
     if (painted.stroke) stroke = svg_stroke(painted.stroke->line);
-    objects_.push_back(
-        {pages_.size(), id, std::move(shapes), chosen.mesh, patches, std::move(stroke)});
+    objects_.push_back({pages_.size(), id, std::move(shapes), chosen.mesh, patches,
+                        chosen.page_handles, std::move(stroke), painted.blend_mode});
   }
 
   /// Throws where a document has more patches than a mesh may have: each takes its time.
@@ -118,10 +120,10 @@ class PdfReader {
   }
 
   static void write(NewSvg& svg, const PageObject& object) {
-    const auto& [page, id, shapes, mesh, patches, stroke] = object;
+    const auto& [page, id, shapes, mesh, patches, handles, stroke, blend_mode] = object;
     const WrittenForm form = exact_block_rules()->form(mesh, fit_frame(mesh, {}, usual_resolution));
     const MeshCounts counts = counts_of(form.surface);
-    const MeshCounts before{0, patches};
+    const MeshCounts before{handles, patches};
     const std::string label =
         (patches > counts.patches ? mesh_label(counts, before) : mesh_label(counts)).english();
     NewMesh made{id,
@@ -129,6 +131,7 @@ class PdfReader {
                  {shapes.rbegin(), shapes.rend() - 1},
                  {mesh, *form.blocks, label, before}};
     made.stroke = stroke;
+    made.blend_mode = blend_mode;
     svg.add(page, made);
   }
 

@@ -6,6 +6,7 @@
 
 #include "formats/pdf/grid/mesh_forms.h"
 #include "formats/pdf/grid/page_colors.h"
+#include "formats/pdf/grid/paired_triangles.h"
 #include "formats/pdf/grid/refined_grid.h"
 
 namespace gradmesh {
@@ -151,6 +152,47 @@ TEST(MeshForms, HalvesBecomeTheArtistsGridAndThenFinerOnes) {
   }
   EXPECT_EQ(found.back().kind, MeshForm::Kind::page);
   EXPECT_EQ(found.back().mesh.patches.size(), page.size());
+}
+
+/// A triangle as a patch with a tip.
+ShadingPatch triangle(const std::array<glm::dvec2, 3>& places) {
+  const std::array<glm::dvec2, 4> corners{places[0], places[1], places[2], places[2]};
+  ShadingPatch patch;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t n = 0; n < 3; ++n)
+      patch.outer[3 * k + n] = corners[k] + double(n) / 3 * (corners[(k + 1) % 4] - corners[k]);
+    patch.colors[k] = {corners[k].x / 100, corners[k].y / 100, 0};
+  }
+  return patch;
+}
+
+TEST(PairedTriangles, AreOnePatchWhereTheyFollowOneAnother) {
+  const std::array<glm::dvec2, 4> corners{{{0, 0}, {50, 5}, {60, 60}, {-5, 50}}};
+  // However each of the two is listed.
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const bool is_reversed : {false, true}) {
+      std::array<glm::dvec2, 3> first{corners[0], corners[1], corners[3]};
+      std::rotate(first.begin(), first.begin() + std::ptrdiff_t(k), first.end());
+      if (is_reversed) std::swap(first[1], first[2]);
+      const auto pairs =
+          paired_triangles({triangle(first), triangle({corners[1], corners[2], corners[3]})});
+      ASSERT_EQ(pairs.size(), 1U);
+      std::vector<glm::dvec2> found;
+      for (std::size_t n = 0; n < 4; ++n) {
+        found.push_back(pairs[0].outer[3 * n]);
+        EXPECT_EQ(pairs[0].colors[n][0], found.back().x / 100);
+      }
+      EXPECT_EQ(found.front(), corners[0]);
+      EXPECT_EQ(found[2], corners[2]);
+    }
+}
+
+TEST(PairedTriangles, AreLeftAloneElsewhere) {
+  const ShadingPatch one = triangle({{{0, 0}, {50, 0}, {0, 50}}});
+  // Beside nothing, folded over one another, and one that would not be convex.
+  EXPECT_EQ(paired_triangles({one, triangle({{{50, 0}, {90, 9}, {50, 50}}})}).size(), 2U);
+  EXPECT_EQ(paired_triangles({one, triangle({{{50, 0}, {0, 50}, {-30, -30}}})}).size(), 2U);
+  EXPECT_EQ(paired_triangles({one, triangle({{{50, 0}, {0, 50}, {90, -30}}})}).size(), 2U);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "formats/pdf/grid/joined_halves.h"
 #include "formats/pdf/grid/page_grids.h"
 #include "formats/pdf/grid/page_mesh.h"
+#include "formats/pdf/grid/paired_triangles.h"
 #include "formats/pdf/grid/refined_grid.h"
 #include "formats/pdf/grid/smooth_grid.h"
 #include "formats/pdf/grid/without_anchors.h"
@@ -95,6 +96,13 @@ std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
     const std::vector<PagePatch> joined = without_anchors(colored(whole), grid_tolerance).patches;
     if (const std::optional<ArtistsGrid> artists = one_grid(joined))
       add_grids(forms, *artists, MeshForm::Kind::artists, colors, page.size());
+    else
+      forms.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
+  }
+  if (const std::vector<ShadingPatch> pairs = paired_triangles(own); pairs.size() < own.size()) {
+    const std::vector<PagePatch> joined = colored(pairs);
+    if (const std::optional<ArtistsGrid> grid = one_grid(joined))
+      forms.push_back(form_of(patches_of(*grid), MeshForm::Kind::joined));
     else
       forms.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
   }

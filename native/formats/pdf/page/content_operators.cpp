@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "formats/pdf/page/blend_mode.h"
 #include "formats/pdf/page/clip_box.h"
 #include "formats/pdf/page/dictionary.h"
 
@@ -144,6 +145,8 @@ void ContentOperators::set_state() {
     state_.opacity = std::clamp(*alpha, 0.0, 1.0);
   if (const auto alpha = number_of(value_of(state, "/CA")))
     state_.stroke_opacity = std::clamp(*alpha, 0.0, 1.0);
+  if (QPDFObjectHandle modes = value_of(state, "/BM"); !modes.isNull())
+    state_.blend_mode = blend_mode_of(modes);
   set_line_style(state_.line, state);
   QPDFObjectHandle mask = value_of(state, "/SMask");
   if (mask.isName()) state_.mask = nullptr;
@@ -280,6 +283,7 @@ void ContentOperators::paint(PaintedShading painted) {
     throw InputError("it has more than {0} shadings, {1}", most,
                      beyond_limit("patches", most, most + 1));
   clip_to_box(painted.clips, painted.shading, painted.to_page);
+  painted.blend_mode = state_.blend_mode == "normal" ? state_.group_blend_mode : state_.blend_mode;
   reader_.painted_.push_back(std::move(painted));
 }
 

@@ -56,6 +56,8 @@ void ContentReader::read_form(QPDFObjectHandle form, const QPDFObjectHandle& res
   if (value_of(form, "/Group").isDictionary()) {
     state.group_opacity *= state.opacity;
     state.opacity = state.stroke_opacity = 1;
+    if (state.blend_mode != "normal") state.group_blend_mode = state.blend_mode;
+    state.blend_mode = "normal";
   }
   const QPDFObjectHandle own = value_of(form, "/Resources");
   around_.insert(number);

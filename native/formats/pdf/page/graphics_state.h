@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/affine.h"
@@ -23,6 +24,8 @@ struct PaintedShading {
   std::shared_ptr<const std::vector<PaintedShading>> mask;
   /// The stroke that it paints; null if it paints an area. The clips are then others than its path.
   std::shared_ptr<const PageStroke> stroke = nullptr;
+  /// How it is mixed with what lies below, a CSS word (blend_mode.h).
+  std::string blend_mode = "normal";
 };
 
 /// What operators of a content stream set, as far as it counts for shadings (ISO 32000-1, 8.4).
@@ -31,6 +34,8 @@ struct GraphicsState {
   Clips clips;
   /// The constant alphas of fills and of strokes, and that of the groups around.
   double opacity = 1, stroke_opacity = 1, group_opacity = 1;
+  /// The blend mode, and that of the innermost group around that has one.
+  std::string blend_mode = "normal", group_blend_mode = "normal";
   std::shared_ptr<const std::vector<PaintedShading>> mask;
   /// The pattern that fills, and that which strokes, if one does.
   std::optional<QPDFObjectHandle> pattern, stroke_pattern;

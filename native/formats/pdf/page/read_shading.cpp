@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "base/clamped_int.h"
 #include "base/error.h"
@@ -70,6 +71,23 @@ ShadingPatches triangles_of(std::string_view data, const Packing& packing, std::
   return patches;
 }
 
+/// Returns true if two triangles with these corners have the colours, and cover what is covered, of
+/// one bilinear patch: but for 4 levels of 255 of what a component may be.
+bool is_one_patch(const std::array<const ShadingVertex*, 4>& corners, const Packing& packing) {
+  const auto bend = [&](auto of) { return of(0) - of(1) + of(2) - of(3); };
+  const glm::dvec2 bent = bend([&](std::size_t k) { return corners[k]->place; });
+  const glm::dvec2 across = corners[2]->place - corners[0]->place;
+  if (glm::length(bent) > 0.01 * glm::length(across)) return false;
+  for (std::size_t n = 0; n < packing.components.size(); ++n) {
+    const auto [low, high] = packing.components[n];
+    const double differs = bend([&](std::size_t k) { return corners[k]->color[n]; });
+    if (std::abs(differs) > 4.0 / 255 * std::abs(high - low)) return false;
+  }
+  return true;
+}
+
+/// Returns the triangles of a lattice, two for each of its cells (ISO 32000-1, 8.7.4.5.6); one
+/// patch where that is the same.
 ShadingPatches cells_of(std::string_view data, const Packing& packing, std::size_t columns,
                         std::size_t most) {
   if (columns < 2) throw InputError("a row of its lattice has less than two points");
@@ -80,7 +98,12 @@ ShadingPatches cells_of(std::string_view data, const Packing& packing, std::size
     for (std::size_t j = 0; j + 1 < columns; ++j) {
       const ShadingVertex* const above = &read.vertices[i * columns + j];
       const ShadingVertex* const below = above + columns;
-      patches.patches.push_back(straight_patch_of({above, above + 1, below + 1, below}));
+      if (is_one_patch({above, above + 1, below + 1, below}, packing)) {
+        patches.patches.push_back(straight_patch_of({above, above + 1, below + 1, below}));
+        continue;
+      }
+      patches.patches.push_back(straight_patch_of({above, above + 1, below, below}));
+      patches.patches.push_back(straight_patch_of({above + 1, below + 1, below, below}));
     }
   return patches;
 }

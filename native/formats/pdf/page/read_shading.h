@@ -14,7 +14,7 @@ struct PageShading {
   int type = 0;
   ShadingColors colors;
   /// A triangle is a patch of which side 2 is one point, which is exact; of a lattice each cell is
-  /// a patch with straight sides.
+  /// two of them, or one patch with straight sides where that is the same.
   std::vector<ShadingPatch> patches;
   /// Whether a part of it could not be read, as it is damaged, or lies beyond any page.
   bool is_damaged = false;

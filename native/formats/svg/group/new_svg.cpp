@@ -103,7 +103,7 @@ xmlNode* NewSvg::clipped(xmlNode* layer, const NewMesh& mesh) {
 }
 
 void NewSvg::add(std::size_t page, const NewMesh& mesh) {
-  const auto& [id, shape, clips, written, stroke] = mesh;
+  const auto& [id, shape, clips, written, stroke, blend_mode] = mesh;
   MeshObject object{.node = add_path(clipped(layer(page), mesh), shape, "fill-rule"),
                     .id = id,
                     .role = stroke ? PaintRole::stroke : PaintRole::fill};
@@ -117,6 +117,11 @@ void NewSvg::add(std::size_t page, const NewMesh& mesh) {
     set_attribute(object.node, "label", written.label, inkscape_namespace, "inkscape");
   else
     write_group(tree_, object, written);
+  if (blend_mode == "normal") return;
+  // What a group clips is mixed with nothing below the group, so this is for the group to do.
+  xmlNode* outermost = tree_.find(id);
+  while (parent_element(outermost) != layer(page)) outermost = parent_element(outermost);
+  set_style(tree_.styles(), outermost, "mix-blend-mode", blend_mode);
 }
 
 }  // namespace gradmesh

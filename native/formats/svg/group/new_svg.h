@@ -45,6 +45,8 @@ struct NewMesh {
   WrittenMesh written;
   /// The stroke of the shape that the mesh paints; nothing if it paints what the shape surrounds.
   std::optional<SvgStroke> stroke = {};
+  /// A CSS word: how the object is mixed with what lies below.
+  std::string blend_mode = "normal";
 };
 
 /// A new document.
