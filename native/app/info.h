@@ -34,7 +34,7 @@ nlohmann::ordered_json edit_json(const EditReport& report);
 ///    "unused": [{"id", "patches"}]}
 /// where "unused" are mesh gradients that paint nothing. Of a document of pages, "kind" is "pdf",
 /// there is "left_out": [sentences], and each mesh has "found": {"page", "number", "type",
-/// "patches", "rows", "columns", "joined", "smooth", "difference"}, as of FoundMesh.
+/// "patches", "handles", "rows", "columns", "joined", "smooth", "difference"}, as of FoundMesh.
 nlohmann::ordered_json info_json(const Document& document);
 
 /// Returns what info_json() returns as text, with one element on each line.

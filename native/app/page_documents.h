@@ -27,8 +27,8 @@ struct FoundMesh {
   /// Numbers of the page, and of the mesh among those that the page paints, from 1; the type of its
   /// shading, 4 to 7 (ISO 32000-1, 8.7.4.5).
   int page = 0, number = 0, type = 0;
-  /// How many patches the page has of it.
-  int patches = 0;
+  /// How many patches the page has of it, and handles, if all of these were joined.
+  int patches = 0, handles = 0;
   /// Rows and columns of the grid that it became; 0 for a mesh with T-junctions.
   int rows = 0, columns = 0;
   /// Whether patches of the page were taken together, and whether colours are smooth.

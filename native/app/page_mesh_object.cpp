@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "form/handles.h"
 #include "form/smooth_colors.h"
 #include "formats/svg/values/mesh_outline.h"
 #include "formats/text/number.h"
@@ -73,6 +74,16 @@ class PageLook {
   const std::unique_ptr<Rasterizer> rasterizer_;
   const std::unique_ptr<Metric> metric_;
 };
+
+/// Returns the handles of the first form with the patches of the page that fits together.
+int handles_of_page(const std::vector<MeshForm>& forms) {
+  for (const MeshForm& form : forms) try {
+      if (form.kind == MeshForm::Kind::page) return count_handles(in_pixels(form.mesh));
+    } catch (const InputError&) {
+      continue;
+    }
+  return 0;
+}
 
 Box box_of(const PagePath& path) {
   Box box;
@@ -163,14 +174,14 @@ ChosenForm choose_form(const std::vector<PagePatch>& patches, std::vector<MeshFo
   const PageLook page(in_pixels(loose));
   // Without any joints the patches are a mesh as well, whatever they are.
   forms.push_back({loose});
-  for (MeshForm& form : forms) try {
+  for (const MeshForm& form : forms) try {
       Mesh mesh = in_pixels(form.mesh);
       const auto [flip, is_accurate] = page.difference(mesh);
       // Smooth colours are what the patches of a page stand for, which are themselves, joined, what
       // the page shows.
       if (flip <= same_look || form.kind == MeshForm::Kind::page ||
           (form.kind == MeshForm::Kind::artists && is_accurate))
-        return {form.kind, std::move(mesh), flip};
+        return {form.kind, std::move(mesh), flip, handles_of_page(forms)};
     } catch (const InputError&) {
       // Patches that do not fit together as these joints say.
       if (&form == &forms.back()) throw;

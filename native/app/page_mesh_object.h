@@ -23,6 +23,8 @@ struct ChosenForm {
   Mesh mesh;
   /// FLIP against the page's own patches, 700 pixels along the longer side.
   double difference = 0;
+  /// The handles of the page's own patches, all joined.
+  int page_handles = 0;
 };
 
 /// Returns the first of the forms that looks as the patches of the page do, or else the last one.
