@@ -17,7 +17,8 @@ namespace {
 std::string entries(int first_object) {
   const auto object = [&](int n) { return std::to_string(first_object + n) + " 0 R"; };
   return "/MediaBox [0 0 150 75] /Resources << /Shading << /sh " + object(0) + " /boxed " +
-         object(1) + " /broken " + object(2) + " >> >>";
+         object(1) + " /broken " + object(2) +
+         " >> /ExtGState << /screen << /BM [/Strange /Screen] >> /hard << /BM /HardLight >> >> >>";
 }
 
 std::vector<std::string> objects() {
@@ -113,6 +114,23 @@ TEST(PageDocuments, are_seen_through_several_clips) {
   ASSERT_TRUE(area);
   EXPECT_EQ(area->sets.size(), 3U);
   EXPECT_EQ(path_of(*document, entry.id), "M0,100 L12,88 L0,88 Z");
+}
+
+TEST(PageDocuments, are_mixed_with_what_lies_below) {
+  const std::string text = read({"/sh sh q /hard gs /sh sh Q q 0 0 m 9 0 l 0 9 l h W n 0 0 m 9 9 l "
+                                 "0 9 l h W n /screen gs "
+                                 "/sh sh Q"})
+                               ->bytes();
+  std::size_t count = 0;
+  for (std::size_t at = text.find("mix-blend"); at != text.npos;
+       at = text.find("mix-blend", at + 1))
+    ++count;
+  EXPECT_EQ(count, 2U);
+  EXPECT_NE(text.find("mix-blend-mode:hard-light"), std::string::npos);
+  // Of what is clipped the outermost group is.
+  const std::size_t group = text.find("<g clip-path");
+  ASSERT_NE(group, text.npos);
+  EXPECT_LT(text.find("mix-blend-mode:screen"), text.find('>', group));
 }
 
 TEST(PageDocuments, tell_what_is_left_out) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "base/error.h"
@@ -289,6 +290,24 @@ TEST(PdfShading, ColoursAreThoseOfItsSpace) {
   EXPECT_EQ(colors_of("/DeviceGray", 1),
             (std::vector<glm::dvec3>{glm::dvec3(1), glm::dvec3(0), glm::dvec3(0), glm::dvec3(1)}));
   EXPECT_THROW(colors_of("[/Indexed /DeviceRGB 255 <00>]", 1), InputError);
+}
+
+/// A lattice of one cell over a square, whose corners have these greys.
+std::size_t patches_of_cell(const std::array<std::uint32_t, 4>& greys) {
+  BitWriter data;
+  data.add({0, 0, greys[0], 90, 0, greys[1], 0, 90, greys[2], 90, 90, greys[3]}, 8);
+  const std::string lattice = pdf_stream(
+      "/ShadingType 5 /ColorSpace /DeviceGray /BitsPerCoordinate 8 /BitsPerComponent 8 "
+      "/VerticesPerRow 2 /Decode [0 255 0 255 0 1]",
+      data.bytes());
+  const PageContent page = page_of(pdf_document(page_entries, "/sh sh", {lattice}));
+  return read_shading(page.painted.at(0)).patches.size();
+}
+
+TEST(PdfShading, CellsOfALatticeAreTwoTrianglesWhereTheirColoursBend) {
+  EXPECT_EQ(patches_of_cell({0, 100, 50, 150}), 1U);
+  EXPECT_EQ(patches_of_cell({0, 100, 50, 153}), 1U);
+  EXPECT_EQ(patches_of_cell({0, 100, 50, 160}), 2U);
 }
 
 TEST(PdfShading, TrianglesArePatchesWithATip) {
