@@ -142,7 +142,7 @@ ordered_json info_json(const Document& document) {
   // Says that there is none.
   if (meshes.empty() && unused.empty()) document.selected({});
   ordered_json json = {{"file", document.name()},
-                       {"kind", document.pages() ? "pdf" : document.format().name},
+                       {"kind", document.pages() ? document.pages()->kind : document.format().name},
                        {"meshes", meshes},
                        {"unused", unused}};
   if (document.pages()) {

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "app/postscript.h"
 #include "app/read_pdf.h"
 #include "app/svg_meshes.h"
 
 namespace gradmesh {
 namespace {
 
-constexpr const char* extensions[] = {".pdf", ".ai"};
+constexpr const char* extensions[] = {".pdf", ".ai", ".eps", ".ps"};
 
 /// A document whose meshes a page has, as one of SVG.
 class PageDocument : public SvgMeshes {
@@ -25,6 +26,7 @@ class PageDocument : public SvgMeshes {
 }  // namespace
 
 bool holds_pages(std::string_view bytes) {
+  if (is_postscript(bytes)) return true;
   // Programs may write something else before the header (ISO 32000-1, annex H, note 13).
   constexpr std::size_t within = 1024;
   return bytes.substr(0, within).find("%PDF-") != bytes.npos;
@@ -41,7 +43,11 @@ std::string page_document() { return "PDF"; }
 
 std::unique_ptr<Document> read_pages(std::string_view bytes, const std::string& name,
                                      const PageChoice& choice) {
-  return std::make_unique<PageDocument>(read_pdf(bytes, name, choice), name);
+  if (!is_postscript(bytes))
+    return std::make_unique<PageDocument>(read_pdf(bytes, name, choice), name);
+  PagesAsSvg read = read_pdf(pdf_of_postscript(bytes, name), name, choice);
+  read.found.kind = "postscript";
+  return std::make_unique<PageDocument>(std::move(read), name);
 }
 
 }  // namespace gradmesh

@@ -11,8 +11,8 @@
 
 namespace gradmesh {
 
-/// Documents of pages, PDF and Illustrator's: they are only read, and become SVG documents that
-/// hold their meshes.
+/// Documents of pages, PDF, PostScript and Illustrator's: they are only read, and become SVG
+/// documents that hold their meshes.
 
 /// What of them is read.
 struct PageChoice {
@@ -40,6 +40,8 @@ struct FoundMesh {
 
 /// What was found of all pages that were read.
 struct FoundPages {
+  /// What the document is, as JSON has it: "pdf" or "postscript".
+  std::string kind = "pdf";
   std::vector<FoundMesh> meshes;
   /// A sentence for all that was not read, or not all of it.
   std::vector<Message> left_out;
@@ -54,7 +56,7 @@ std::string page_document();
 
 /// Reads a document of pages as one of SVG, whose pages() are what was found. `name` is that of the
 /// file in messages. Throws InputError if there is no such page or no mesh, if the document cannot
-/// be opened, and if this program was built without PDF.
+/// be opened, if this program was built without PDF, and as pdf_of_postscript() does.
 std::unique_ptr<Document> read_pages(std::string_view bytes, const std::string& name,
                                      const PageChoice& choice);
 
