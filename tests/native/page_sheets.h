@@ -72,7 +72,7 @@ inline std::array<PagePatch, 2> divided(const PagePatch& patch, double share) {
 }
 
 /// A patch with straight sides between two corners across.
-inline PagePatch rectangle(glm::dvec2 from, glm::dvec2 to) {
+inline PagePatch rectangular_patch(glm::dvec2 from, glm::dvec2 to) {
   const glm::dvec2 corners[] = {from, {to.x, from.y}, to, {from.x, to.y}};
   PagePatch patch;
   for (std::size_t k = 0; k < 4; ++k)

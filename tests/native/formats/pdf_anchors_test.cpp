@@ -109,7 +109,7 @@ TEST(WithoutAnchors, AnyPatchesGiveFinitePoints) {
     std::vector<PagePatch> patches;
     for (int n = 2 + int(random() % 14); n > 0; --n) {
       const glm::dvec2 from(random() % 4, random() % 4), to(random() % 4, random() % 4);
-      patches.push_back(rectangle(from, to));
+      patches.push_back(rectangular_patch(from, to));
     }
     for (const PagePatch& patch : without_anchors(patches, tolerance).patches)
       for (const glm::dvec2 point : patch.outer)

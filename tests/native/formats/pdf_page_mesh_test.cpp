@@ -151,9 +151,10 @@ TEST(PageMesh, RoundedPatchesMakeAMeshWhateverIsJoined) {
 TEST(PageMesh, CurvesThatHangOnEachOtherAreLeftApart) {
   // Four around one, each of which ends on the next: without one of these curves there is none from
   // the T-junction on the next.
-  const std::vector<PagePatch> patches{rectangle({0, 0}, {2, 1}), rectangle({2, 0}, {3, 2}),
-                                       rectangle({1, 2}, {3, 3}), rectangle({0, 1}, {1, 3}),
-                                       rectangle({1, 1}, {2, 2})};
+  const std::vector<PagePatch> patches{
+      rectangular_patch({0, 0}, {2, 1}), rectangular_patch({2, 0}, {3, 2}),
+      rectangular_patch({1, 2}, {3, 3}), rectangular_patch({0, 1}, {1, 3}),
+      rectangular_patch({1, 1}, {2, 2})};
   const MeshParts parts = page_mesh(patches, tolerance);
   EXPECT_EQ(loose_sides(parts), 20);
   expect_sound(parts, 0);
@@ -170,7 +171,7 @@ TEST(PageMesh, AnyPatchesMakeAMesh) {
         return glm::dvec2(double(random() % unsigned(lines)), double(random() % unsigned(lines)));
       };
       const glm::dvec2 from = place(), to = place();
-      patches.push_back(in_any_way(rectangle(from, to), random));
+      patches.push_back(in_any_way(rectangular_patch(from, to), random));
     }
     expect_sound(page_mesh(patches, tolerance), seed);
   }
