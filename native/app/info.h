@@ -32,9 +32,10 @@ nlohmann::ordered_json edit_json(const EditReport& report);
 ///    "meshes": [those of mesh_json, with "elements" as of elements_json
 ///               (formats/json/elements.h) or, if the mesh cannot be read, "refused", the reason],
 ///    "unused": [{"id", "patches"}]}
-/// where "unused" are mesh gradients that paint nothing. Of a document of pages, "kind" is "pdf",
-/// there is "left_out": [sentences], and each mesh has "found": {"page", "number", "type",
-/// "patches", "handles", "rows", "columns", "joined", "smooth", "difference"}, as of FoundMesh.
+/// where "unused" are mesh gradients that paint nothing. Of a document of pages, "kind" is "pdf" or
+/// "postscript", there is "left_out": [sentences], and each mesh has "found": {"page", "number",
+/// "type", "patches", "handles", "rows", "columns", "joined", "record", "smooth", "difference"}, as
+/// of FoundMesh.
 nlohmann::ordered_json info_json(const Document& document);
 
 /// Returns what info_json() returns as text, with one element on each line.

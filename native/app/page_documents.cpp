@@ -26,6 +26,8 @@ class PageDocument : public SvgMeshes {
 }  // namespace
 
 bool holds_pages(std::string_view bytes) {
+  // Of an SVG document that tells of PDF at its beginning.
+  if (SvgMeshes::recognises(bytes)) return false;
   if (is_postscript(bytes)) return true;
   // Programs may write something else before the header (ISO 32000-1, annex H, note 13).
   constexpr std::size_t within = 1024;

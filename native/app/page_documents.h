@@ -33,6 +33,8 @@ struct FoundMesh {
   int rows = 0, columns = 0;
   /// Whether patches of the page were taken together, and whether colours are smooth.
   bool is_joined = false, is_smooth = false;
+  /// Whether its grid is that which Illustrator keeps for itself beside the page.
+  bool is_from_record = false;
   /// FLIP between the page's own patches and the mesh, both painted with 700 pixels along the
   /// longer side.
   double difference = 0;

@@ -180,7 +180,7 @@ ChosenForm choose_form(const std::vector<PagePatch>& patches, std::vector<MeshFo
       // Smooth colours are what the patches of a page stand for, which are themselves, joined, what
       // the page shows.
       if (flip <= same_look || form.kind == MeshForm::Kind::page ||
-          (form.kind == MeshForm::Kind::artists && is_accurate))
+          (form.mesh.smooth && form.kind != MeshForm::Kind::joined && is_accurate))
         return {form.kind, std::move(mesh), flip, handles_of_page(forms)};
     } catch (const InputError&) {
       // Patches that do not fit together as these joints say.

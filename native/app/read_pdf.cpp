@@ -9,6 +9,8 @@
 #include "base/limits.h"
 #include "formats/pdf/page/painted_patches.h"
 #include "formats/pdf/page/pdf_file.h"
+#include "formats/pdf/records/mesh_records.h"
+#include "formats/pdf/records/record_of_page.h"
 #include "mesh/rectangle.h"
 #include "simplify/options.h"
 
@@ -62,9 +64,10 @@ class PdfReader {
     if (page.is_damaged)
       found_.left_out.push_back(Message(
           "{0}, page {1}: it is damaged; what lies behind that is left out.", name_, number + 1));
+    const std::vector<ArtistsGrid> records = read_mesh_records(page.private_data);
     const std::size_t before = objects_.size();
     for (std::size_t n = 0; n < page.painted.size(); ++n) try {
-        read_mesh(page.painted[n], number, n);
+        read_mesh(page.painted[n], records, number, n);
       } catch (const InputError& error) {
         found_.left_out.push_back(
             Message("{0}, page {1}, mesh {2}: {3}.", name_, number + 1, n + 1, error.message()));
@@ -74,15 +77,17 @@ class PdfReader {
                       Message("Page {0}", number + 1).english()});
   }
 
-  void read_mesh(const PaintedShading& painted, std::size_t page, std::size_t number) {
+  void read_mesh(const PaintedShading& painted, const std::vector<ArtistsGrid>& records,
+                 std::size_t page, std::size_t number) {
     const PaintedPatches read = painted_patches(painted, kept_);
     const auto& [type, colors, own, is_damaged] = read.shading;
     if (own.empty()) throw InputError("it has no patches");
     check_size(own.size());
-    const ChosenForm chosen =
-        choose_form(read.patches, mesh_forms(own, read.patches, [&read](const auto& patches) {
-                      return corners_in_srgb(patches, read.shading.colors);
-                    }));
+    const auto corners = [&read](const auto& patches) {
+      return corners_in_srgb(patches, read.shading.colors);
+    };
+    const ChosenForm chosen = choose_form(
+        read.patches, mesh_forms(own, read.patches, corners, record_of(read.patches, records)));
     std::vector<SvgShape> shapes = shapes_of(chosen.mesh, painted.clips, painted.stroke.get());
     if (shapes.empty()) throw InputError("its clip path hides it");
     if (read.mask_left_out)
@@ -101,6 +106,7 @@ class PdfReader {
     if (const auto grid = find_grid(chosen.mesh))
       std::tie(found.rows, found.columns) = std::pair(grid->rows, grid->columns);
     found.is_joined = chosen.kind != MeshForm::Kind::page;
+    found.is_from_record = chosen.kind == MeshForm::Kind::record;
     found.is_smooth = chosen.mesh.is_smooth();
     found.difference = chosen.difference;
     found.handles = chosen.page_handles;
@@ -108,6 +114,16 @@ class PdfReader {
     if (painted.stroke) stroke = svg_stroke(painted.stroke->line);
     objects_.push_back({pages_.size(), id, std::move(shapes), chosen.mesh, patches,
                         chosen.page_handles, std::move(stroke), painted.blend_mode});
+  }
+
+  /// Returns the record of which these patches are parts; nothing if there is none.
+  static std::optional<ArtistsGrid> record_of(const std::vector<PagePatch>& patches,
+                                              const std::vector<ArtistsGrid>& records) {
+    if (records.empty()) return {};
+    const PageColors colors(patches);
+    for (const ArtistsGrid& record : records)
+      if (auto grid = record_of_page(record, patches, colors)) return grid;
+    return {};
   }
 
   /// Throws where a document has more patches than a mesh may have: each takes its time.

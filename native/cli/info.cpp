@@ -24,7 +24,8 @@ std::string in_words(const nlohmann::ordered_json& found) {
   if (const int rows = found["rows"]; rows > 0)
     words += ", one grid of " + std::to_string(rows) + " x " +
              std::to_string(found["columns"].get<int>()) +
-             (found["smooth"] ? " with smooth colours" : "");
+             (found["smooth"] ? " with smooth colours" : "") +
+             (found["record"] ? " from Illustrator's own data" : "");
   return words + ", FLIP " + difference;
 }
 

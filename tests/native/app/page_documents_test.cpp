@@ -147,6 +147,14 @@ TEST(PageDocuments, tell_what_is_left_out) {
             "a.pdf, page 1, mesh 1: its clip path hides it.");
 }
 
+TEST(PageDocuments, are_known_by_their_content) {
+  EXPECT_TRUE(holds_pages("%PDF-1.4\n"));
+  EXPECT_TRUE(holds_pages("junk before it\n%PDF-1.4\n"));
+  EXPECT_FALSE(holds_pages("\n<?xml version='1.0'?><!-- of a %PDF-1.4 --><svg/>"));
+  EXPECT_FALSE(holds_pages("HEMESH"));
+  EXPECT_FALSE(holds_pages(std::string(2000, ' ') + "%PDF-1.4\n"));
+}
+
 TEST(PageDocuments, are_not_written) {
   const auto document = read({"/sh sh"});
   for (const char* name : {"b.pdf", "b.ai", "B.PDF"})

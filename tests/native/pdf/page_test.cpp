@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <qpdf/Pl_Flate.hh>
+#include <qpdf/Pl_String.hh>
 #include <tuple>
 
 #include "base/error.h"
@@ -263,6 +265,43 @@ TEST(PdfPage, SoftMasksAreShadingsToo) {
 TEST(PdfPage, OperatorsWithoutOperandsAndNoiseDoNothing) {
   EXPECT_EQ(painted_by("cm re f Q Q ) >> /none sh /none gs 1 2 m W sh /sh sh").painted.size(), 1U);
   EXPECT_EQ(painted_by("BI /W 1 /H 1 /CS /G /BPC 8 ID x EI /sh sh").painted.size(), 1U);
+}
+
+std::string deflated(const std::string& text) {
+  std::string packed;
+  Pl_String end("packed", nullptr, packed);
+  Pl_Flate deflate("deflate", &end, Pl_Flate::a_deflate);
+  deflate.write(reinterpret_cast<const unsigned char*>(text.data()), text.size());
+  deflate.finish();
+  return packed;
+}
+
+/// What is kept beside a page that paints a mesh, in these streams, which are named the other way
+/// around.
+std::string kept_beside(const std::vector<std::string>& data) {
+  std::vector<std::string> streams{square_shading()};
+  std::string names;
+  for (std::size_t n = data.size(); n-- > 0;) {
+    streams.push_back(pdf_stream("", data[n]));
+    names += " /AIPrivateData" + std::to_string(n + 9) + " " + std::to_string(4 + streams.size()) +
+             " 0 R";
+  }
+  return page_of(pdf_document(std::string(page_entries) +
+                                  " /PieceInfo << /Illustrator << /Private <<" + names +
+                                  " /AIMetaData 5 0 R >> >> >>",
+                              "/sh sh", streams))
+      .private_data;
+}
+
+TEST(PdfPage, HasWhatIllustratorKeepsBesideIt) {
+  EXPECT_EQ(kept_beside({"one ", "two ", "three"}), "one two three");
+  const std::string packed = deflated("of the artist");
+  EXPECT_EQ(
+      kept_beside({"%!PS-Adobe %AI12_CompressedData" + packed.substr(0, 5), packed.substr(5)}),
+      "of the artist");
+  // What is damaged is there as far as it goes.
+  EXPECT_NO_THROW(kept_beside({"%AI12_CompressedData" + packed.substr(0, 5)}));
+  EXPECT_EQ(kept_beside({}), "");
 }
 
 TEST(PdfFile, SaysWhyItCannotBeOpened) {

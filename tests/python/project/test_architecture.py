@@ -44,7 +44,8 @@ RANK = {
 INNER = {
     "formats": {
         "text": 0, "json": 1, "hemesh": 1, "packed": 1,
-        "pdf/bits": 0, "pdf/color": 1, "pdf/shading": 1, "pdf/grid": 2, "pdf/page": 3,
+        "pdf/bits": 0, "pdf/color": 1, "pdf/shading": 1, "pdf/grid": 2, "pdf/records": 3,
+        "pdf/page": 3,
         "svg/xml": 1, "svg/values": 2, "svg/tree": 3, "svg/gradient": 4, "svg/group": 5, "svg/picture": 6,
     },
     "ops": {"merge": 1, "split": 2},

@@ -1,6 +1,8 @@
 #include "formats/pdf/grid/mesh_forms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "formats/pdf/grid/joined_halves.h"
@@ -76,7 +78,8 @@ MeshParts loose_mesh(const std::vector<PagePatch>& patches) {
 }
 
 std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
-                                 const std::vector<PagePatch>& page, const CornerColors& corners) {
+                                 const std::vector<PagePatch>& page, const CornerColors& corners,
+                                 const std::optional<ArtistsGrid>& record) {
   const PageColors colors(page);
   const auto colored = [&](const std::vector<ShadingPatch>& patches) {
     std::vector<PagePatch> all = corners(patches);
@@ -86,7 +89,12 @@ std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
   };
   const std::vector<PagePatch> all = rounded_colors(page);
   const bool is_as_painted = own.size() == page.size();
-  std::vector<MeshForm> forms;
+  std::vector<MeshForm> forms, others;
+  if (record) {
+    ArtistsGrid drawn = *record;
+    drawn.patches = rounded_colors(std::move(drawn.patches));
+    add_grids(forms, drawn, MeshForm::Kind::record, colors, page.size());
+  }
   if (const std::optional<ArtistsGrid> grid = one_grid(is_as_painted ? all : colored(own))) {
     // Halves of what is one grid already are the artist's own.
     if (is_as_painted) return forms_of_grid(*grid);
@@ -97,15 +105,18 @@ std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
     if (const std::optional<ArtistsGrid> artists = one_grid(joined))
       add_grids(forms, *artists, MeshForm::Kind::artists, colors, page.size());
     else
-      forms.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
+      others.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
   }
   if (const std::vector<ShadingPatch> pairs = paired_triangles(own); pairs.size() < own.size()) {
     const std::vector<PagePatch> joined = colored(pairs);
     if (const std::optional<ArtistsGrid> grid = one_grid(joined))
       forms.push_back(form_of(patches_of(*grid), MeshForm::Kind::joined));
     else
-      forms.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
+      others.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
   }
+  // A record and what the page shows may take different numbers of lines to the same look.
+  std::ranges::stable_sort(forms, {}, [](const MeshForm& f) { return f.mesh.patches.size(); });
+  std::ranges::move(others, std::back_inserter(forms));
   forms.push_back({page_mesh(all, mesh_tolerance)});
   return forms;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "formats/pdf/grid/page_patch.h"
+#include "formats/pdf/grid/smooth_grid.h"
 #include "formats/pdf/shading/read_patches.h"
 #include "mesh/parts.h"
 
@@ -19,6 +21,7 @@ struct MeshForm {
     joined,   ///< by patches that were joined to larger ones
     artists,  ///< by a grid of those that were halved for the page, with the artist's smooth
               ///< colours
+    record,   ///< likewise, by the grid that the document holds beside the page
   };
   Kind kind = Kind::page;
 };
@@ -36,8 +39,10 @@ MeshParts loose_mesh(const std::vector<PagePatch>& patches);
 /// Illustrator writes has smooth colours, but not all that has patches like its.
 ///
 /// `own` are the shading's patches, `page` those that show them on the page: the same, or more of
-/// them where colours are not bilinear.
+/// them where colours are not bilinear. `record` is the grid as the artist drew it, where the
+/// document says so.
 std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
-                                 const std::vector<PagePatch>& page, const CornerColors& corners);
+                                 const std::vector<PagePatch>& page, const CornerColors& corners,
+                                 const std::optional<ArtistsGrid>& record = {});
 
 }  // namespace gradmesh

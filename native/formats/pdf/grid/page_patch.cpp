@@ -16,4 +16,11 @@ Patch mesh_patch(const PagePatch& page) {
   return patch;
 }
 
+void set_zero_twist(PagePatch& patch) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t at = 3 * k, count = PagePatch::outer_count;
+    patch.inner[k] = patch.outer[at + 1] + patch.outer[(at + count - 1) % count] - patch.outer[at];
+  }
+}
+
 }  // namespace gradmesh

@@ -13,4 +13,8 @@ using PagePatch = PatchAround<glm::dvec4>;
 /// Returns the patch with the same control points and sides, its colours bilinear.
 Patch mesh_patch(const PagePatch& page);
 
+/// Gives a patch the inner points that all patches of Illustrator and InDesign have: with them its
+/// mixed derivatives at the corners are 0.
+void set_zero_twist(PagePatch& patch);
+
 }  // namespace gradmesh

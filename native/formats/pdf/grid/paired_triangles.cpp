@@ -28,20 +28,6 @@ bool is_triangle(const ShadingPatch& patch) {
   return true;
 }
 
-/// The patch with straight sides between these corners.
-ShadingPatch straight_patch(const std::array<TriangleCorner, 4>& corners) {
-  ShadingPatch patch;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const glm::dvec2 from = corners[k].place, to = corners[(k + 1) % 4].place;
-    for (std::size_t n = 0; n < 3; ++n) patch.outer[3 * k + n] = from + double(n) / 3 * (to - from);
-    patch.colors[k] = *corners[k].color;
-    patch.inner[k] =
-        (4.0 * from + 2.0 * to + corners[(k + 2) % 4].place + 2.0 * corners[(k + 3) % 4].place) /
-        9.0;
-  }
-  return patch;
-}
-
 bool is_convex(const std::array<TriangleCorner, 4>& corners) {
   double least = 0, most = 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -65,7 +51,14 @@ std::optional<ShadingPatch> pair_of(const ShadingPatch& a, const ShadingPatch& b
           continue;
         const std::array<TriangleCorner, 4> corners{corner_of(a, k), corner_of(a, k + 1),
                                                     corner_of(b, n), corner_of(a, k + 2)};
-        if (is_convex(corners)) return straight_patch(corners);
+        if (!is_convex(corners)) continue;
+        std::array<glm::dvec2, 4> places{};
+        std::array<Components, 4> colors;
+        for (std::size_t corner = 0; corner < 4; ++corner) {
+          places[corner] = corners[corner].place;
+          colors[corner] = *corners[corner].color;
+        }
+        return straight_patch(places, colors);
       }
   return {};
 }

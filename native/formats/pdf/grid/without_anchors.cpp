@@ -213,15 +213,6 @@ class ArtistsPatches {
     return patch.turned(std::size_t(side % 4)).inner;
   }
 
-  /// Gives a patch the inner points that all patches of these programs have.
-  static void set_zero_twist(PagePatch& patch) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t at = 3 * k, count = PagePatch::outer_count;
-      patch.inner[k] =
-          patch.outer[at + 1] + patch.outer[(at + count - 1) % count] - patch.outer[at];
-    }
-  }
-
   const LooseSides& sides_;
   const AnchorLines& lines_;
   /// By the points where they start and end.

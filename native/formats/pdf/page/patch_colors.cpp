@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/limits.h"
+#include "formats/pdf/grid/joined_curves.h"
 
 namespace gradmesh {
 namespace {
@@ -130,24 +131,14 @@ CornerPaint between(const CornerPaint& a, const CornerPaint& b, const ShadingCol
   return middle;
 }
 
-/// The halves of a patch beside its side 3 and its side 1, by de Casteljau's rule.
+/// The halves of a patch beside its side 3 and its side 1.
 std::array<PatchPart, 2> halves_of(const PatchPart& part, const ShadingColors& colors) {
-  std::array<std::array<std::array<glm::dvec2, 4>, 4>, 2> nets;
   const auto net = part.patch.net();
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto& row = net[i];
-    const glm::dvec2 a = 0.5 * (row[0] + row[1]), b = 0.5 * (row[1] + row[2]);
-    const glm::dvec2 c = 0.5 * (row[2] + row[3]), d = 0.5 * (a + b), e = 0.5 * (b + c);
-    const glm::dvec2 middle = 0.5 * (d + e);
-    nets[0][i] = {row[0], a, d, middle};
-    nets[1][i] = {middle, e, c, row[3]};
-  }
   std::array<PatchPart, 2> halves;
   for (std::size_t which = 0; which < 2; ++which) {
-    const auto& n = nets[which];
-    halves[which].patch.outer = {n[0][0], n[0][1], n[0][2], n[0][3], n[1][3], n[2][3],
-                                 n[3][3], n[3][2], n[3][1], n[3][0], n[2][0], n[1][0]};
-    halves[which].patch.inner = {n[1][1], n[1][2], n[2][2], n[2][1]};
+    auto half = net;
+    for (auto& row : half) row = part_of(row, 0.5 * double(which), 0.5 * double(which + 1));
+    halves[which].patch.set_net(half);
   }
   const auto& corners = part.patch.colors;
   const CornerPaint even = between(corners[0], corners[1], colors);

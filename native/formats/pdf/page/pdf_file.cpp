@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "formats/pdf/page/content_reader.h"
 #include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/page/private_data.h"
 #include "formats/pdf/page/qpdf.h"
 
 namespace gradmesh {
@@ -98,6 +99,7 @@ PageContent PdfFile::page(std::size_t number) const {
   }
   content.painted = reader.painted();
   content.is_damaged = content.is_damaged || reader.is_damaged();
+  if (!content.painted.empty()) content.private_data = private_data(page);
   return content;
 }
 

@@ -15,6 +15,8 @@ struct PageContent {
   std::vector<PaintedShading> painted;
   /// Whether a part of it could not be read, as it is damaged.
   bool is_damaged = false;
+  /// What Illustrator keeps for itself beside it, where it paints meshes (private_data.h).
+  std::string private_data;
   /// The document, without which the shadings are gone.
   std::shared_ptr<const void> file;
 };

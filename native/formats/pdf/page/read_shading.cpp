@@ -43,24 +43,14 @@ Packing packing_of(QPDFObjectHandle shading, std::size_t components) {
   return packing;
 }
 
-/// Sets points `first` to `first` + 3 of a side to a straight line.
-void set_straight(ShadingPatch& patch, std::size_t side, glm::dvec2 from, glm::dvec2 to) {
-  for (std::size_t n = 0; n < 4; ++n)
-    patch.outer[(3 * side + n) % patch.outer_count] = from + double(n) / 3 * (to - from);
-}
-
 ShadingPatch straight_patch_of(const std::array<const ShadingVertex*, 4>& corners) {
-  ShadingPatch patch;
+  std::array<glm::dvec2, 4> places{};
+  std::array<Components, 4> colors;
   for (std::size_t k = 0; k < 4; ++k) {
-    set_straight(patch, k, corners[k]->place, corners[(k + 1) % 4]->place);
-    patch.colors[k] = corners[k]->color;
+    places[k] = corners[k]->place;
+    colors[k] = corners[k]->color;
   }
-  for (std::size_t k = 0; k < 4; ++k)
-    // Bilinear: the inner point beside a corner is where the sides' thirds meet.
-    patch.inner[k] = (4.0 * corners[k]->place + 2.0 * corners[(k + 1) % 4]->place +
-                      1.0 * corners[(k + 2) % 4]->place + 2.0 * corners[(k + 3) % 4]->place) /
-                     9.0;
-  return patch;
+  return straight_patch(places, colors);
 }
 
 ShadingPatches triangles_of(std::string_view data, const Packing& packing, std::size_t most) {

@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <qpdf/Pipeline.hh>
+#include <qpdf/Pl_Flate.hh>
 #include <stdexcept>
 
 #include "base/error.h"
@@ -27,7 +28,30 @@ class CollectedBytes : public Pipeline {
   bool is_too_much = false;
 };
 
+/// Throws where a stream unpacks to more than the limit.
+void check(const CollectedBytes& collected) {
+  const std::uint64_t most = limits().document;
+  if (collected.is_too_much)
+    throw InputError("a stream of it unpacks to more than {0} bytes, {1}", most,
+                     beyond_limit("document", most, 2 * most));
+}
+
 }  // namespace
+
+StreamBytes inflated_bytes(std::string_view packed) {
+  CollectedBytes collected;
+  bool is_whole = true;
+  try {
+    Pl_Flate inflate("packed", &collected, Pl_Flate::a_inflate);
+    inflate.write(reinterpret_cast<const unsigned char*>(packed.data()), packed.size());
+    inflate.finish();
+  } catch (const std::exception&) {
+    // What it gave before is there.
+    is_whole = false;
+  }
+  check(collected);
+  return {std::move(collected.bytes), !is_whole};
+}
 
 StreamBytes stream_bytes(QPDFObjectHandle stream) {
   CollectedBytes collected;
@@ -37,10 +61,7 @@ StreamBytes stream_bytes(QPDFObjectHandle stream) {
   } catch (const std::exception&) {
     // What it gave before is there.
   }
-  const std::uint64_t most = limits().document;
-  if (collected.is_too_much)
-    throw InputError("a stream of it unpacks to more than {0} bytes, {1}", most,
-                     beyond_limit("document", most, 2 * most));
+  check(collected);
   // What a filter that is not known has packed says nothing.
   if (!is_unpacked && stream.getDict().hasKey("/Filter")) return {{}, true};
   return {std::move(collected.bytes), !is_whole};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "formats/pdf/page/qpdf.h"
 
@@ -16,5 +17,8 @@ struct StreamBytes {
 
 /// Returns what a stream holds. Throws InputError if that is more than the limit of documents.
 StreamBytes stream_bytes(QPDFObjectHandle stream);
+
+/// Returns what was packed by zlib's deflate, likewise.
+StreamBytes inflated_bytes(std::string_view packed);
 
 }  // namespace gradmesh

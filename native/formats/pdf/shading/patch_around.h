@@ -62,4 +62,20 @@ struct PatchAround {
   }
 };
 
+/// Returns the bilinear patch with these corners and their colours: its sides are straight.
+template <class Color>
+PatchAround<Color> straight_patch(const std::array<glm::dvec2, 4>& corners,
+                                  const std::array<Color, 4>& colors) {
+  PatchAround<Color> patch;
+  patch.colors = colors;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const glm::dvec2 from = corners[k], to = corners[(k + 1) % 4];
+    for (std::size_t n = 0; n < 3; ++n) patch.outer[3 * k + n] = from + double(n) / 3 * (to - from);
+    // The inner point beside a corner is where the sides' thirds meet.
+    patch.inner[k] =
+        (4.0 * from + 2.0 * to + corners[(k + 2) % 4] + 2.0 * corners[(k + 3) % 4]) / 9.0;
+  }
+  return patch;
+}
+
 }  // namespace gradmesh
