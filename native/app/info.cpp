@@ -49,17 +49,12 @@ const FoundMesh* found_of(const Document& document, const MeshEntry& entry) {
 }
 
 ordered_json found_json(const FoundMesh& found) {
-  return {{"page", found.page},
-          {"number", found.number},
-          {"type", found.type},
-          {"patches", found.patches},
-          {"handles", found.handles},
-          {"rows", found.rows},
-          {"columns", found.columns},
-          {"joined", found.is_joined},
-          {"record", found.is_from_record},
-          {"smooth", found.is_smooth},
-          {"difference", found.difference}};
+  return {{"page", found.page},        {"number", found.number},
+          {"type", found.type},        {"shadings", found.shadings},
+          {"patches", found.patches},  {"handles", found.handles},
+          {"rows", found.rows},        {"columns", found.columns},
+          {"joined", found.is_joined}, {"record", found.is_from_record},
+          {"smooth", found.is_smooth}, {"difference", found.difference}};
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ nlohmann::ordered_json edit_json(const EditReport& report);
 ///    "unused": [{"id", "patches"}]}
 /// where "unused" are mesh gradients that paint nothing. Of a document of pages, "kind" is "pdf" or
 /// "postscript", there is "left_out": [sentences], and each mesh has "found": {"page", "number",
-/// "type", "patches", "handles", "rows", "columns", "joined", "record", "smooth", "difference"}, as
-/// of FoundMesh.
+/// "type", "shadings", "patches", "handles", "rows", "columns", "joined", "record", "smooth",
+/// "difference"}, as of FoundMesh.
 nlohmann::ordered_json info_json(const Document& document);
 
 /// Returns what info_json() returns as text, with one element on each line.

@@ -35,6 +35,8 @@ struct FoundMesh {
   bool is_joined = false, is_smooth = false;
   /// Whether its grid is that which Illustrator keeps for itself beside the page.
   bool is_from_record = false;
+  /// How many shadings of the page it is, which are the tiles of one surface.
+  int shadings = 1;
   /// FLIP between the page's own patches and the mesh, both painted with 700 pixels along the
   /// longer side.
   double difference = 0;

@@ -1,21 +1,33 @@
 #include "app/read_pdf.h"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "app/mesh_label.h"
-#include "app/page_mesh_object.h"
+#include "app/page_form.h"
+#include "app/page_shapes.h"
+#include "app/page_tiles.h"
 #include "app/svg_rules.h"
 #include "base/limits.h"
-#include "formats/pdf/page/painted_patches.h"
 #include "formats/pdf/page/pdf_file.h"
 #include "formats/pdf/records/mesh_records.h"
 #include "formats/pdf/records/record_of_page.h"
+#include "mesh/boundary.h"
 #include "mesh/rectangle.h"
 #include "simplify/options.h"
 
 namespace gradmesh {
 namespace {
+
+/// A surface that folds over itself may have one part more for so many tiles.
+constexpr std::size_t tiles_of_part = 8;
+
+/// How many shadings, painted alike one after another, are told about where they make no surface:
+/// of fewer each may be drawn for itself.
+constexpr std::size_t many_tiles = 64;
 
 /// A mesh as it is to be written.
 struct PageObject {
@@ -66,53 +78,127 @@ class PdfReader {
           "{0}, page {1}: it is damaged; what lies behind that is left out.", name_, number + 1));
     const std::vector<ArtistsGrid> records = read_mesh_records(page.private_data);
     const std::size_t before = objects_.size();
-    for (std::size_t n = 0; n < page.painted.size(); ++n) try {
-        read_mesh(page.painted[n], records, number, n);
-      } catch (const InputError& error) {
-        found_.left_out.push_back(
-            Message("{0}, page {1}, mesh {2}: {3}.", name_, number + 1, n + 1, error.message()));
-      }
+    PageTiles tiles;
+    for (std::size_t n = 0; n < page.painted.size(); ++n) {
+      auto shading = try_mesh(number, n, [&] { return shown(page.painted[n], n); });
+      if (!shading || tiles.take(*shading)) continue;
+      add_tiles(tiles, records, number);
+      tiles = PageTiles();
+      tiles.take(*shading);
+    }
+    add_tiles(tiles, records, number);
     if (objects_.size() == before) return;
     pages_.push_back({pixels_per_point * page.size.x, pixels_per_point * page.size.y,
                       Message("Page {0}", number + 1).english()});
   }
 
-  void read_mesh(const PaintedShading& painted, const std::vector<ArtistsGrid>& records,
-                 std::size_t page, std::size_t number) {
-    const PaintedPatches read = painted_patches(painted, kept_);
-    const auto& [type, colors, own, is_damaged] = read.shading;
-    if (own.empty()) throw InputError("it has no patches");
-    check_size(own.size());
-    const auto corners = [&read](const auto& patches) {
-      return corners_in_srgb(patches, read.shading.colors);
+  /// Returns what is made of mesh `number` of a page; nothing, and tells why, if it cannot be.
+  template <class Work>
+  auto try_mesh(std::size_t page, std::size_t number, const Work& work)
+      -> std::optional<decltype(work())> try {
+    return work();
+  } catch (const InputError& error) {
+    found_.left_out.push_back(
+        Message("{0}, page {1}, mesh {2}: {3}.", name_, page + 1, number + 1, error.message()));
+    return {};
+  }
+
+  ShownShading shown(const PaintedShading& painted, std::size_t number) {
+    ShownShading shading{number, painted, painted_patches(painted, kept_)};
+    if (shading.shown.shading.patches.empty()) throw InputError("it has no patches");
+    check_size(shading.shown.shading.patches.size());
+    return shading;
+  }
+
+  /// Adds shadings that follow one another, as few meshes where they are tiles of surfaces.
+  void add_tiles(const PageTiles& tiles, const std::vector<ArtistsGrid>& records,
+                 std::size_t page) {
+    for (const PageTiles::Span surface : tiles.surfaces()) {
+      const std::size_t before = objects_.size();
+      add_tiles(tiles, surface, records, page);
+      const std::size_t made = objects_.size() - before;
+      if (surface.end - surface.begin >= many_tiles && made > 1)
+        found_.left_out.push_back(
+            Message("{0}, page {1}, meshes {2} to {3}: they join to no one surface that looks the "
+                    "same, so they are {4} meshes.",
+                    name_, page + 1, tiles.shadings()[surface.begin].number + 1,
+                    tiles.shadings()[surface.end - 1].number + 1, made));
+    }
+  }
+
+  /// Adds some of them: where they are no surface their halves may be, since what is painted later
+  /// may lie on top.
+  void add_tiles(const PageTiles& tiles, PageTiles::Span span,
+                 const std::vector<ArtistsGrid>& records, std::size_t page) {
+    const auto& [begin, end] = span;
+    if (const auto surface = tiles.surface(span)) {
+      if (add_surface(*surface, end - begin, page)) return;
+      const std::size_t middle = begin + (end - begin) / 2;
+      add_tiles(tiles, {begin, middle}, records, page);
+      add_tiles(tiles, {middle, end}, records, page);
+      return;
+    }
+    for (const ShownShading& each : std::span(tiles.shadings()).subspan(begin, end - begin))
+      try_mesh(page, each.number, [&] {
+        const auto& patches = each.shown.patches;
+        add(each, choose_form(patches, forms_of(each.shown, record_of(patches, records))), page, 1);
+        return true;
+      });
+  }
+
+  /// Adds the surface of so many tiles, if they join to few parts and these look as they do.
+  bool add_surface(const ShownShading& surface, std::size_t tiles, std::size_t page) try {
+    if (surface.shown.patches.size() > limits().patches) return false;
+    ChosenForm chosen = choose_form(surface.shown.patches, forms_of(surface.shown, {}));
+    if (chosen.difference > look_of_page || parts_of(chosen.mesh) > 1 + tiles / tiles_of_part)
+      return false;
+    add(surface, std::move(chosen), page, tiles);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+
+  static std::size_t parts_of(const Mesh& mesh) {
+    return std::size_t(1 + std::ranges::max(face_components(mesh)));
+  }
+
+  static std::vector<MeshForm> forms_of(const PaintedPatches& shown,
+                                        const std::optional<ArtistsGrid>& record) {
+    const auto corners = [&shown](const std::vector<ShadingPatch>& patches) {
+      return corners_in_srgb(patches, shown.shading.colors);
     };
-    const ChosenForm chosen = choose_form(
-        read.patches, mesh_forms(own, read.patches, corners, record_of(read.patches, records)));
+    return mesh_forms(shown.shading.patches, shown.patches, corners, record);
+  }
+
+  /// Adds the mesh that stands for a shading of a page, or for several from that one on.
+  void add(const ShownShading& shading, ChosenForm chosen, std::size_t page, std::size_t shadings) {
+    const auto& [number, painted, shown] = shading;
     std::vector<SvgShape> shapes = shapes_of(chosen.mesh, painted.clips, painted.stroke.get());
     if (shapes.empty()) throw InputError("its clip path hides it");
-    if (read.mask_left_out)
+    if (shown.mask_left_out)
       found_.left_out.push_back(
           Message("{0}, page {1}, mesh {2}: a mask through which it is seen is left out.", name_,
                   page + 1, number + 1));
-    if (is_damaged)
+    if (shown.shading.is_damaged)
       found_.left_out.push_back(
           Message("{0}, page {1}, mesh {2}: it is damaged; patches of it are left out.", name_,
                   page + 1, number + 1));
     const std::string id =
         "page-" + std::to_string(page + 1) + "-mesh-" + std::to_string(number + 1);
-    const int patches = int(own.size());
+    const int patches = int(shown.shading.patches.size());
     FoundMesh& found = found_.meshes.emplace_back();
-    found = {id, int(page + 1), int(number + 1), type, patches};
+    found = {id, int(page + 1), int(number + 1), shown.shading.type, patches};
     if (const auto grid = find_grid(chosen.mesh))
       std::tie(found.rows, found.columns) = std::pair(grid->rows, grid->columns);
-    found.is_joined = chosen.kind != MeshForm::Kind::page;
+    found.shadings = int(shadings);
+    found.is_joined = shadings > 1 || chosen.kind != MeshForm::Kind::page;
     found.is_from_record = chosen.kind == MeshForm::Kind::record;
     found.is_smooth = chosen.mesh.is_smooth();
     found.difference = chosen.difference;
     found.handles = chosen.page_handles;
     std::optional<SvgStroke> stroke;
     if (painted.stroke) stroke = svg_stroke(painted.stroke->line);
-    objects_.push_back({pages_.size(), id, std::move(shapes), chosen.mesh, patches,
+    objects_.push_back({pages_.size(), id, std::move(shapes), std::move(chosen.mesh), patches,
                         chosen.page_handles, std::move(stroke), painted.blend_mode});
   }
 

@@ -21,6 +21,8 @@ std::string in_words(const nlohmann::ordered_json& found) {
   std::snprintf(difference, sizeof difference, "%.4f", found["difference"].get<double>());
   std::string words = "; " + std::to_string(found["patches"].get<int>()) + " patches with " +
                       std::to_string(found["handles"].get<int>()) + " handles on the page";
+  if (const int shadings = found["shadings"]; shadings > 1)
+    words += ", the tiles of one surface in " + std::to_string(shadings) + " shadings";
   if (const int rows = found["rows"]; rows > 0)
     words += ", one grid of " + std::to_string(rows) + " x " +
              std::to_string(found["columns"].get<int>()) +

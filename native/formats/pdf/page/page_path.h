@@ -17,10 +17,14 @@ struct PagePath {
     Kind kind = Kind::close;
     /// Where it leads is the last point; a curve has its two control points before that.
     std::array<glm::dvec2, 3> points{};
+
+    bool operator==(const Step&) const = default;
   };
 
   std::vector<Step> steps;
   FillRule rule = FillRule::nonzero;
+
+  bool operator==(const PagePath&) const = default;
 };
 
 /// All that is seen through: what is painted lies inside of each.

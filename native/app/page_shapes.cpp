@@ -1,89 +1,19 @@
-#include "app/page_mesh_object.h"
+#include "app/page_shapes.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <numbers>
 
-#include "base/error.h"
-#include "form/handles.h"
-#include "form/smooth_colors.h"
 #include "formats/svg/values/mesh_outline.h"
 #include "formats/text/number.h"
 #include "mesh/boundary.h"
-#include "mesh/build.h"
-#include "metric/metric.h"
-#include "raster/rasterizer.h"
-#include "simplify/options.h"
 
 namespace gradmesh {
 namespace {
 
-/// The largest FLIP at which a mesh looks as the page does for certain.
-constexpr double same_look = 0.01;
-/// How far, of 255, Illustrator's patches are from the smooth colours that they stand for, at most:
-/// the picture of the page is no nearer to them than that. The share of the pixels for which it
-/// must hold leaves out edges and seams.
-constexpr int accuracy_of_pages = 4;
-constexpr double most_pixels = 0.95;
 /// The width in pixels of a line of width 0, which PDF shows as thin as can be seen, and SVG not at
 /// all.
 constexpr double thinnest_line = 1;
-
-Mesh in_pixels(MeshParts parts) {
-  transform(parts, Affine::scaling(glm::dvec2(pixels_per_point)));
-  return build_mesh(parts);
-}
-
-/// What a page shows of a shading, to which meshes are compared.
-class PageLook {
- public:
-  explicit PageLook(const Mesh& page)
-      : frame_(fit_frame(page, {}, usual_resolution)),
-        rasterizer_(make_software_rasterizer()),
-        metric_(make_metric(MetricKind::flip, rasterizer_->paint(page, frame_))) {}
-
-  struct Difference {
-    double flip;
-    bool is_accurate;
-  };
-  Difference difference(const Mesh& mesh) const {
-    const Image seen = rasterizer_->paint(mesh.is_smooth() ? painted_mesh(mesh) : mesh, frame_);
-    return {mean(metric_->map(seen)), is_accurate(seen)};
-  }
-
- private:
-  /// Returns true if the picture is as near to the page's as that is to smooth colours.
-  bool is_accurate(const Image& seen) const {
-    const Image& page = metric_->reference();
-    std::size_t painted = 0, near = 0;
-    for (std::size_t pixel = 0; pixel < page.pixels(); ++pixel) {
-      bool is_white = true, is_near = true;
-      for (std::size_t n = 3 * pixel; n < 3 * pixel + 3; ++n) {
-        is_white = is_white && page.samples[n] == 255 && seen.samples[n] == 255;
-        is_near = is_near && std::abs(page.samples[n] - seen.samples[n]) <= accuracy_of_pages;
-      }
-      if (is_white) continue;
-      ++painted;
-      if (is_near) ++near;
-    }
-    return double(near) >= most_pixels * double(painted);
-  }
-
-  const Frame frame_;
-  const std::unique_ptr<Rasterizer> rasterizer_;
-  const std::unique_ptr<Metric> metric_;
-};
-
-/// Returns the handles of the first form with the patches of the page that fits together.
-int handles_of_page(const std::vector<MeshForm>& forms) {
-  for (const MeshForm& form : forms) try {
-      if (form.kind == MeshForm::Kind::page) return count_handles(in_pixels(form.mesh));
-    } catch (const InputError&) {
-      continue;
-    }
-  return 0;
-}
 
 Box box_of(const PagePath& path) {
   Box box;
@@ -142,6 +72,8 @@ bool shows_all(const PagePath& path, const Box& box) {
          seen.high().x >= box.high().x - rounding && seen.high().y >= box.high().y - rounding;
 }
 
+}  // namespace
+
 std::string path_data(const PagePath& path) {
   const auto point = [](glm::dvec2 at) {
     return format_number(pixels_per_point * at.x) + "," + format_number(pixels_per_point * at.y);
@@ -165,28 +97,6 @@ std::string path_data(const PagePath& path) {
     }
   }
   return data;
-}
-
-}  // namespace
-
-ChosenForm choose_form(const std::vector<PagePatch>& patches, std::vector<MeshForm> forms) {
-  const MeshParts loose = loose_mesh(patches);
-  const PageLook page(in_pixels(loose));
-  // Without any joints the patches are a mesh as well, whatever they are.
-  forms.push_back({loose});
-  for (const MeshForm& form : forms) try {
-      Mesh mesh = in_pixels(form.mesh);
-      const auto [flip, is_accurate] = page.difference(mesh);
-      // Smooth colours are what the patches of a page stand for, which are themselves, joined, what
-      // the page shows.
-      if (flip <= same_look || form.kind == MeshForm::Kind::page ||
-          (form.mesh.smooth && form.kind != MeshForm::Kind::joined && is_accurate))
-        return {form.kind, std::move(mesh), flip, handles_of_page(forms)};
-    } catch (const InputError&) {
-      // Patches that do not fit together as these joints say.
-      if (&form == &forms.back()) throw;
-    }
-  throw InputError("it has no patches");
 }
 
 std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const PageStroke* stroke) {
