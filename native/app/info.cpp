@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <ranges>
 
-#include "app/page_documents.h"
 #include "form/handles.h"
 #include "formats/json/elements.h"
 #include "simplify/options.h"
@@ -48,6 +47,8 @@ const FoundMesh* found_of(const Document& document, const MeshEntry& entry) {
   return found != meshes.end() ? &*found : nullptr;
 }
 
+}  // namespace
+
 ordered_json found_json(const FoundMesh& found) {
   return {{"page", found.page},        {"number", found.number},
           {"type", found.type},        {"shadings", found.shadings},
@@ -56,8 +57,6 @@ ordered_json found_json(const FoundMesh& found) {
           {"joined", found.is_joined}, {"record", found.is_from_record},
           {"smooth", found.is_smooth}, {"difference", found.difference}};
 }
-
-}  // namespace
 
 ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
   ordered_json role = nullptr;

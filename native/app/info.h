@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/edits.h"
+#include "app/page_documents.h"
 #include "app/runs.h"
 
 namespace gradmesh {
@@ -26,6 +27,9 @@ nlohmann::ordered_json result_json(const Document& document, const MeshReport& r
 /// Returns what is told of an edit: {"id", "handles_before", "handles_after", "patches_before",
 /// "patches_after", "objects", "error"}.
 nlohmann::ordered_json edit_json(const EditReport& report);
+
+/// Returns what is told of a mesh of a page: "found" of info_json() below.
+nlohmann::ordered_json found_json(const FoundMesh& found);
 
 /// Returns the contents of a document:
 ///   {"file", "kind": "svg" or another format's name,

@@ -14,12 +14,20 @@ constexpr const char* extensions[] = {".pdf", ".ai", ".eps", ".ps"};
 /// A document whose meshes a page has, as one of SVG.
 class PageDocument : public SvgMeshes {
  public:
-  PageDocument(PagesAsSvg read, const std::string& name)
-      : SvgMeshes(read.svg, name), found_(std::move(read.found)) {}
+  PageDocument(PageMeshes read, const std::string& name)
+      : SvgMeshes(as_svg(read), name), found_(std::move(read.found)) {}
 
   const FoundPages* pages() const override { return &found_; }
 
  private:
+  static std::string as_svg(const PageMeshes& read) {
+    NewSvg svg(read.pages);
+    const auto english = [](const std::string& text) { return text; };
+    write_objects(read.objects, english,
+                  [&svg](std::size_t page, const NewMesh& mesh) { svg.add(page, mesh); });
+    return svg.tree().serialize();
+  }
+
   const FoundPages found_;
 };
 
@@ -43,13 +51,17 @@ bool is_of_pages(const std::filesystem::path& path) {
 
 std::string page_document() { return "PDF"; }
 
+PageMeshes read_page_meshes(std::string_view bytes, const std::string& name,
+                            const PageChoice& choice) {
+  if (!is_postscript(bytes)) return read_pdf(bytes, name, choice);
+  PageMeshes read = read_pdf(pdf_of_postscript(bytes, name), name, choice);
+  read.found.kind = "postscript";
+  return read;
+}
+
 std::unique_ptr<Document> read_pages(std::string_view bytes, const std::string& name,
                                      const PageChoice& choice) {
-  if (!is_postscript(bytes))
-    return std::make_unique<PageDocument>(read_pdf(bytes, name, choice), name);
-  PagesAsSvg read = read_pdf(pdf_of_postscript(bytes, name), name, choice);
-  read.found.kind = "postscript";
-  return std::make_unique<PageDocument>(std::move(read), name);
+  return std::make_unique<PageDocument>(read_page_meshes(bytes, name, choice), name);
 }
 
 }  // namespace gradmesh

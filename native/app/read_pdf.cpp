@@ -6,18 +6,15 @@
 #include <tuple>
 #include <utility>
 
-#include "app/mesh_label.h"
 #include "app/page_form.h"
 #include "app/page_shapes.h"
 #include "app/page_tiles.h"
-#include "app/svg_rules.h"
 #include "base/limits.h"
 #include "formats/pdf/page/pdf_file.h"
 #include "formats/pdf/records/mesh_records.h"
 #include "formats/pdf/records/record_of_page.h"
 #include "mesh/boundary.h"
 #include "mesh/rectangle.h"
-#include "simplify/options.h"
 
 namespace gradmesh {
 namespace {
@@ -28,17 +25,6 @@ constexpr std::size_t tiles_of_part = 8;
 /// How many shadings, painted alike one after another, are told about where they make no surface:
 /// of fewer each may be drawn for itself.
 constexpr std::size_t many_tiles = 64;
-
-/// A mesh as it is to be written.
-struct PageObject {
-  std::size_t page;
-  std::string id;
-  std::vector<SvgShape> shapes;
-  Mesh mesh;
-  int patches, handles;
-  std::optional<SvgStroke> stroke;
-  std::string blend_mode;
-};
 
 class PdfReader {
  public:
@@ -51,14 +37,12 @@ class PdfReader {
       if (!choice.page || n + 1 == std::size_t(*choice.page)) read_page(n);
   }
 
-  PagesAsSvg run() && {
+  PageMeshes run() && {
     if (objects_.empty()) {
       if (!found_.left_out.empty()) throw InputError(found_.left_out.front());
       throw InputError("{0}: there is no gradient mesh on its pages.", name_);
     }
-    NewSvg svg(pages_);
-    for (const PageObject& each : objects_) write(svg, each);
-    return {svg.tree().serialize(), std::move(found_)};
+    return {std::move(pages_), std::move(objects_), std::move(found_)};
   }
 
  private:
@@ -89,7 +73,7 @@ class PdfReader {
     add_tiles(tiles, records, number);
     if (objects_.size() == before) return;
     pages_.push_back({pixels_per_point * page.size.x, pixels_per_point * page.size.y,
-                      Message("Page {0}", number + 1).english()});
+                      page_name(number + 1).english(), int(number + 1)});
   }
 
   /// Returns what is made of mesh `number` of a page; nothing, and tells why, if it cannot be.
@@ -221,22 +205,6 @@ class PdfReader {
                        beyond_limit("patches", most, patches_));
   }
 
-  static void write(NewSvg& svg, const PageObject& object) {
-    const auto& [page, id, shapes, mesh, patches, handles, stroke, blend_mode] = object;
-    const WrittenForm form = exact_block_rules()->form(mesh, fit_frame(mesh, {}, usual_resolution));
-    const MeshCounts counts = counts_of(form.surface);
-    const MeshCounts before{handles, patches};
-    const std::string label =
-        (patches > counts.patches ? mesh_label(counts, before) : mesh_label(counts)).english();
-    NewMesh made{id,
-                 shapes.front(),
-                 {shapes.rbegin(), shapes.rend() - 1},
-                 {mesh, *form.blocks, label, before}};
-    made.stroke = stroke;
-    made.blend_mode = blend_mode;
-    svg.add(page, made);
-  }
-
   const PdfFile file_;
   KeptShadings kept_;
   const std::string name_;
@@ -248,7 +216,7 @@ class PdfReader {
 
 }  // namespace
 
-PagesAsSvg read_pdf(std::string_view bytes, const std::string& name, const PageChoice& choice) {
+PageMeshes read_pdf(std::string_view bytes, const std::string& name, const PageChoice& choice) {
   return PdfReader(bytes, name, choice).run();
 }
 

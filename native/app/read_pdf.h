@@ -3,17 +3,11 @@
 #include <string>
 #include <string_view>
 
-#include "app/page_documents.h"
+#include "app/page_objects.h"
 
 namespace gradmesh {
 
-/// The meshes of pages as an SVG document.
-struct PagesAsSvg {
-  std::string svg;
-  FoundPages found;
-};
-
-/// Reads the meshes of PDF pages. Throws InputError as read_pages() does.
-PagesAsSvg read_pdf(std::string_view bytes, const std::string& name, const PageChoice& choice);
+/// Reads the meshes of PDF pages; there is at least one. Throws InputError as read_pages() does.
+PageMeshes read_pdf(std::string_view bytes, const std::string& name, const PageChoice& choice);
 
 }  // namespace gradmesh

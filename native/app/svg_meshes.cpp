@@ -238,6 +238,14 @@ MeshEntry SvgMeshes::paint_shape(const std::string& id, const Mesh& mesh) {
   return selected({id}).front();
 }
 
+void SvgMeshes::add_pages(const std::vector<SvgPage>& pages, const std::string& into,
+                          const std::function<void(PagesInSvg&)>& fill) {
+  PagesInSvg places(changing(), pages, into);
+  fill(places);
+  mark_changed();
+  list_meshes();
+}
+
 std::string SvgMeshes::named_image(const std::string& id, const std::string& image) {
   return gradmesh::named_image(changing(), id, image);
 }

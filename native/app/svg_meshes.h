@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <variant>
 
 #include "app/document.h"
 #include "formats/svg/gradient/mesh_gradient.h"
+#include "formats/svg/group/pages_in_svg.h"
 #include "formats/svg/picture/document_image.h"
 #include "formats/svg/picture/picture.h"
 #include "formats/svg/picture/remembered_picture.h"
@@ -71,6 +73,11 @@ class SvgMeshes : public Document {
   /// Fills the shape with this id by a mesh in its user space (formats/svg/gradient/paint_shape.h),
   /// and returns its entry. All entries are listed anew.
   MeshEntry paint_shape(const std::string& id, const Mesh& mesh);
+
+  /// Adds pages to the document (formats/svg/group/pages_in_svg.h): `fill` is given what their
+  /// objects go into. All entries are listed anew.
+  void add_pages(const std::vector<SvgPage>& pages, const std::string& into,
+                 const std::function<void(PagesInSvg&)>& fill);
 
   /// Where a mesh is shown.
   struct Place {

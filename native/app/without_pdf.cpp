@@ -2,7 +2,7 @@
 
 namespace gradmesh {
 
-PagesAsSvg read_pdf(std::string_view, const std::string& name, const PageChoice&) {
+PageMeshes read_pdf(std::string_view, const std::string& name, const PageChoice&) {
   throw InputError("{0}: this gradmesh was built without PDF.", name);
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/convert.h"
 #include "app/info.h"
+#include "app/insert_pages.h"
 #include "app/page_documents.h"
 #include "base/utf8_path.h"
 #include "service/functions.h"
@@ -52,6 +53,18 @@ Json convert_document(const Call& call) {
           {"patches", patches},
           {"error", conversion.error},
           {"lost_opacity", conversion.lost_opacity}};
+}
+
+Json insert_pages_into(const Call& call) {
+  const FoundPages found = insert_pages(call.document(), path_argument(call, "path"),
+                                        page_choice(call), call.get("into", std::string()));
+  Json meshes = Json::array(), left_out = Json::array();
+  for (const FoundMesh& mesh : found.meshes) {
+    Json& told = meshes.emplace_back(found_json(mesh));
+    told["id"] = mesh.id;
+  }
+  for (const Message& sentence : found.left_out) left_out.push_back(message_json(sentence));
+  return {{"meshes", meshes}, {"left_out", left_out}};
 }
 
 Json write_document(const Call& call) {

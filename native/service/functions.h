@@ -11,6 +11,7 @@ namespace gradmesh {
 Json read_document(const Call& call);
 Json parse_document(const Call& call);
 Json convert_document(const Call& call);
+Json insert_pages_into(const Call& call);
 Json write_document(const Call& call);
 Json document_bytes(const Call& call);
 Json document_kind(const Call& call);

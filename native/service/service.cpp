@@ -22,6 +22,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"read", read_document},
       {"parse", parse_document},
       {"convert", convert_document},
+      {"insert_pages", insert_pages_into},
       {"trace", trace_picture},
       {"trace_in", trace_document},
       {"write", write_document},

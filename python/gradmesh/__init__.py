@@ -25,6 +25,7 @@ from .api import (
 from .core import core as _core_in_use
 from .edits import Edit, Update, join_colors, merge, recolor, refine, to_one_mesh, update
 from .errors import HelperError, InputError
+from .pages import InsertedPages, PageMesh, insert_pages
 from .pictures import compare, differences, draw, render, report
 from .publishing import Published, publish
 from .session import Pointed, Session, View
@@ -46,7 +47,9 @@ __all__ = [
     "Edit",
     "HelperError",
     "InputError",
+    "InsertedPages",
     "MeshInfo",
+    "PageMesh",
     "PictureErrors",
     "Pointed",
     "Progress",
@@ -63,6 +66,7 @@ __all__ = [
     "differences",
     "draw",
     "info",
+    "insert_pages",
     "join_colors",
     "load",
     "loads",

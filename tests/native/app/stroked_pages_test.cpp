@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/document.h"
-#include "app/read_pdf.h"
+#include "app/page_documents.h"
 #include "base/error.h"
 #include "pdf_shadings.h"
 
@@ -16,7 +16,7 @@ std::string svg_of(const std::string& content) {
       pdf_document("/MediaBox [0 0 72 72] /Resources << /Pattern << /p 6 0 R >> >>",
                    "/Pattern CS /p SCN " + content,
                    {square_shading(), "<< /PatternType 2 /Shading 5 0 R /Matrix [8 0 0 8 0 0] >>"});
-  return read_pdf(document, "a.pdf", {}).svg;
+  return read_pages(document, "a.pdf", {})->bytes();
 }
 
 bool holds(const std::string& svg, const std::string& part) { return svg.find(part) != svg.npos; }

@@ -9,20 +9,13 @@
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/tree/unused.h"
 #include "formats/svg/values/color.h"
+#include "formats/svg/values/transform.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 #include "formats/text/scanner.h"
 
 namespace gradmesh {
 namespace {
-
-std::string matrix(const Affine& map) {
-  const auto& [linear, offset] = map;
-  std::string text = "matrix(";
-  for (const double x : {linear[0].x, linear[0].y, linear[1].x, linear[1].y, offset.x, offset.y})
-    text.append(text.back() == '(' ? "" : " ").append(format_number(x));
-  return text + ")";
-}
 
 /// Adds a clip path of the mesh's outline. Returns its id.
 std::string add_outline(SvgTree& tree, const std::string& id, const PlacedPicture& picture) {
@@ -31,7 +24,7 @@ std::string add_outline(SvgTree& tree, const std::string& id, const PlacedPictur
   xmlNode* path = add_child(clip, "path");
   set_attribute(path, "d", picture.outline);
   if (picture.outline_to_user != Affine())
-    set_attribute(path, "transform", matrix(picture.outline_to_user));
+    set_attribute(path, "transform", transform_text(picture.outline_to_user));
   return tree.give_id(clip, id + "-outline");
 }
 

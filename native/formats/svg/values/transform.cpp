@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "formats/text/number.h"
 #include "formats/text/scanner.h"
 
 namespace gradmesh {
@@ -74,6 +75,14 @@ std::optional<Affine> parse_transform(std::string_view text) {
     scanner.skip_comma();
   }
   return is_finite(product) ? std::optional(product) : std::nullopt;
+}
+
+std::string transform_text(const Affine& map) {
+  const auto& [linear, offset] = map;
+  std::string text = "matrix(";
+  for (const double x : {linear[0].x, linear[0].y, linear[1].x, linear[1].y, offset.x, offset.y})
+    text.append(text.back() == '(' ? "" : " ").append(format_number(x));
+  return text + ")";
 }
 
 }  // namespace gradmesh

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Extensions > Gradient Mesh > Meshes of a PDF: puts the meshes of a PDF or of Illustrator's file into the document."""
+
+import os
+
+from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences, sentence, translated
+from gradmesh_inkex import AbortExtension
+from gradmesh_report import report
+from gradmesh_text import _
+from gradmesh_toast import toast
+
+CURRENT_LAYER = "{http://www.inkscape.org/namespaces/inkscape}current-layer"
+NAMED_VIEW = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}namedview"
+
+
+class Pages(GradmeshEffect):
+    """Adds the meshes where they are seen on their pages."""
+
+    def add_arguments(self, pars):
+        super().add_arguments(pars)
+        pars.add_argument("--file", default="")
+        pars.add_argument("--page", type=int, default=0)
+        pars.add_argument("--password", default="")
+        pars.add_argument("--into", default="layers")
+
+    def effect(self):
+        path = self.options.file.strip()
+        # Of a field that nobody has filled Inkscape makes the folder of its copy of the document.
+        if not path or os.path.isdir(path):
+            raise AbortExtension(_("Choose a PDF, or a file of Illustrator, whose meshes are to be put here."))
+        with refusals_as_sentences():
+            inserted = self.insert(path)
+        report.meshes = inserted.meshes
+        self.take_over()
+        toast(" ".join(self.what_became(inserted)))
+
+    def insert(self, path):
+        return gradmesh.insert_pages(
+            self.meshes,
+            path,
+            page=self.options.page or None,
+            password=self.options.password,
+            into=self.current_layer() if self.options.into == "layer" else "",
+        )
+
+    def current_layer(self):
+        """The id of the layer that a person draws in; of the document where there is none."""
+        elements = self.elements_by_id()
+        for view in self.svg.iter(NAMED_VIEW):
+            name = view.get(CURRENT_LAYER)
+            if name in elements:
+                return name
+        return self.svg.get("id") or ""
+
+    def what_became(self, inserted):
+        """Sentences on what was read, and on what was not."""
+        grids = [mesh for mesh in inserted.meshes if mesh.rows]
+        count = len(inserted.meshes)
+        if count == 1:
+            yield _("One mesh was read.")
+        else:
+            yield _("{count} meshes were read.").format(count=count)
+        if len(grids) < count:
+            yield _("{count} of them are blocks, which Simplify joins.").format(count=count - len(grids))
+        for left_out in inserted.left_out[:3]:
+            yield sentence(translated(left_out.message))
+
+
+if __name__ == "__main__":
+    Pages().run()

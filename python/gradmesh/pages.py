@@ -1,0 +1,60 @@
+"""Meshes of PDF and PostScript in documents that are there already. Python checks and calls; the core computes."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Optional
+
+from .api import Document, Path
+from .core import record, refusal
+from .errors import InputError
+
+
+@dataclass(frozen=True)
+class PageMesh:
+    """A mesh of a page, and what became of it."""
+
+    id: str  #: of its object
+    page: int  #: from 1
+    number: int  #: among the meshes that the page paints, from 1
+    shadings: int  #: how many of the page it is, more than one for the tiles of a surface
+    patches: int  #: that the page has of it
+    handles: int  #: that these would have, all joined
+    rows: int  #: of the one grid that it became; 0 for a mesh with T-junctions
+    columns: int
+    smooth: bool  #: whether its colours are smooth
+    difference: float  #: FLIP against the page's own patches
+
+
+@dataclass(frozen=True)
+class InsertedPages:
+    """What insert_pages() has put into a document."""
+
+    meshes: list[PageMesh]
+    left_out: list[InputError]  #: a sentence for all that was not read, or not all of it
+
+
+def insert_pages(
+    document: Document,
+    path: Path,
+    *,
+    page: Optional[int] = None,
+    password: str = "",
+    into: str = "",
+) -> InsertedPages:
+    """Puts the meshes of a PDF, or of what load() takes as one, into an SVG document, in place.
+
+    They lie where, and are as large as, they are on their page; a page lies on the document's page of its number, or
+    else on the first one, further ones beside it. page, password: as of load(). into: the id of a group or layer;
+    without it each page becomes a new layer above all else.
+    Raises InputError for other documents, and where there is no such page, group or mesh; the document is then
+    unchanged.
+    """
+    made = document._core.call(
+        "insert_pages", path=os.fspath(path), page=page, password=password, into=into
+    )
+    return InsertedPages(
+        [record(PageMesh, mesh) for mesh in made["meshes"]],
+        [refusal(message) for message in made["left_out"]],
+    )

@@ -1,0 +1,133 @@
+// Meshes of pages that are put into documents.
+#include "app/insert_pages.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/svg_meshes.h"
+#include "complaint.h"
+#include "mesh/boundary.h"
+#include "pdf_shadings.h"
+
+using namespace gradmesh;
+using test::complaint;
+
+namespace {
+
+/// A file of pages of 150 x 75 points, each with the square of 9 points as often as it says, side
+/// by side from the lower left on.
+class InsertPages : public testing::Test {
+ protected:
+  void write(const std::vector<int>& counts) {
+    std::vector<PdfPageText> pages;
+    for (const int count : counts) {
+      std::string content;
+      for (int n = 0; n < count; ++n) content += "/sh sh 1 0 0 1 20 0 cm ";
+      pages.push_back({"/MediaBox [0 0 150 75] /Resources << /Shading << /sh " +
+                           std::to_string(3 + 2 * counts.size()) + " 0 R >> >>",
+                       content});
+    }
+    std::ofstream(path_, std::ios::binary) << pdf_document(pages, {square_shading()});
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  static std::unique_ptr<Document> svg(const std::string& attributes,
+                                       const std::string& inside = "") {
+    return Document::parse(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" " +
+            attributes + ">" + inside + "</svg>",
+        "a.svg");
+  }
+
+  FoundPages insert(Document& document, const PageChoice& choice = {},
+                    const std::string& into = "") const {
+    return insert_pages(document, path_, choice, into);
+  }
+
+  /// Where the object with this id is seen, in pixels of the document.
+  static Box seen(const Document& document, const std::string& id) {
+    const MeshEntry entry = document.selected({id}).front();
+    const SvgMeshes::Place place = document.svg()->place(entry);
+    return bounding_box(document.mesh(entry), place.to_page * place.to_user);
+  }
+  static void expect_box(const Box& box, glm::dvec2 low, glm::dvec2 high) {
+    EXPECT_NEAR(box.low().x, low.x, 1e-6);
+    EXPECT_NEAR(box.low().y, low.y, 1e-6);
+    EXPECT_NEAR(box.high().x, high.x, 1e-6);
+    EXPECT_NEAR(box.high().y, high.y, 1e-6);
+  }
+
+  std::filesystem::path path_ =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("insert_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+       ".pdf");
+};
+
+TEST_F(InsertPages, puts_them_where_they_are_on_the_page) {
+  write({2});
+  // Units of millimetres, as Inkscape's own documents have them.
+  const auto document = svg("width=\"100mm\" height=\"50mm\" viewBox=\"0 0 100 50\"");
+  const FoundPages found = insert(*document);
+  ASSERT_EQ(found.meshes.size(), 2U);
+  expect_box(seen(*document, "page-1-mesh-1"), {0, 88}, {12, 100});
+  expect_box(seen(*document, "page-1-mesh-2"), {20 / .75, 88}, {12 + 20 / .75, 100});
+  const std::string text = document->bytes();
+  EXPECT_NE(text.find("inkscape:groupmode=\"layer\""), text.npos);
+  EXPECT_NE(text.find("inkscape:label=\"" + path_.filename().string() + '"'), text.npos);
+}
+
+TEST_F(InsertPages, puts_them_into_a_group) {
+  write({1});
+  const auto document =
+      svg("width=\"150\" height=\"100\"",
+          "<g id=\"own\" transform=\"translate(7 5) scale(2)\"><path id=\"p\"/></g>");
+  insert(*document, {}, "own");
+  expect_box(seen(*document, "page-1-mesh-1"), {0, 88}, {12, 100});
+  const std::string text = document->bytes();
+  EXPECT_EQ(text.find("groupmode"), text.npos);
+  EXPECT_LT(text.find("id=\"p\""), text.find("id=\"page-1-mesh-1\""));
+  EXPECT_LT(text.find("id=\"page-1-mesh-1\""), text.find("</g>"));
+}
+
+TEST_F(InsertPages, gives_ids_that_are_free) {
+  write({1});
+  const auto document = svg("width=\"150\" height=\"100\"");
+  EXPECT_EQ(insert(*document).meshes.at(0).id, "page-1-mesh-1");
+  EXPECT_EQ(insert(*document).meshes.at(0).id, "page-1-mesh-1-2");
+  EXPECT_EQ(document->meshes().size(), 2U);
+}
+
+TEST_F(InsertPages, lays_pages_on_those_of_the_document) {
+  write({1, 1, 1});
+  const std::string pages =
+      "<inkscape:page x=\"0\" y=\"0\" width=\"150\" height=\"100\"/>"
+      "<inkscape:page x=\"30\" y=\"400\" width=\"150\" height=\"100\"/>";
+  const auto document = svg("width=\"150\" height=\"100\"", pages);
+  insert(*document);
+  expect_box(seen(*document, "page-1-mesh-1"), {0, 88}, {12, 100});
+  expect_box(seen(*document, "page-2-mesh-1"), {30, 488}, {42, 500});
+  // There is no third one: it lies beside as if pages lay in a row.
+  expect_box(seen(*document, "page-3-mesh-1"), {440, 88}, {452, 100});
+  const auto other = svg("width=\"150\" height=\"100\"");
+  insert(*other, {.page = 3});
+  expect_box(seen(*other, "page-3-mesh-1"), {0, 88}, {12, 100});
+}
+
+TEST_F(InsertPages, leaves_the_document_as_it_was_where_it_cannot) {
+  write({1});
+  const auto document = svg("width=\"150\" height=\"100\"", "<path id=\"p\" d=\"M0,0\"/>");
+  const std::string before = document->bytes();
+  EXPECT_EQ(complaint([&] { insert(*document, {}, "p"); }),
+            "a.svg: it has no layer or group with the id p.");
+  EXPECT_EQ(complaint([&] { insert(*document, {}, "q"); }),
+            "a.svg: it has no layer or group with the id q.");
+  EXPECT_EQ(complaint([&] { insert(*document, {.page = 2}); }),
+            path_.string() + ": there is no page 2; it has 1.");
+  std::ofstream(path_, std::ios::binary) << "<svg/>";
+  EXPECT_EQ(complaint([&] { insert(*document); }), path_.string() + ": it is no PDF document.");
+  EXPECT_EQ(document->bytes(), before);
+}
+
+}  // namespace
