@@ -12,16 +12,16 @@ namespace gradmesh {
 namespace {
 
 /// A tile has few patches, a surface many tiles.
-constexpr std::size_t most_patches = 4, most_parts = 8, fewest_tiles = 8;
+constexpr std::size_t patches_of_tile = 4, parts_of_tile = 8, fewest_tiles = 8;
 /// In points: what rounds the corners of tiles.
 constexpr double point_tolerance = 0.02;
 /// Paths around a tile are short.
-constexpr std::size_t most_steps = 64;
+constexpr std::size_t steps_around_tile = 64;
 
 bool is_tile(const ShownShading& shading) {
   const PaintedShading& painted = shading.painted;
-  return shading.shown.shading.patches.size() <= most_patches &&
-         shading.shown.patches.size() <= most_parts && !painted.mask && !painted.stroke;
+  return shading.shown.shading.patches.size() <= patches_of_tile &&
+         shading.shown.patches.size() <= parts_of_tile && !painted.mask && !painted.stroke;
 }
 
 bool is_painted_alike(const PaintedShading& a, const PaintedShading& b) {
@@ -35,7 +35,7 @@ bool is_same(const Clips& a, const Clips& b) {
 /// Returns true if a clip path hides nothing of patches: places all over them lie inside. Those
 /// at their sides are left out, since the path may run there, and either may be rounded.
 bool hides_nothing(const PagePath& path, const std::vector<PagePatch>& patches) {
-  if (path.steps.size() > most_steps) return false;
+  if (path.steps.size() > steps_around_tile) return false;
   const auto outline = path_outline(path_data(path));
   if (!outline) return false;
   const FilledOutline area{*outline, path.rule};

@@ -10,6 +10,7 @@
 #include "formats/svg/picture/picture.h"
 #include "formats/svg/picture/remembered_picture.h"
 #include "formats/svg/picture/shape_on_picture.h"
+#include "formats/svg/tree/effects.h"
 
 namespace gradmesh {
 
@@ -93,6 +94,10 @@ class SvgMeshes : public Document {
     bool fills_shape = false;
   };
   Place place(const MeshEntry& entry) const;
+  /// Returns what happens to the mesh of an object (formats/svg/tree/effects.h).
+  ObjectEffects effects(const MeshEntry& entry) const {
+    return object_effects(svg_, object(entry));
+  }
   /// What is to be shown instead of a mesh: a picture, or colours in the object's user space.
   using Look = std::variant<PlacedPicture, LinearColors>;
   /// Replaces meshes, each by what is to be shown instead, and removes what no other mesh of the

@@ -88,4 +88,12 @@ Json publish_document(const Call& call) {
   return list;
 }
 
+Json publish_code_of_document(const Call& call) {
+  const CodeLanguage language = code_language_named(call.get("language", std::string()));
+  const PublishedSources published = publish_code(call.document(), language);
+  Json list = Json::array();
+  for (const PublishedCode& mesh : published.meshes) list.push_back(published_code_json(mesh));
+  return {{"meshes", list}, {"source", published.source}};
+}
+
 }  // namespace gradmesh

@@ -30,6 +30,7 @@ Json analyze_document(const Call& call);
 
 // Edits.
 Json publish_document(const Call& call);
+Json publish_code_of_document(const Call& call);
 Json update_document(const Call& call);
 Json merge_patches(const Call& call);
 Json refine_patches(const Call& call);

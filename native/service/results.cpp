@@ -57,4 +57,14 @@ Json published_json(const PublishedMesh& mesh) {
           {"bytes", mesh.bytes}, {"refused", refusal_json(mesh.refused)}};
 }
 
+Json published_code_json(const PublishedCode& mesh) {
+  Json lost = Json::array();
+  for (const Message& sentence : mesh.lost) lost.push_back(message_json(sentence));
+  return {{"id", mesh.id},
+          {"name", mesh.name},
+          {"source", mesh.source},
+          {"lost", lost},
+          {"refused", refusal_json(mesh.refused)}};
+}
+
 }  // namespace gradmesh

@@ -4,6 +4,7 @@
 
 #include "app/info.h"
 #include "app/publish.h"
+#include "app/publish_code.h"
 #include "app/runs.h"
 #include "service/arguments.h"
 
@@ -23,5 +24,6 @@ Json results_json(const Document& document, const std::vector<MeshReport>& repor
                   const RunOptions& options, const std::string& original);
 Json update_json(const UpdateReport& report);
 Json published_json(const PublishedMesh& mesh);
+Json published_code_json(const PublishedCode& mesh);
 
 }  // namespace gradmesh

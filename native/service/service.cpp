@@ -41,6 +41,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"join_colors", join_colors_of_point},
       {"to_one_mesh", to_one_mesh_document},
       {"publish", publish_document},
+      {"publish_code", publish_code_of_document},
       {"open_session", open_session},
       {"close_session", close_session},
       {"session_status", session_status},

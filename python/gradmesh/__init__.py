@@ -27,7 +27,7 @@ from .edits import Edit, Update, join_colors, merge, recolor, refine, to_one_mes
 from .errors import HelperError, InputError
 from .pages import InsertedPages, PageMesh, insert_pages
 from .pictures import compare, differences, draw, render, report
-from .publishing import Published, publish
+from .publishing import Published, PublishedCode, PublishedSources, publish, publish_code
 from .session import Pointed, Session, View
 from .tracing import PictureErrors, Tracing, trace, trace_in
 
@@ -54,6 +54,8 @@ __all__ = [
     "Pointed",
     "Progress",
     "Published",
+    "PublishedCode",
+    "PublishedSources",
     "Result",
     "Session",
     "Tracing",
@@ -73,6 +75,7 @@ __all__ = [
     "merge",
     "options",
     "publish",
+    "publish_code",
     "recolor",
     "refine",
     "render",

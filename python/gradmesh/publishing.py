@@ -7,7 +7,7 @@ from typing import Optional
 
 from .api import Document
 from .core import record
-from .errors import InputError
+from .errors import InputError, said
 
 
 @dataclass(frozen=True)
@@ -36,3 +36,37 @@ def publish(document: Document, *, scale: float = 2) -> list[Published]:
     where no mesh can be read, ValueError for another scale; the document is then unchanged.
     """
     return [record(Published, made) for made in document._core.call("publish", scale=float(scale))]
+
+
+@dataclass(frozen=True)
+class PublishedCode:
+    """One mesh as code for apps."""
+
+    id: str
+    name: str  #: of the view or the composable; empty where the mesh cannot be read
+    source: str  #: a whole file of code
+    lost: tuple[str, ...]  #: sentences on what of the object's look the code does not hold
+    refused: Optional[InputError] = None  #: why there is no code: it cannot be read
+
+
+@dataclass(frozen=True)
+class PublishedSources:
+    """The meshes of a document as code for apps."""
+
+    meshes: list[PublishedCode]
+    source: str  #: one file of code with all of them
+
+
+def publish_code(document: Document, language: str) -> PublishedSources:
+    """Returns the meshes of an SVG document as code for apps, which paints them by mesh gradients.
+
+    language: "swift" for views of SwiftUI, "compose" for composables of Jetpack Compose, in Kotlin.
+    A mesh is as it is seen on the page, cut by its object's shape where that hides some of it. The
+    document stays as it is. Raises InputError for .hemesh files and where no mesh can be read,
+    ValueError for another language.
+    """
+    made = document._core.call("publish_code", language=str(language))
+    meshes = [
+        record(PublishedCode, {**mesh, "lost": tuple(map(said, mesh["lost"]))}) for mesh in made["meshes"]
+    ]
+    return PublishedSources(meshes, made["source"])

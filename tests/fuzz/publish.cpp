@@ -1,7 +1,9 @@
 // Whatever a document is, what is published of it can be read, and shows no mesh that could be.
+// Code of its meshes ends in lines of ours.
 #include <cstdlib>
 
 #include "app/publish.h"
+#include "app/publish_code.h"
 #include "app/svg_meshes.h"
 #include "target.h"
 
@@ -18,6 +20,14 @@ void check(std::string_view bytes) {
   accepts([&] {
     SvgMeshes document(bytes, input_name);
     const std::string before = document.bytes();
+    accepts([&] {
+      for (const CodeLanguage language : {CodeLanguage::swift, CodeLanguage::compose}) {
+        const PublishedSources made = publish_code(document, language);
+        require(is_published_code(made.source) && made.source.ends_with("}\n"),
+                "code is of this program");
+      }
+    });
+    require(document.bytes() == before, "code changes nothing");
     std::size_t refused = 0;
     const bool published = accepts([&] {
       for (const PublishedMesh& mesh : publish(document)) {

@@ -43,7 +43,7 @@ RANK = {
 #: Folders inside of others; those that are not named come before all of these.
 INNER = {
     "formats": {
-        "text": 0, "json": 1, "hemesh": 1, "packed": 1,
+        "code": 0, "text": 0, "json": 1, "hemesh": 1, "packed": 1,
         "pdf/bits": 0, "pdf/color": 1, "pdf/shading": 1, "pdf/grid": 2, "pdf/records": 3,
         "pdf/page": 3,
         "svg/xml": 1, "svg/values": 2, "svg/tree": 3, "svg/gradient": 4, "svg/group": 5, "svg/picture": 6,

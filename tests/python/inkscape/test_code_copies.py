@@ -1,0 +1,28 @@
+"""File > Save a Copy as code for apps."""
+
+import pytest
+
+from built import SAMPLES
+from extension_runs import extension, run  # noqa: F401
+
+import gradmesh
+
+ITEMS = [("swift", "import SwiftUI"), ("compose", "import androidx.compose")]
+
+
+@pytest.mark.parametrize("item, words", ITEMS)
+def test_a_copy_is_the_code_of_all_meshes(run, item, words):
+    done = run(SAMPLES / "two.svg", item=item)
+    assert (done.returncode, done.stderr) == (0, "")
+    made = gradmesh.publish_code(gradmesh.load(SAMPLES / "two.svg"), item)
+    # The first line names the file that Inkscape hands over.
+    assert done.stdout.split("\n", 1)[1] == made.source.split("\n", 1)[1]
+    assert done.stdout.startswith("// Made by gradmesh ") and words in done.stdout
+
+
+@pytest.mark.parametrize("item, words", ITEMS)
+def test_a_drawing_without_meshes_is_refused(run, tmp_path, item, words):
+    drawing = tmp_path / "empty.svg"
+    drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>')
+    done = run(drawing, item=item)
+    assert words not in done.stdout and "mesh" in done.stderr
