@@ -43,16 +43,18 @@ class PageLook {
   bool is_accurate(const Image& seen) const {
     const Image& page = metric_->reference();
     std::size_t painted = 0, near = 0;
-    for (std::size_t pixel = 0; pixel < page.pixels(); ++pixel) {
-      bool is_white = true, is_near = true;
-      for (std::size_t n = 3 * pixel; n < 3 * pixel + 3; ++n) {
-        is_white = is_white && page.samples[n] == 255 && seen.samples[n] == 255;
-        is_near = is_near && std::abs(page.samples[n] - seen.samples[n]) <= accuracy_of_pages;
+    for (int y = 0; y < page.height; ++y)
+      for (int x = 0; x < page.width; ++x) {
+        bool is_white = true, is_near = true;
+        for (int channel = 0; channel < 3; ++channel) {
+          const int a = *page.at(x, y, channel), b = *seen.at(x, y, channel);
+          is_white = is_white && a == 255 && b == 255;
+          is_near = is_near && std::abs(a - b) <= accuracy_of_pages;
+        }
+        if (is_white) continue;
+        ++painted;
+        if (is_near) ++near;
       }
-      if (is_white) continue;
-      ++painted;
-      if (is_near) ++near;
-    }
     return double(near) >= most_pixels * double(painted);
   }
 

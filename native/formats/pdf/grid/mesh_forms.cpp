@@ -59,13 +59,14 @@ std::vector<MeshForm> forms_of_grid(const ArtistsGrid& grid) {
 }
 
 /// Adds the artist's grid with smooth colours, with more and more rows and columns, as long as it
-/// has fewer patches than the page, and behind the first one that with bilinear colours.
+/// has at most half as many patches as the page, beyond which what is on the page is as good, and
+/// behind the first one that with bilinear colours.
 void add_grids(std::vector<MeshForm>& forms, const ArtistsGrid& artists, MeshForm::Kind kind,
-               const PageColors& colors, std::size_t most) {
+               const PageColors& colors, std::size_t on_page) {
   RefinedGrid refined(patches_of(artists), colors);
   forms.push_back(form_of(patches_of(artists), kind, true));
   forms.push_back(form_of(patches_of(artists), MeshForm::Kind::joined));
-  while (refined.divide() && std::size_t(refined.rows() * refined.columns()) < most)
+  while (refined.divide() && 2 * std::size_t(refined.rows() * refined.columns()) <= on_page)
     forms.push_back(form_of(refined.grid(), kind, true));
 }
 
