@@ -13,7 +13,7 @@ from inkscape_harness import WINDOW_PROGRAMS, Inkscape
 pytestmark = needs(*WINDOW_PROGRAMS)
 
 # Where things are on the harness's screen once the page fits the window.
-PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 364)
+PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 390)
 SIMPLIFY_TAB, MORE_TAB = (58, 30), (134, 30)
 HOW_MUCH, STRONG, ONLY_SAY, APPLY, CLOSE = (240, 115), (230, 175), (35, 453), (585, 554), (495, 554)
 DIALOG, CANVAS, STATUS = (0, 0, 630, 574), (640, 140, 1370, 900), (450, 960, 1060, 1000)
