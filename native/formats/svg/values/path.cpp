@@ -68,6 +68,8 @@ std::optional<CenterArc> center_arc(const EndArc& arc) {
   result.center = (arc.from + arc.to) / 2.0 +
                   glm::dvec2(cs * scaled.x - sn * scaled.y, sn * scaled.x + cs * scaled.y);
   result.extent = result.way_to(std::atan2(last.y, last.x));
+  // Ends that only rounding tells apart: the large arc is the whole ellipse, and not nothing of it.
+  if (arc.large && result.extent < std::numbers::pi) result.extent = full_turn;
   return result;
 }
 
