@@ -11,7 +11,6 @@
 #include "form/written_patch.h"
 #include "mesh/boundary.h"
 #include "mesh/rectangle.h"
-#include "raster/hidden.h"
 #include "raster/overlaps.h"
 #include "raster/picture.h"
 #include "simplify/options.h"
@@ -169,17 +168,7 @@ class CodeMaker {
   /// Returns true if a set of outlines hides more of the mesh than a margin of a pixel.
   bool hides_some(const std::vector<FilledOutline>& set) {
     if (!picture_) picture_ = picture_of(mesh_, frame_);
-    const HiddenPixels hidden(VisibleArea{{set}}, frame_);
-    const auto is_hidden_around = [&](int x, int y) {
-      for (int near_y = std::max(0, y - 1); near_y < std::min(frame_.height, y + 2); ++near_y)
-        for (int near_x = std::max(0, x - 1); near_x < std::min(frame_.width, x + 2); ++near_x)
-          if (!hidden.contains(near_x, near_y)) return false;
-      return true;
-    };
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x)
-        if (*picture_->covered.at(x, y) && is_hidden_around(x, y)) return true;
-    return false;
+    return covers_beyond(*picture_, set, frame_);
   }
 
   void add_clips() {

@@ -164,18 +164,7 @@ class MeshPublisher {
   /// Returns true if the mesh covers pixels that are more than a pixel beyond a path.
   bool paints_beyond(const std::string& path, const MeshPicture& picture) const {
     const auto outline = path_outline(path);
-    if (!outline) return true;
-    const HiddenPixels beyond({{{{*outline}}}}, frame_);
-    const auto is_beyond = [&](int x, int y) {
-      for (int near_y = std::max(0, y - 1); near_y < std::min(frame_.height, y + 2); ++near_y)
-        for (int near_x = std::max(0, x - 1); near_x < std::min(frame_.width, x + 2); ++near_x)
-          if (!beyond.contains(near_x, near_y)) return false;
-      return true;
-    };
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x)
-        if (*picture.covered.at(x, y) && is_beyond(x, y)) return true;
-    return false;
+    return !outline || covers_beyond(picture, {{*outline}}, frame_);
   }
 
   /// Makes the picture end where the mesh does.

@@ -7,6 +7,7 @@
 #include "form/smooth_colors.h"
 #include "mesh/build.h"
 #include "mesh/subdivide.h"
+#include "raster/hidden.h"
 #include "raster/painting.h"
 #include "raster/rasterizer.h"
 
@@ -72,6 +73,21 @@ MeshPicture picture_of(const Mesh& mesh, Frame frame) {
       [](std::uint32_t sample) { return std::uint8_t(TopFace(sample).face().valid()); });
   spread(picture);
   return picture;
+}
+
+bool covers_beyond(const MeshPicture& picture, const std::vector<FilledOutline>& set,
+                   const Frame& frame) {
+  const HiddenPixels beyond(VisibleArea{{set}}, frame);
+  const auto is_beyond = [&](int x, int y) {
+    for (int near_y = std::max(0, y - 1); near_y < std::min(frame.height, y + 2); ++near_y)
+      for (int near_x = std::max(0, x - 1); near_x < std::min(frame.width, x + 2); ++near_x)
+        if (!beyond.contains(near_x, near_y)) return false;
+    return true;
+  };
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x)
+      if (*picture.covered.at(x, y) && is_beyond(x, y)) return true;
+  return false;
 }
 
 }  // namespace gradmesh

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "base/image.h"
+#include "geom/outline.h"
 #include "mesh/mesh.h"
 #include "raster/frame.h"
 
@@ -21,5 +23,10 @@ struct MeshPicture {
 /// Paints a mesh alone, with the colours that Inkscape's own picture has at this size
 /// (make_cairo_like_rasterizer). Hidden pixels are painted too.
 MeshPicture picture_of(const Mesh& mesh, Frame frame);
+
+/// Returns true if the mesh of a picture, which was painted in that frame, covers pixels that are
+/// more than a pixel beyond all outlines of a set, in mesh units.
+bool covers_beyond(const MeshPicture& picture, const std::vector<FilledOutline>& set,
+                   const Frame& frame);
 
 }  // namespace gradmesh

@@ -99,7 +99,11 @@ PageContent PdfFile::page(std::size_t number) const {
   }
   content.painted = reader.painted();
   content.is_damaged = content.is_damaged || reader.is_damaged();
-  if (!content.painted.empty()) content.private_data = private_data(page);
+  // Without it the page is read as well.
+  if (!content.painted.empty()) try {
+      content.private_data = private_data(page);
+    } catch (const std::exception&) {
+    }
   return content;
 }
 
