@@ -5,7 +5,7 @@
 import os
 
 from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences, sentence, translated
-from gradmesh_inkex import AbortExtension
+from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
 from gradmesh_text import _
 from gradmesh_toast import toast
@@ -23,6 +23,7 @@ class Pages(GradmeshEffect):
         pars.add_argument("--page", type=int, default=0)
         pars.add_argument("--password", default="")
         pars.add_argument("--into", default="layers")
+        pars.add_argument("--replace_tiles", type=Boolean, default=True)
 
     def effect(self):
         path = self.options.file.strip()
@@ -42,6 +43,7 @@ class Pages(GradmeshEffect):
             page=self.options.page or None,
             password=self.options.password,
             into=self.current_layer() if self.options.into == "layer" else "",
+            replace_tiles=self.options.replace_tiles,
         )
 
     def current_layer(self):
@@ -61,6 +63,14 @@ class Pages(GradmeshEffect):
             yield _("One mesh was read.")
         else:
             yield _("{count} meshes were read.").format(count=count)
+        if inserted.replaced == 1:
+            yield _("It takes the place of the tiles that Inkscape made of it.") if count == 1 else _(
+                "One of them takes the place of the tiles that Inkscape made of it."
+            )
+        elif inserted.replaced:
+            yield _("{count} of them take the place of the tiles that Inkscape made of them.").format(
+                count=inserted.replaced
+            )
         if len(grids) < count:
             yield _("{count} of them are blocks, which Simplify joins.").format(count=count - len(grids))
         for left_out in inserted.left_out[:3]:

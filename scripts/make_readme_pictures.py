@@ -8,6 +8,8 @@ dialog.png         the dialog in Inkscape's window, with its preview
 by-eye.png         the window of Simplify by Eye, with patches protected and a line pointed at
 nodes.png          what the mesh tool shows of the sample, before and after
 report.png         the report on it, in Chromium
+from-pdf.png       a PDF as Inkscape opens it, and with its mesh put in
+pages-dialog.png   the dialog of Meshes of a PDF over it
 """
 
 import sys
@@ -22,7 +24,7 @@ sys.path.insert(0, str(ROOT / "tests" / "python" / "helpers"))
 
 import browser  # noqa: E402
 from built import SAMPLES, gradmesh as run, install_extension  # noqa: E402, makes gradmesh importable
-from inkscape_harness import Inkscape  # noqa: E402
+from inkscape_harness import Inkscape, run as run_inkscape  # noqa: E402
 from svg_meshes import SVG, Document  # noqa: E402
 
 import gradmesh  # noqa: E402
@@ -174,6 +176,35 @@ def report(folder, out):
         chromium.save_screenshot(str(out))
 
 
+def opened_pdf(inkscape, folder):
+    """The face as a PDF by Inkscape, and what Inkscape opens that as."""
+    pdf, svg = folder / "face.pdf", folder / "opened.svg"
+    for made, source in ((pdf, SAMPLES / "face.svg"), (svg, pdf)):
+        run_inkscape(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
+    return pdf, svg
+
+
+def from_pdf(folder, out):
+    with Inkscape() as inkscape:
+        pdf, svg = opened_pdf(inkscape, folder)
+    document = gradmesh.load(svg)
+    gradmesh.insert_pages(document, pdf)
+    document.save(folder / "meshes.svg")
+    sheets = [("File > Open", svg), ("then Meshes of a PDF", folder / "meshes.svg")]
+    side_by_side(painted(sheets, folder, 390)).save(out, optimize=True)
+
+
+def pages_dialog(folder, out):
+    with Inkscape() as inkscape:
+        pdf, svg = opened_pdf(inkscape, folder)
+        inkscape.install(install_extension(folder / "installed"))
+        inkscape.set_key("F10", "app.org.gradmesh.pages")
+        with inkscape.window(svg) as window:
+            window.key("5")
+            window.key("F10")
+            shot(window, folder, WINDOW).save(out, optimize=True)
+
+
 def main(images):
     images.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as name:
@@ -183,6 +214,8 @@ def main(images):
         by_eye(folder, images / "by-eye.png")
         nodes(folder, images / "nodes.png")
         report(folder, images / "report.png")
+        from_pdf(folder, images / "from-pdf.png")
+        pages_dialog(folder, images / "pages-dialog.png")
 
 
 if __name__ == "__main__":

@@ -2,29 +2,39 @@
 
 #include "app/page_objects.h"
 #include "app/svg_meshes.h"
+#include "app/tiles_of_meshes.h"
 #include "files/atomic_file.h"
 
 namespace gradmesh {
 
-FoundPages insert_pages(Document& document, const std::filesystem::path& path,
-                        const PageChoice& choice, const std::string& into) {
+InsertedPages insert_pages(Document& document, const std::filesystem::path& path,
+                           const InsertOptions& options) {
   SvgMeshes& svg = document.as_svg(
       Message("{0}: meshes of pages are put into SVG documents alone.", document.name()));
   const std::string name = path.string();
   const std::string bytes = read_bytes(path);
   if (!holds_pages(bytes)) throw InputError("{0}: it is no PDF document.", name);
-  PageMeshes read = read_page_meshes(bytes, name, choice);
+  PageMeshes read = read_page_meshes(bytes, name, options.pages);
   for (SvgPage& page : read.pages)
     page.name = read.pages.size() == 1
                     ? path.filename().string()
                     : page_name(std::size_t(page.number)).in(document.translation());
-  std::size_t next = 0;
-  svg.add_pages(read.pages, into, [&](PagesInSvg& pages) {
+  InsertedPages inserted;
+  svg.add_pages(read.pages, options.into, [&](PagesInSvg& pages, const auto& groups) {
+    std::vector<Affine> places;
+    for (std::size_t n = 0; n < read.pages.size(); ++n) places.push_back(pages.place(n));
+    std::vector<const FlatTiles*> tiles(read.objects.size(), nullptr);
+    if (options.replace_tiles) tiles = tiles_of_meshes(read.objects, places, groups);
+    std::size_t next = 0;
     write_objects(read.objects, document.translation(), [&](std::size_t page, const NewMesh& mesh) {
-      read.found.meshes[next++].id = pages.add(page, mesh);
+      const FlatTiles* const instead = tiles[next];
+      inserted.replaced += instead != nullptr;
+      read.found.meshes[next++].id =
+          instead ? pages.add_instead(instead->group, page, mesh) : pages.add(page, mesh);
     });
   });
-  return std::move(read.found);
+  inserted.found = std::move(read.found);
+  return inserted;
 }
 
 }  // namespace gradmesh

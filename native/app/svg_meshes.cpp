@@ -239,9 +239,9 @@ MeshEntry SvgMeshes::paint_shape(const std::string& id, const Mesh& mesh) {
 }
 
 void SvgMeshes::add_pages(const std::vector<SvgPage>& pages, const std::string& into,
-                          const std::function<void(PagesInSvg&)>& fill) {
+                          const FillPages& fill) {
   PagesInSvg places(changing(), pages, into);
-  fill(places);
+  fill(places, flat_tiles(svg_));
   mark_changed();
   list_meshes();
 }

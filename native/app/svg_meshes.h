@@ -11,6 +11,7 @@
 #include "formats/svg/picture/remembered_picture.h"
 #include "formats/svg/picture/shape_on_picture.h"
 #include "formats/svg/tree/effects.h"
+#include "formats/svg/tree/flat_tiles.h"
 
 namespace gradmesh {
 
@@ -76,9 +77,9 @@ class SvgMeshes : public Document {
   MeshEntry paint_shape(const std::string& id, const Mesh& mesh);
 
   /// Adds pages to the document (formats/svg/group/pages_in_svg.h): `fill` is given what their
-  /// objects go into. All entries are listed anew.
-  void add_pages(const std::vector<SvgPage>& pages, const std::string& into,
-                 const std::function<void(PagesInSvg&)>& fill);
+  /// objects go into, and the groups of flat tiles that are there. All entries are listed anew.
+  using FillPages = std::function<void(PagesInSvg&, const std::vector<FlatTiles>&)>;
+  void add_pages(const std::vector<SvgPage>& pages, const std::string& into, const FillPages& fill);
 
   /// Where a mesh is shown.
   struct Place {

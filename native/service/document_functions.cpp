@@ -56,15 +56,18 @@ Json convert_document(const Call& call) {
 }
 
 Json insert_pages_into(const Call& call) {
-  const FoundPages found = insert_pages(call.document(), path_argument(call, "path"),
-                                        page_choice(call), call.get("into", std::string()));
+  InsertOptions options{page_choice(call), call.get("into", std::string())};
+  options.replace_tiles = call.get("replace_tiles", options.replace_tiles);
+  const InsertedPages inserted =
+      insert_pages(call.document(), path_argument(call, "path"), options);
   Json meshes = Json::array(), left_out = Json::array();
-  for (const FoundMesh& mesh : found.meshes) {
+  for (const FoundMesh& mesh : inserted.found.meshes) {
     Json& told = meshes.emplace_back(found_json(mesh));
     told["id"] = mesh.id;
   }
-  for (const Message& sentence : found.left_out) left_out.push_back(message_json(sentence));
-  return {{"meshes", meshes}, {"left_out", left_out}};
+  for (const Message& sentence : inserted.found.left_out)
+    left_out.push_back(message_json(sentence));
+  return {{"meshes", meshes}, {"left_out", left_out}, {"replaced", inserted.replaced}};
 }
 
 Json write_document(const Call& call) {

@@ -33,6 +33,7 @@ class InsertedPages:
 
     meshes: list[PageMesh]
     left_out: list[InputError]  #: a sentence for all that was not read, or not all of it
+    replaced: int  #: how many groups of tiles were replaced
 
 
 def insert_pages(
@@ -42,19 +43,26 @@ def insert_pages(
     page: Optional[int] = None,
     password: str = "",
     into: str = "",
+    replace_tiles: bool = True,
 ) -> InsertedPages:
     """Puts the meshes of a PDF, or of what load() takes as one, into an SVG document, in place.
 
     They lie where, and are as large as, they are on their page; a page lies on the document's page of its number, or
     else on the first one, further ones beside it. page, password: as of load(). into: the id of a group or layer;
-    without it each page becomes a new layer above all else.
-    Raises InputError for other documents, and where there is no such page, group or mesh; the document is then
-    unchanged.
+    without it each page becomes a new layer above all else. replace_tiles: whether a mesh takes the place of the
+    group of flat paths that looks like it, as Inkscape's own import of the same file makes. Raises InputError for
+    other documents, and where there is no such page, group or mesh; the document is then unchanged.
     """
     made = document._core.call(
-        "insert_pages", path=os.fspath(path), page=page, password=password, into=into
+        "insert_pages",
+        path=os.fspath(path),
+        page=page,
+        password=password,
+        into=into,
+        replace_tiles=bool(replace_tiles),
     )
     return InsertedPages(
         [record(PageMesh, mesh) for mesh in made["meshes"]],
         [refusal(message) for message in made["left_out"]],
+        made["replaced"],
     )

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "app/svg_meshes.h"
@@ -43,7 +44,7 @@ class InsertPages : public testing::Test {
 
   FoundPages insert(Document& document, const PageChoice& choice = {},
                     const std::string& into = "") const {
-    return insert_pages(document, path_, choice, into);
+    return insert_pages(document, path_, {choice, into}).found;
   }
 
   /// Where the object with this id is seen, in pixels of the document.
@@ -113,6 +114,71 @@ TEST_F(InsertPages, lays_pages_on_those_of_the_document) {
   const auto other = svg("width=\"150\" height=\"100\"");
   insert(*other, {.page = 3});
   expect_box(seen(*other, "page-3-mesh-1"), {0, 88}, {12, 100});
+}
+
+/// Tiles of the square of 12 pixels at the lower left, `count` along each side, in the colours that
+/// the mesh has in their middles.
+std::string tiles(int count, double size = 12) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) {
+      const double right = (j + 0.5) / count, up = 1 - (i + 0.5) / count;
+      // Red at the lower left, then clockwise green, blue and white.
+      const double red = (1 - right) * (1 - up) + right * (1 - up),
+                   green = (1 - right) * up + right * (1 - up),
+                   blue = right * up + right * (1 - up);
+      const auto level = [](double share) { return std::to_string(std::lround(255 * share)); };
+      const double side = size / count;
+      text += "<path d=\"M" + std::to_string(j * side) + "," + std::to_string(88 + i * side) + "h" +
+              std::to_string(side) + "v" + std::to_string(side) + "h-" + std::to_string(side) +
+              "z\" style=\"fill:rgb(" + level(red) + "," + level(green) + "," + level(blue) +
+              ")\"/>";
+    }
+  return text;
+}
+
+TEST_F(InsertPages, take_the_place_of_tiles) {
+  write({2});
+  const std::string before =
+      "<defs><clipPath id=\"own\"><path d=\"M0,0h99v99z\"/></clipPath>"
+      "<clipPath id=\"used\"><path d=\"M0,0h99v99z\"/></clipPath></defs>";
+  const auto document =
+      svg("width=\"150\" height=\"100\"",
+          before +
+              "<g id=\"all\" transform=\"translate(5)\"><path id=\"below\"/>"
+              "<g id=\"outer\" clip-path=\"url(#own)\"><g/><g id=\"inner\" "
+              "clip-path=\"url(#used)\" transform=\"translate(-5)\">" +
+              tiles(8) + "</g></g><path id=\"above\" clip-path=\"url(#used)\"/></g>");
+  const InsertedPages inserted = insert_pages(*document, path_);
+  EXPECT_EQ(inserted.replaced, 1);
+  expect_box(seen(*document, "page-1-mesh-1"), {0, 88}, {12, 100});
+  expect_box(seen(*document, "page-1-mesh-2"), {20 / .75, 88}, {12 + 20 / .75, 100});
+  const std::string text = document->bytes();
+  EXPECT_LT(text.find("id=\"below\""), text.find("id=\"page-1-mesh-1\""));
+  EXPECT_LT(text.find("id=\"page-1-mesh-1\""), text.find("id=\"above\""));
+  EXPECT_LT(text.find("id=\"above\""), text.find("id=\"page-1-mesh-2\""));
+  for (const char* gone : {"\"outer\"", "\"inner\"", "\"own\""})
+    EXPECT_EQ(text.find(gone), text.npos) << gone;
+  EXPECT_NE(text.find("<clipPath id=\"used\""), text.npos);
+}
+
+TEST_F(InsertPages, leave_tiles_that_show_something_else) {
+  write({1});
+  std::string grey = tiles(8);
+  for (std::size_t at = 0; (at = grey.find("rgb(", at)) != grey.npos; ++at)
+    grey.replace(at, grey.find(')', at) - at + 1, "#888");
+  std::string one_is_translucent = tiles(8);
+  one_is_translucent.insert(one_is_translucent.rfind("fill:"), "fill-opacity:0.5;");
+  for (const std::string& others : {tiles(8, 20), grey, one_is_translucent}) {
+    const auto document = svg("width=\"150\" height=\"100\"", "<g id=\"group\">" + others + "</g>");
+    EXPECT_EQ(insert_pages(*document, path_).replaced, 0);
+    EXPECT_NE(document->bytes().find(others), std::string::npos);
+  }
+  const auto document = svg("width=\"150\" height=\"100\"", "<g id=\"group\">" + tiles(8) + "</g>");
+  EXPECT_EQ(insert_pages(*document, path_, {.replace_tiles = false}).replaced, 0);
+  // They go into what they replace.
+  EXPECT_EQ(insert_pages(*document, path_, {.into = "group"}).replaced, 1);
+  EXPECT_EQ(document->bytes().find("\"group\""), std::string::npos);
 }
 
 TEST_F(InsertPages, leaves_the_document_as_it_was_where_it_cannot) {

@@ -144,13 +144,14 @@ def test_python_says_what_was_found(file):
 
 
 @needs()
-def test_meshes_lie_on_what_inkscape_imports(inkscape, extension, file, tmp_path):
-    """On the tiles that Inkscape makes of its own PDF, in one step of undo."""
+# Of opacity's pattern Inkscape's import makes the negative, and it leaves out fruit's shadow.
+@pytest.mark.parametrize("name, whole", [("face", True), ("two", True), ("fruit", False), ("opacity", False)])
+def test_meshes_take_the_place_of_what_inkscape_imports(inkscape, extension, file, tmp_path, name, whole):
+    """Of the tiles that Inkscape makes of its own PDF, below what lies on them, in one step of undo."""
     file("/sh sh")  # Skips where there is no PDF.
     inkscape.install(extension)
-    # Of which the mesh is the uppermost object.
-    sample, path = shutil.copy(SAMPLES / "photo.svg", tmp_path), tmp_path / "photo.pdf"
-    tiles, out, undone = (tmp_path / f"{name}.svg" for name in ("tiles", "out", "undone"))
+    sample, path = shutil.copy(SAMPLES / f"{name}.svg", tmp_path), tmp_path / f"{name}.pdf"
+    tiles, out, undone = (tmp_path / f"{made}.svg" for made in ("tiles", "out", "undone"))
     for made, source in ((path, sample), (tiles, path)):
         inkscape_harness.run(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
     inkscape.set_values({"org.gradmesh.pages.file": path})
@@ -159,4 +160,7 @@ def test_meshes_lie_on_what_inkscape_imports(inkscape, extension, file, tmp_path
     was, now = gradmesh.load(sample).meshes, gradmesh.load(out).meshes
     assert [mesh.handles for mesh in now] == [mesh.handles for mesh in was]
     assert gradmesh.load(undone).ids == []
-    assert error(*export(inkscape, [sample, out])) < 0.01
+    patches = sum(mesh.patches for mesh in was)
+    assert out.read_text().count("<path") <= tiles.read_text().count("<path") - patches
+    if whole:
+        assert error(*export(inkscape, [sample, out])) < 0.01

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "formats/svg/tree/objects.h"
+#include "formats/svg/tree/unused.h"
 #include "formats/svg/values/length.h"
 #include "formats/svg/values/transform.h"
 #include "formats/svg/xml/node.h"
@@ -49,37 +50,56 @@ bool is_identity(const Affine& map) {
          std::abs(offset.x) < rounding && std::abs(offset.y) < rounding;
 }
 
+bool is_within(const xmlNode* node, const xmlNode* group) {
+  while (node && node != group) node = parent_element(node);
+  return node == group;
+}
+
 }  // namespace
 
 PagesInSvg::PagesInSvg(SvgTree& tree, const std::vector<SvgPage>& pages, const std::string& into)
-    : tree_(tree) {
-  const std::vector<Affine> places = places_of(tree, pages);
+    : tree_(tree), pages_(pages), places_(places_of(tree, pages)) {
   xmlNode* const group = into.empty() ? nullptr : tree.find(into);
   if (!into.empty() && (!group || (svg_name(group) != "g" && group != tree.root())))
     throw InputError("{0}: it has no layer or group with the id {1}.", tree.name(), into);
-  const Affine around = group ? to_document(group) : Affine();
-  if (around.determinant() == 0)
+  if (group && to_document(group).determinant() == 0)
     throw InputError("{0}: the layer {1} has no size.", tree.name(), into);
-  for (std::size_t n = 0; n < pages.size(); ++n)
-    rooms_.push_back(group ? Room{group, around.inverse() * places[n]}
-                           : Room{new_layer(pages[n], places[n]), Affine()});
+  groups_.assign(pages.size(), group);
 }
 
-xmlNode* PagesInSvg::new_layer(const SvgPage& page, const Affine& place) {
-  xmlNode* const layer = add_child(tree_.root(), "g");
+xmlNode* PagesInSvg::layer(std::size_t page) {
+  xmlNode*& layer = groups_.at(page);
+  if (layer) return layer;
+  layer = add_child(tree_.root(), "g");
   tree_.give_id(layer, "layer");
   set_attribute(layer, "groupmode", "layer", inkscape_namespace, "inkscape");
-  set_attribute(layer, "label", page.name, inkscape_namespace, "inkscape");
-  if (!is_identity(place)) set_attribute(layer, "transform", transform_text(place));
+  set_attribute(layer, "label", pages_[page].name, inkscape_namespace, "inkscape");
+  if (!is_identity(places_[page])) set_attribute(layer, "transform", transform_text(places_[page]));
   return layer;
 }
 
-std::string PagesInSvg::add(std::size_t page, NewMesh mesh) {
-  const Room& room = rooms_.at(page);
+xmlNode* PagesInSvg::add_to(xmlNode* group, std::size_t page, NewMesh& mesh) {
   const std::string id = mesh.id;
   for (int n = 2; tree_.find(mesh.id); ++n) mesh.id = id + "-" + std::to_string(n);
-  xmlNode* const object = add_object(tree_, room.group, mesh);
-  if (!is_identity(room.place)) set_attribute(object, "transform", transform_text(room.place));
+  xmlNode* const object = add_object(tree_, group, mesh);
+  const Affine place = to_document(group).inverse() * places_.at(page);
+  if (!is_identity(place)) set_attribute(object, "transform", transform_text(place));
+  return object;
+}
+
+std::string PagesInSvg::add(std::size_t page, NewMesh mesh) {
+  add_to(layer(page), page, mesh);
+  return mesh.id;
+}
+
+std::string PagesInSvg::add_instead(xmlNode* group, std::size_t page, NewMesh mesh) {
+  xmlNode* const around = parent_element(group);
+  if (to_document(around).determinant() == 0) return add(page, std::move(mesh));
+  xmlAddPrevSibling(group, add_to(around, page, mesh));
+  // What objects go into may lie in what is removed.
+  for (xmlNode*& into : groups_)
+    if (into && is_within(into, group)) into = around;
+  remove_with_clips(tree_, group);
   return mesh.id;
 }
 

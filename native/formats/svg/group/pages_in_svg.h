@@ -20,21 +20,25 @@ class PagesInSvg {
   /// group, or its transform leaves it no size.
   PagesInSvg(SvgTree& tree, const std::vector<SvgPage>& pages, const std::string& into);
 
+  /// Returns the map from pixels of a page to units of the outermost <svg>.
+  const Affine& place(std::size_t page) const { return places_.at(page); }
+
   /// Adds an object above those that are there, as add_object() does, and returns its id: another
   /// one where that of the mesh is taken.
   std::string add(std::size_t page, NewMesh mesh);
+  /// Puts an object in the place of a group, which is removed with its clip paths and masks.
+  std::string add_instead(xmlNode* group, std::size_t page, NewMesh mesh);
 
  private:
-  /// Where objects of a page go, and the map of their coordinates to that group's user space.
-  struct Room {
-    xmlNode* group;
-    Affine place;
-  };
-
-  xmlNode* new_layer(const SvgPage& page, const Affine& place);
+  xmlNode* layer(std::size_t page);
+  /// Adds an object as the last of a group, seen where the page lies.
+  xmlNode* add_to(xmlNode* group, std::size_t page, NewMesh& mesh);
 
   SvgTree& tree_;
-  std::vector<Room> rooms_;
+  const std::vector<SvgPage> pages_;
+  const std::vector<Affine> places_;
+  /// What objects of each page go into; null until the first of a page with a layer of its own.
+  std::vector<xmlNode*> groups_;
 };
 
 }  // namespace gradmesh

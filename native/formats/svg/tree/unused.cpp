@@ -99,4 +99,18 @@ void remove_if_unused(SvgTree& tree, const std::string& id) {
   if (linked && is_mesh_gradient(linked)) remove_if_unused(tree, next);
 }
 
+void remove_with_clips(SvgTree& tree, xmlNode* node) {
+  std::vector<std::string> named;
+  for (const xmlNode* element : elements_from(node))
+    for (const char* property : {"clip-path", "mask"}) {
+      const auto value = tree.styles().declared(element, property);
+      const auto id = value ? referenced_id(*value, tree.name()) : std::nullopt;
+      if (id) named.push_back(*id);
+    }
+  remove_node(node);
+  for (const std::string& id : named)
+    if (xmlNode* const limit = tree.find(id); limit && !is_used(tree, id))
+      remove_with_clips(tree, limit);
+}
+
 }  // namespace gradmesh

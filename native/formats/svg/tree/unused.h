@@ -15,6 +15,9 @@ bool is_used(const SvgTree& tree, const std::string& id);
 /// that stands in for it: nothing names what is gone.
 void remove_named(SvgTree& tree, xmlNode* node);
 
+/// Removes an element with all below it, and the clip paths and masks that nothing else uses then.
+void remove_with_clips(SvgTree& tree, xmlNode* node);
+
 /// Removes the element with this id, and then the mesh gradient that it alone used by href, if it
 /// is not used.
 void remove_if_unused(SvgTree& tree, const std::string& id);
