@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import Optional
 
 from .api import Document
-from .core import record
-from .errors import InputError, said
+from .core import record, refusal
+from .errors import InputError
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class PublishedCode:
     id: str
     name: str  #: of the view or the composable; empty where the mesh cannot be read
     source: str  #: a whole file of code
-    lost: tuple[str, ...]  #: sentences on what of the object's look the code does not hold
+    lost: list[InputError]  #: a sentence for all of the object's look that the code does not hold
     refused: Optional[InputError] = None  #: why there is no code: it cannot be read
 
 
@@ -67,6 +67,6 @@ def publish_code(document: Document, language: str) -> PublishedSources:
     """
     made = document._core.call("publish_code", language=str(language))
     meshes = [
-        record(PublishedCode, {**mesh, "lost": tuple(map(said, mesh["lost"]))}) for mesh in made["meshes"]
+        record(PublishedCode, {**mesh, "lost": list(map(refusal, mesh["lost"]))}) for mesh in made["meshes"]
     ]
     return PublishedSources(meshes, made["source"])

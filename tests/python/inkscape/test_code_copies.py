@@ -21,6 +21,14 @@ def test_a_copy_is_the_code_of_all_meshes(run, item, words):
 
 
 @pytest.mark.parametrize("item, words", ITEMS)
+def test_what_is_lost_is_told(run, tmp_path, item, words):
+    done = run(SAMPLES / "stroke.svg", item=item)
+    assert words in done.stdout and done.stderr == ""
+    log = (tmp_path / "cache" / "gradmesh" / "extension.log").read_text()
+    assert "all of the mesh is painted, not only the stroke." in log
+
+
+@pytest.mark.parametrize("item, words", ITEMS)
 def test_a_drawing_without_meshes_is_refused(run, tmp_path, item, words):
     drawing = tmp_path / "empty.svg"
     drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>')

@@ -20,8 +20,8 @@ def test_it_returns_what_the_command_line_writes(tmp_path, language, extension):
     made = gradmesh.publish_code(document, language)
     assert document.to_bytes() == before
     assert [(mesh.id, mesh.name, mesh.lost, mesh.refused) for mesh in made.meshes] == [
-        ("stalk", "Stalk", (), None),
-        ("cap", "Cap", (), None),
+        ("stalk", "Stalk", [], None),
+        ("cap", "Cap", [], None),
     ]
     printed("publish", "--as", language, SAMPLES / "two.svg", "-o", tmp_path, "--quiet")
     for mesh in made.meshes:
@@ -33,7 +33,7 @@ def test_it_returns_what_the_command_line_writes(tmp_path, language, extension):
 def test_it_says_what_is_lost():
     (mesh,) = gradmesh.publish_code(gradmesh.load(SAMPLES / "stroke.svg"), "swift").meshes
     (sentence,) = mesh.lost
-    assert sentence.endswith("all of the mesh is painted, not only the stroke.")
+    assert str(sentence).endswith("all of the mesh is painted, not only the stroke.")
 
 
 def test_a_mesh_that_cannot_be_read_has_no_code():
