@@ -49,27 +49,42 @@ Level levels(const glm::dvec3& color) {
   return all;
 }
 
-/// Returns the colour nearest to each tile's that the mesh has where the tile is seen; its own
-/// where it is not.
-std::vector<Level> nearest(const MeshPicture& picture, const std::vector<int>& seen,
-                           const std::vector<FlatArea>& tiles) {
-  std::vector<Level> least(tiles.size(), {255, 255, 255}), most(tiles.size(), {0, 0, 0});
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const int x = int(k) % picture.covered.width, y = int(k) / picture.covered.width;
-    if (seen[k] < 0 || !*picture.covered.at(x, y)) continue;
-    const std::size_t tile = std::size_t(seen[k]);
-    for (int channel = 0; channel < 3; ++channel) {
-      const std::size_t c = std::size_t(channel);
-      least[tile][c] = std::min(least[tile][c], *picture.samples.at(x, y, channel));
-      most[tile][c] = std::max(most[tile][c], *picture.samples.at(x, y, channel));
+/// The least and the largest levels of some pixels.
+struct Range {
+  Level least = {255, 255, 255}, most = {0, 0, 0};
+
+  void add(const Level& color) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      least[c] = std::min(least[c], color[c]);
+      most[c] = std::max(most[c], color[c]);
     }
   }
-  std::vector<Level> all;
-  for (std::size_t n = 0; n < tiles.size(); ++n) {
-    Level& color = all.emplace_back(levels(tiles[n].color));
+  Level nearest(Level color) const {
     for (std::size_t c = 0; c < 3; ++c)
-      if (least[n][c] <= most[n][c]) color[c] = std::clamp(color[c], least[n][c], most[n][c]);
+      if (least[c] <= most[c]) color[c] = std::clamp(color[c], least[c], most[c]);
+    return color;
   }
+};
+
+/// Returns the colour nearest to each tile's that the mesh has where the tile is seen, its corners
+/// included: they lie between its pixels and those beside them.
+std::vector<Level> nearest(const MeshPicture& picture, const std::vector<int>& seen,
+                           const std::vector<FlatArea>& tiles) {
+  const int width = picture.covered.width, height = picture.covered.height;
+  std::vector<Range> ranges(tiles.size());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (!*picture.covered.at(x, y)) continue;
+      const auto [red, green, blue, opacity] = picture.samples.pixel(x, y);
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+          const int tile = seen[std::size_t(v) * std::size_t(width) + std::size_t(u)];
+          if (tile >= 0) ranges[std::size_t(tile)].add({red, green, blue});
+        }
+    }
+  std::vector<Level> all;
+  for (std::size_t n = 0; n < tiles.size(); ++n)
+    all.push_back(ranges[n].nearest(levels(tiles[n].color)));
   return all;
 }
 

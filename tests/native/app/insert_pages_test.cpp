@@ -117,12 +117,12 @@ TEST_F(InsertPages, lays_pages_on_those_of_the_document) {
 }
 
 /// Tiles of the square of 12 pixels at the lower left, `count` along each side, in the colours that
-/// the mesh has in their middles.
+/// the mesh has in their upper left corners, as Inkscape's import makes them.
 std::string tiles(int count, double size = 12) {
   std::string text;
   for (int i = 0; i < count; ++i)
     for (int j = 0; j < count; ++j) {
-      const double right = (j + 0.5) / count, up = 1 - (i + 0.5) / count;
+      const double right = double(j) / count, up = 1 - double(i) / count;
       // Red at the lower left, then clockwise green, blue and white.
       const double red = (1 - right) * (1 - up) + right * (1 - up),
                    green = (1 - right) * up + right * (1 - up),
