@@ -120,6 +120,8 @@ def test_too_little_memory_ends_in_a_sentence(tmp_path):
         done = gradmesh("simplify", document, *options, preexec_fn=little)
         if "error while loading shared libraries" in done.stderr or done.returncode == 127:
             continue  # too little to start at all
+        if done.returncode < 0 and gradmesh("--version", preexec_fn=little).returncode < 0:
+            continue  # libraries that allocate as they are loaded ended it before its main()
         assert done.returncode in (0, 1), (megabytes, done)
         if done.returncode == 1:
             assert done.stderr.startswith("gradmesh: ") and done.stderr.count("\n") == 1, done.stderr
