@@ -6,6 +6,7 @@
 
 import hashlib
 import random
+import struct
 import zlib
 from pathlib import Path
 
@@ -51,6 +52,11 @@ def shading(kind, space, components, records, more="", data=None):
     return stream(entries, body)
 
 
+def zstandard(data):
+    """A frame of one block that is not packed (RFC 8878, 3.1.1), of 256 bytes or more."""
+    return struct.pack("<IBH", 0xFD2FB528, 0x60, len(data) - 256) + (len(data) << 3 | 1).to_bytes(3, "little") + data
+
+
 def documents():
     use = "/Shading << /a 5 0 R >> /Pattern << /p << /PatternType 2 /Shading 5 0 R /Matrix [1 0 0 1 3 4] >> >>"
     paint = "q 1 0 0 1 5 5 cm 0 0 80 80 re W n /a sh Q /Pattern cs /p scn 1 1 m 9 9 8 8 70 70 c h f*"
@@ -77,6 +83,10 @@ def documents():
     form = stream(entries, b"/a sh /x Do")
     nested = use + " /XObject << /x 6 0 R >> /ExtGState << /m << /ca 0.5 /SMask << /S /Luminosity /G 6 0 R >> >> >>"
     yield document("/m gs /x Do /a sh", nested, [shading(7, "/DeviceRGB", 3, 32 + 12), form], "/Rotate 270 /UserUnit 2")
+    record = (FOLDER.parent / "records" / "two_patches").read_bytes()
+    coons = shading(6, "/DeviceRGB", 3, 24 + 12)
+    beside = "/PieceInfo << /Illustrator << /Private << /AIPrivateData1 6 0 R >> >> >>"
+    yield document(paint, use, [coons, stream("", b"%AI24_ZStandard_Data" + zstandard(record))], beside)
     packed = zlib.compress(b"\0" + random.Random(1).randbytes(36) * 3)
     yield document(paint, use, [shading(6, "/DeviceRGB", 3, 0, "/Filter /FlateDecode", packed)])
 

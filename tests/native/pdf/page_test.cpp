@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <zstd.h>
+
 #include <algorithm>
 #include <array>
 #include <qpdf/Pl_Flate.hh>
 #include <qpdf/Pl_String.hh>
+#include <random>
 #include <tuple>
 
 #include "base/error.h"
@@ -276,6 +279,12 @@ std::string deflated(const std::string& text) {
   return packed;
 }
 
+std::string packed_by_zstandard(const std::string& text) {
+  std::string packed(ZSTD_compressBound(text.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), text.data(), text.size(), 3));
+  return packed;
+}
+
 /// What is kept beside a page that paints a mesh, in these streams, which are named the other way
 /// around.
 std::string kept_beside(const std::vector<std::string>& data) {
@@ -302,6 +311,23 @@ TEST(PdfPage, HasWhatIllustratorKeepsBesideIt) {
   // What is damaged is there as far as it goes.
   EXPECT_NO_THROW(kept_beside({"%AI12_CompressedData" + packed.substr(0, 5)}));
   EXPECT_EQ(kept_beside({}), "");
+}
+
+TEST(PdfPage, HasWhatIllustrator2020Keeps) {
+  std::mt19937 random(49);
+  std::string text;
+  while (text.size() < 300000) text += static_cast<char>('a' + random() % 16);
+  const std::string marker = "%!PS-Adobe %AI24_ZStandard_Data", packed = packed_by_zstandard(text);
+  // Zeros fill the last of its streams.
+  EXPECT_EQ(
+      kept_beside({marker + packed.substr(0, 65536), packed.substr(65536) + std::string(99, '\0')}),
+      text);
+  // What is damaged is there as far as it goes.
+  const std::string part = kept_beside({marker + packed.substr(0, 100000)});
+  EXPECT_GT(part.size(), 100000U);
+  EXPECT_EQ(part, text.substr(0, part.size()));
+  EXPECT_EQ(kept_beside({marker}), "");
+  EXPECT_EQ(kept_beside({marker + "no frame"}), "");
 }
 
 TEST(PdfFile, SaysWhyItCannotBeOpened) {

@@ -2,12 +2,14 @@
 
 import os
 import subprocess
+import zlib
 
 import pytest
 
 import program
 from bad_documents import DOCUMENT, linked
 from built import PROGRAM, SAMPLES, gradmesh
+from one_patch import one_patch
 from program import printed
 
 FRUIT = SAMPLES / "fruit.svg"
@@ -128,3 +130,14 @@ def test_in_python(tmp_path):
         timeout=60,
     )
     assert "132 patches" in done.stdout and "GRADMESH_LIMITS=patches=132" in done.stdout
+
+
+@pytest.mark.parametrize("private", [b"%AI12_CompressedData" + zlib.compress(bytes(1000000)), b"%AI24_ZStandard_Data?"])
+def test_a_page_is_read_without_what_illustrator_keeps_beside_it(tmp_path, private):
+    page, out = tmp_path / "page.ai", tmp_path / "out.svg"
+    page.write_bytes(one_patch(private))
+    done = gradmesh("convert", page, out, **within("document=100K"))
+    if "was built without PDF" in done.stderr:
+        pytest.skip(done.stderr.strip())
+    assert (done.returncode, done.stderr) == (0, "")
+    assert out.read_text().count("<meshpatch") == 1

@@ -61,6 +61,7 @@ OWNERS = {
     r"jpeglib\.h|jerror\.h": {"files"},
     r"lcms2\.h": {"files"},
     r"qpdf/": {"formats"},
+    r"zstd\.h": {"formats"},
     r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},
     r"CLI/": {"cli"},

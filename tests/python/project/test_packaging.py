@@ -13,6 +13,7 @@ import pytest
 import in_inkscape
 from built import BUILD, PROGRAM, PYTHON, ROOT, SAMPLES, install_extension
 from inkscape_harness import Inkscape
+from one_patch import one_patch
 
 import gradmesh
 from gradmesh.helper import find_program
@@ -131,7 +132,7 @@ def test_the_licenses_of_what_a_program_holds_lie_beside_it(unpacked_zip):
     for system in (unpacked_zip / "gradmesh" / "bin").iterdir():
         licenses = {path.name: path.read_text(errors="replace") for path in (system / "licenses").iterdir()}
         headers = {"cli11", "eigen", "glm", "json"}
-        assert headers | {"glpk", "hwy", "jpeg", "png", "qpdf", "tbb", "xml2", "zlib"} <= licenses.keys()
+        assert headers | {"glpk", "hwy", "jpeg", "png", "qpdf", "tbb", "xml2", "zlib", "zstd"} <= licenses.keys()
         assert ("epoxy" in licenses) == ("linux" in system.name)
         assert ("mingw-w64" in licenses) == ("windows" in system.name)
         assert all("opyright" in text and len(text) > 500 for text in licenses.values())
@@ -159,31 +160,9 @@ def test_the_program_for_others_writes_the_same_bytes(sample, tmp_path):
     assert written[0] == written[1]
 
 
-def one_patch():
-    """A PDF whose page paints a Coons patch of four grays."""
-    points = (0, 0, 0, 20, 0, 40, 0, 60, 20, 60, 40, 60, 60, 60, 60, 40, 60, 20, 60, 0, 40, 0, 20, 0)
-    patch = bytes([0, *points, 0, 90, 180, 250])
-    mesh = "/ShadingType 6 /ColorSpace /DeviceGray /BitsPerFlag 8 /BitsPerCoordinate 8 /BitsPerComponent 8"
-    objects = [
-        "<< /Type /Catalog /Pages 2 0 R >>",
-        "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
-        "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 99 99] /Contents 4 0 R "
-        "/Resources << /Shading << /s 5 0 R >> >> >>",
-        "<< /Length 5 >>\nstream\n/s sh\nendstream",
-        f"<< {mesh} /Decode [0 255 0 255 0 1] /Filter /ASCIIHexDecode /Length {2 * len(patch) + 1} >>\n"
-        f"stream\n{patch.hex()}>\nendstream",
-    ]
-    text, places = "%PDF-1.4\n", []
-    for number, content in enumerate(objects, 1):
-        places.append(f"{len(text):010} 00000 n \n")
-        text += f"{number} 0 obj\n{content}\nendobj\n"
-    table = f"xref\n0 {len(objects) + 1}\n0000000000 65535 f \n{''.join(places)}"
-    return f"{text}{table}trailer\n<< /Size {len(objects) + 1} /Root 1 0 R >>\nstartxref\n{len(text)}\n%%EOF\n"
-
-
 @needs_portable
 def test_the_program_for_others_reads_pdf(tmp_path):
-    (tmp_path / "patch.pdf").write_text(one_patch())
+    (tmp_path / "patch.pdf").write_bytes(one_patch())
     run(PORTABLE, "convert", tmp_path / "patch.pdf", tmp_path / "patch.svg")
     assert (tmp_path / "patch.svg").read_text().count("<meshpatch") == 1
 

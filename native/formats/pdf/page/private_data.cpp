@@ -4,7 +4,6 @@
 #include <map>
 #include <string_view>
 
-#include "base/error.h"
 #include "base/limits.h"
 #include "formats/pdf/page/dictionary.h"
 #include "formats/pdf/page/stream_bytes.h"
@@ -28,6 +27,20 @@ std::map<int, QPDFObjectHandle> numbered_streams(QPDFObjectHandle data) {
   return streams;
 }
 
+/// Returns the data, unpacked where a marker tells how they are packed.
+std::string unpacked(const std::string& data) {
+  // The marker comes behind what the document says of itself.
+  constexpr std::size_t within = 65536;
+  // Of Illustrator CS2 to CC 2019, and of 2020 and later.
+  constexpr std::string_view deflated = "%AI12_CompressedData", zstandard = "%AI24_ZStandard_Data";
+  const std::string_view whole(data), beginning = whole.substr(0, within);
+  if (const std::size_t at = beginning.find(deflated); at != data.npos)
+    return inflated_bytes(whole.substr(at + deflated.size())).bytes;
+  if (const std::size_t at = beginning.find(zstandard); at != data.npos)
+    return zstandard_bytes(whole.substr(at + zstandard.size())).bytes;
+  return data;
+}
+
 }  // namespace
 
 std::string private_data(QPDFPageObjectHelper page) {
@@ -36,17 +49,9 @@ std::string private_data(QPDFPageObjectHelper page) {
   std::string data;
   for (const auto& [number, stream] : numbered_streams(value_of(illustrator, "/Private"))) {
     data += stream_bytes(stream).bytes;
-    const std::uint64_t most = limits().document;
-    if (data.size() > most)
-      throw InputError("Illustrator's data beside it have more than {0} bytes, {1}", most,
-                       beyond_limit("document", most, data.size()));
+    if (data.size() > limits().document) return {};
   }
-  constexpr std::string_view deflated = "%AI12_CompressedData";
-  // The marker comes behind what the document says of itself.
-  constexpr std::size_t within = 65536;
-  const std::size_t at = std::string_view(data).substr(0, within).find(deflated);
-  if (at == data.npos) return data;
-  return inflated_bytes(std::string_view(data).substr(at + deflated.size())).bytes;
+  return unpacked(data);
 }
 
 }  // namespace gradmesh

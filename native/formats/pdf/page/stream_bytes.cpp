@@ -1,6 +1,10 @@
 #include "formats/pdf/page/stream_bytes.h"
 
+#include <zstd.h>
+
+#include <array>
 #include <exception>
+#include <memory>
 #include <qpdf/Pipeline.hh>
 #include <qpdf/Pl_Flate.hh>
 #include <stdexcept>
@@ -36,6 +40,25 @@ void check(const CollectedBytes& collected) {
                      beyond_limit("document", most, 2 * most));
 }
 
+/// Unpacks the first frame of Zstandard. Returns whether it is there to its end.
+bool unpack_frame(std::string_view packed, Pipeline& unpacked) {
+  const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
+                                                                     ZSTD_freeDCtx);
+  std::array<unsigned char, 65536> part;
+  ZSTD_inBuffer in{packed.data(), packed.size(), 0};
+  bool is_end = false;
+  while (!is_end) {
+    ZSTD_outBuffer out{part.data(), part.size(), 0};
+    const std::size_t left = ZSTD_decompressStream(context.get(), &out, &in);
+    if (ZSTD_isError(left)) return false;
+    unpacked.write(part.data(), out.pos);
+    is_end = left == 0;
+    // All that there was is taken, and nothing of it waits to be given.
+    if (!is_end && in.pos == in.size && out.pos < out.size) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 StreamBytes inflated_bytes(std::string_view packed) {
@@ -48,6 +71,18 @@ StreamBytes inflated_bytes(std::string_view packed) {
   } catch (const std::exception&) {
     // What it gave before is there.
     is_whole = false;
+  }
+  check(collected);
+  return {std::move(collected.bytes), !is_whole};
+}
+
+StreamBytes zstandard_bytes(std::string_view packed) {
+  CollectedBytes collected;
+  bool is_whole = false;
+  try {
+    is_whole = unpack_frame(packed, collected);
+  } catch (const std::runtime_error&) {
+    // What it gave before is there.
   }
   check(collected);
   return {std::move(collected.bytes), !is_whole};

@@ -21,4 +21,8 @@ StreamBytes stream_bytes(QPDFObjectHandle stream);
 /// Returns what was packed by zlib's deflate, likewise.
 StreamBytes inflated_bytes(std::string_view packed);
 
+/// Returns what the first frame of Zstandard (RFC 8878) holds, likewise; what follows it says
+/// nothing.
+StreamBytes zstandard_bytes(std::string_view packed);
+
 }  // namespace gradmesh
