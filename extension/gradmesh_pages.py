@@ -4,11 +4,12 @@
 
 import os
 
-from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences, sentence, translated
+from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences, sentence, translated
 from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
 from gradmesh_text import _
 from gradmesh_toast import toast
+from gradmesh_window import LongWork
 
 CURRENT_LAYER = "{http://www.inkscape.org/namespaces/inkscape}current-layer"
 NAMED_VIEW = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}namedview"
@@ -30,13 +31,16 @@ class Pages(GradmeshEffect):
         # Of a field that nobody has filled Inkscape makes the folder of its copy of the document.
         if not path or os.path.isdir(path):
             raise AbortExtension(_("Choose a PDF, or a file of Illustrator, whose meshes are to be put here."))
+        title = _("Reading {file}").format(file=os.path.basename(path))
         with refusals_as_sentences():
-            inserted = self.insert(path)
+            inserted = LongWork([title], lambda tell: self.insert(path, tell)).run()
+        if inserted.stopped and not inserted.meshes:
+            raise NothingToDo(_("It was stopped before a mesh was read; the document stays as it was."))
         report.meshes = inserted.meshes
         self.take_over()
         toast(" ".join(self.what_became(inserted)))
 
-    def insert(self, path):
+    def insert(self, path, tell):
         return gradmesh.insert_pages(
             self.meshes,
             path,
@@ -44,6 +48,7 @@ class Pages(GradmeshEffect):
             password=self.options.password,
             into=self.current_layer() if self.options.into == "layer" else "",
             replace_tiles=self.options.replace_tiles,
+            progress=tell,
         )
 
     def current_layer(self):
@@ -73,6 +78,8 @@ class Pages(GradmeshEffect):
             )
         if len(grids) < count:
             yield _("{count} of them are blocks, which Simplify joins.").format(count=count - len(grids))
+        if inserted.stopped:
+            yield _("It was stopped before the end; Ctrl+Z takes it back.")
         for left_out in inserted.left_out[:3]:
             yield sentence(translated(left_out.message))
 

@@ -23,7 +23,7 @@ LARGEST_PICTURE = 320  # pixels
 class LongWork:
     """Runs work(progress) in a thread of its own; progress is that of gradmesh.simplify().
 
-    titles: what is being done, for each of the meshes.
+    titles: what is being done, for each of the meshes, or one for all.
     """
 
     def __init__(self, titles, work):
@@ -80,7 +80,7 @@ class LongWork:
     @property
     def title(self):
         """What is being done now."""
-        return self._titles[self._now.mesh if self._now else 0]
+        return self._titles[self._now.mesh if self._now and len(self._titles) > 1 else 0]
 
     @property
     def words(self):

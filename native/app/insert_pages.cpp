@@ -15,6 +15,8 @@ InsertedPages insert_pages(Document& document, const std::filesystem::path& path
   const std::string bytes = read_bytes(path);
   if (!holds_pages(bytes)) throw InputError("{0}: it is no PDF document.", name);
   PageMeshes read = read_page_meshes(bytes, name, options.pages);
+  // It was stopped before there was one.
+  if (read.objects.empty()) return {std::move(read.found)};
   for (SvgPage& page : read.pages)
     page.name = read.pages.size() == 1
                     ? path.filename().string()

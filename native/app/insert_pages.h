@@ -26,9 +26,9 @@ struct InsertedPages {
 
 /// Puts the meshes of a document of pages, the file at `path`, into an SVG document, where and as
 /// large as they are seen on the page: in the place of their tiles, or above all else. A page lies
-/// on that with its number, or else on the first one, further ones beside it. Throws InputError as
-/// read_pages() does, for another document, and if there is no such group; the document is then
-/// unchanged.
+/// on that with its number, or else on the first one, further ones beside it. Nothing changes where
+/// it was stopped before a mesh was read. Throws InputError as read_pages() does, for another
+/// document, and if there is no such group; the document is then unchanged.
 InsertedPages insert_pages(Document& document, const std::filesystem::path& path,
                            const InsertOptions& options = {});
 

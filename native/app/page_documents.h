@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/document.h"
+#include "base/progress.h"
 
 namespace gradmesh {
 
@@ -17,8 +18,11 @@ namespace gradmesh {
 /// What of them is read.
 struct PageChoice {
   /// The number of the one page, from 1; nothing for all.
-  std::optional<int> page;
-  std::string password;
+  std::optional<int> page = {};
+  std::string password = {};
+  /// Told of pages, as Progress::mesh, and of their shadings, as Progress::done; where it returns
+  /// false the meshes so far are what is read.
+  ProgressCallback progress = {};
 };
 
 /// What was found of a mesh of a page.
@@ -49,6 +53,8 @@ struct FoundPages {
   std::vector<FoundMesh> meshes;
   /// A sentence for all that was not read, or not all of it.
   std::vector<Message> left_out;
+  /// Whether it was stopped, so that there may be more meshes, or no one at all.
+  bool is_stopped = false;
 };
 
 /// Returns true if the content is a document of pages.

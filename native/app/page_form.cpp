@@ -64,38 +64,39 @@ class PageLook {
   const std::unique_ptr<Metric> metric_;
 };
 
-/// Returns the handles of the first form with the patches of the page that fits together.
-int handles_of_page(const std::vector<MeshForm>& forms) {
-  for (const MeshForm& form : forms) try {
-      if (form.kind == MeshForm::Kind::page) return count_handles(in_pixels(form.mesh));
-    } catch (const InputError&) {
-      continue;
-    }
-  return 0;
+/// Returns the handles of the patches of the page, joined if they fit together so.
+int handles_of_page(const MeshForm& joined, const MeshParts& loose) try {
+  return count_handles(in_pixels(joined.mesh));
+} catch (const InputError&) {
+  return count_handles(in_pixels(loose));
 }
 
 }  // namespace
 
-ChosenForm choose_form(const std::vector<PagePatch>& patches, std::vector<MeshForm> forms) {
+std::optional<ChosenForm> choose_form(const std::vector<PagePatch>& patches, MeshForms forms,
+                                      const std::function<bool()>& goes_on) {
   const MeshParts loose = loose_mesh(patches);
   const PageLook page(in_pixels(loose));
-  // Without any joints the patches are a mesh as well, whatever they are.
-  forms.push_back({loose});
-  for (const MeshForm& form : forms) try {
-      Mesh mesh = in_pixels(form.mesh);
+  for (bool is_last = false; !is_last;) try {
+      if (!goes_on()) return {};
+      std::optional<MeshForm> form = forms.next();
+      is_last = !form;
+      // Without any joints the patches are a mesh as well, whatever they are.
+      if (is_last) form = MeshForm{loose};
+      Mesh mesh = in_pixels(form->mesh);
       const Image seen = page.seen(mesh);
       const double flip = page.flip(seen);
-      const bool is_of_page = form.kind == MeshForm::Kind::page;
+      const bool is_of_page = form->kind == MeshForm::Kind::page;
       // Smooth colours are what the patches of a page stand for, which are themselves, joined, what
       // the page shows.
       if (flip <= look_of_page || is_of_page ||
-          (form.mesh.smooth && form.kind != MeshForm::Kind::joined && page.is_accurate(seen))) {
-        const int handles = is_of_page ? count_handles(mesh) : handles_of_page(forms);
-        return {form.kind, std::move(mesh), flip, handles};
+          (form->mesh.smooth && form->kind != MeshForm::Kind::joined && page.is_accurate(seen))) {
+        const int handles = is_of_page ? count_handles(mesh) : handles_of_page(forms.page(), loose);
+        return ChosenForm{form->kind, std::move(mesh), flip, handles};
       }
     } catch (const InputError&) {
       // Patches that do not fit together as these joints say.
-      if (&form == &forms.back()) throw;
+      if (is_last) throw;
     }
   throw InputError("it has no patches");
 }

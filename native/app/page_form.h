@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "formats/pdf/grid/mesh_forms.h"
@@ -21,8 +23,10 @@ struct ChosenForm {
   int page_handles = 0;
 };
 
-/// Returns the first of the forms that looks as the patches of the page do, or else the last one.
-/// Throws InputError where the patches have no size.
-ChosenForm choose_form(const std::vector<PagePatch>& patches, std::vector<MeshForm> forms);
+/// Returns the first of the forms that looks as the patches of the page do, or else the last one;
+/// nothing if `goes_on`, which is asked before each, returns false. Throws InputError where the
+/// patches have no size.
+std::optional<ChosenForm> choose_form(const std::vector<PagePatch>& patches, MeshForms forms,
+                                      const std::function<bool()>& goes_on);
 
 }  // namespace gradmesh

@@ -1,6 +1,7 @@
 #include "app/read_pdf.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -9,6 +10,7 @@
 #include "app/page_form.h"
 #include "app/page_shapes.h"
 #include "app/page_tiles.h"
+#include "base/clamped_int.h"
 #include "base/limits.h"
 #include "formats/pdf/page/pdf_file.h"
 #include "formats/pdf/records/mesh_records.h"
@@ -29,16 +31,18 @@ constexpr std::size_t many_tiles = 64;
 class PdfReader {
  public:
   PdfReader(std::string_view bytes, const std::string& name, const PageChoice& choice)
-      : file_(std::string(bytes), name, choice.password), name_(name) {
+      : file_(std::string(bytes), name, choice.password), name_(name), tell_(choice.progress) {
     const auto count = file_.page_count();
     if (choice.page && (*choice.page < 1 || std::size_t(*choice.page) > count))
       throw InputError("{0}: there is no page {1}; it has {2}.", name, *choice.page, count);
-    for (std::size_t n = 0; n < count; ++n)
-      if (!choice.page || n + 1 == std::size_t(*choice.page)) read_page(n);
+    const std::size_t first = choice.page ? std::size_t(*choice.page) - 1 : 0;
+    now_.meshes = choice.page ? 1 : count;
+    for (now_.mesh = 0; now_.mesh < now_.meshes && goes_on(); ++now_.mesh)
+      read_page(first + now_.mesh);
   }
 
   PageMeshes run() && {
-    if (objects_.empty()) {
+    if (objects_.empty() && !found_.is_stopped) {
       if (!found_.left_out.empty()) throw InputError(found_.left_out.front());
       throw InputError("{0}: there is no gradient mesh on its pages.", name_);
     }
@@ -46,6 +50,12 @@ class PdfReader {
   }
 
  private:
+  /// Tells how far it is. Returns false where it is to end, now and ever after.
+  bool goes_on() {
+    found_.is_stopped = found_.is_stopped || (tell_ && !tell_(now_));
+    return !found_.is_stopped;
+  }
+
   template <class Work>
   auto naming_page(std::size_t number, const Work& work) const {
     try {
@@ -63,7 +73,8 @@ class PdfReader {
     const std::vector<ArtistsGrid> records = read_mesh_records(page.private_data);
     const std::size_t before = objects_.size();
     PageTiles tiles;
-    for (std::size_t n = 0; n < page.painted.size(); ++n) {
+    now_.total = page.painted.size();
+    for (std::size_t n = 0; n < page.painted.size() && goes_on(); ++n) {
       auto shading = try_mesh(number, n, [&] { return shown(page.painted[n], n); });
       if (!shading || tiles.take(*shading)) continue;
       add_tiles(tiles, records, number);
@@ -98,10 +109,11 @@ class PdfReader {
   void add_tiles(const PageTiles& tiles, const std::vector<ArtistsGrid>& records,
                  std::size_t page) {
     for (const PageTiles::Span surface : tiles.surfaces()) {
+      now_.done = tiles.shadings()[surface.begin].number;
       const std::size_t before = objects_.size();
       add_tiles(tiles, surface, records, page);
       const std::size_t made = objects_.size() - before;
-      if (surface.end - surface.begin >= many_tiles && made > 1)
+      if (surface.end - surface.begin >= many_tiles && made > 1 && !found_.is_stopped)
         found_.left_out.push_back(
             Message("{0}, page {1}, meshes {2} to {3}: they join to no one surface that looks the "
                     "same, so they are {4} meshes.",
@@ -116,7 +128,7 @@ class PdfReader {
                  const std::vector<ArtistsGrid>& records, std::size_t page) {
     const auto& [begin, end] = span;
     if (const auto surface = tiles.surface(span)) {
-      if (add_surface(*surface, end - begin, page)) return;
+      if (add_surface(*surface, end - begin, page) || found_.is_stopped) return;
       const std::size_t middle = begin + (end - begin) / 2;
       add_tiles(tiles, {begin, middle}, records, page);
       add_tiles(tiles, {middle, end}, records, page);
@@ -125,7 +137,9 @@ class PdfReader {
     for (const ShownShading& each : std::span(tiles.shadings()).subspan(begin, end - begin))
       try_mesh(page, each.number, [&] {
         const auto& patches = each.shown.patches;
-        add(each, choose_form(patches, forms_of(each.shown, record_of(patches, records))), page, 1);
+        now_.done = each.number;
+        auto chosen = choose(patches, forms_of(each.shown, record_of(patches, records)));
+        if (chosen) add(each, std::move(*chosen), page, 1);
         return true;
       });
   }
@@ -133,10 +147,11 @@ class PdfReader {
   /// Adds the surface of so many tiles, if they join to few parts and these look as they do.
   bool add_surface(const ShownShading& surface, std::size_t tiles, std::size_t page) try {
     if (surface.shown.patches.size() > limits().patches) return false;
-    ChosenForm chosen = choose_form(surface.shown.patches, forms_of(surface.shown, {}));
-    if (chosen.difference > look_of_page || parts_of(chosen.mesh) > 1 + tiles / tiles_of_part)
+    auto chosen = choose(surface.shown.patches, forms_of(surface.shown, {}));
+    if (!chosen || chosen->difference > look_of_page ||
+        parts_of(chosen->mesh) > 1 + tiles / tiles_of_part)
       return false;
-    add(surface, std::move(chosen), page, tiles);
+    add(surface, std::move(*chosen), page, tiles);
     return true;
   } catch (const InputError&) {
     return false;
@@ -146,12 +161,16 @@ class PdfReader {
     return std::size_t(1 + std::ranges::max(face_components(mesh)));
   }
 
-  static std::vector<MeshForm> forms_of(const PaintedPatches& shown,
-                                        const std::optional<ArtistsGrid>& record) {
+  /// Returns nothing where it is to end.
+  std::optional<ChosenForm> choose(const std::vector<PagePatch>& patches, MeshForms forms) {
+    return choose_form(patches, std::move(forms), [this] { return goes_on(); });
+  }
+
+  static MeshForms forms_of(const PaintedPatches& shown, const std::optional<ArtistsGrid>& record) {
     const auto corners = [&shown](const std::vector<ShadingPatch>& patches) {
       return corners_in_srgb(patches, shown.shading.colors);
     };
-    return mesh_forms(shown.shading.patches, shown.patches, corners, record);
+    return MeshForms(shown.shading.patches, shown.patches, corners, record);
   }
 
   /// Adds the mesh that stands for a shading of a page, or for several from that one on.
@@ -200,6 +219,7 @@ class PdfReader {
   void check_size(std::size_t more) {
     const std::uint64_t most = limits().patches;
     patches_ += more;
+    now_.patches = clamped_int(double(patches_), 0, std::numeric_limits<int>::max());
     if (patches_ > most)
       throw InputError("the meshes so far have {0} patches, {1}", patches_,
                        beyond_limit("patches", most, patches_));
@@ -208,6 +228,8 @@ class PdfReader {
   const PdfFile file_;
   KeptShadings kept_;
   const std::string name_;
+  const ProgressCallback tell_;
+  Progress now_;
   std::uint64_t patches_ = 0;
   std::vector<SvgPage> pages_;
   std::vector<PageObject> objects_;

@@ -57,6 +57,7 @@ Json convert_document(const Call& call) {
 
 Json insert_pages_into(const Call& call) {
   InsertOptions options{page_choice(call), call.get("into", std::string())};
+  options.pages.progress = call.progress();
   options.replace_tiles = call.get("replace_tiles", options.replace_tiles);
   const InsertedPages inserted =
       insert_pages(call.document(), path_argument(call, "path"), options);
@@ -67,7 +68,10 @@ Json insert_pages_into(const Call& call) {
   }
   for (const Message& sentence : inserted.found.left_out)
     left_out.push_back(message_json(sentence));
-  return {{"meshes", meshes}, {"left_out", left_out}, {"replaced", inserted.replaced}};
+  return {{"meshes", meshes},
+          {"left_out", left_out},
+          {"replaced", inserted.replaced},
+          {"stopped", inserted.found.is_stopped}};
 }
 
 Json write_document(const Call& call) {

@@ -6,7 +6,7 @@ import os
 from dataclasses import dataclass
 from typing import Optional
 
-from .api import Document, Path
+from .api import Document, Path, TellProgress, _answers
 from .core import record, refusal
 from .errors import InputError
 
@@ -34,6 +34,7 @@ class InsertedPages:
     meshes: list[PageMesh]
     left_out: list[InputError]  #: a sentence for all that was not read, or not all of it
     replaced: int  #: how many groups of tiles were replaced
+    stopped: bool  #: whether `progress` ended it, so that there may be more meshes
 
 
 def insert_pages(
@@ -44,17 +45,20 @@ def insert_pages(
     password: str = "",
     into: str = "",
     replace_tiles: bool = True,
+    progress: Optional[TellProgress] = None,
 ) -> InsertedPages:
     """Puts the meshes of a PDF, or of what load() takes as one, into an SVG document, in place.
 
     They lie where, and are as large as, they are on their page; a page lies on the document's page of its number, or
     else on the first one, further ones beside it. page, password: as of load(). into: the id of a group or layer;
     without it each page becomes a new layer above all else. replace_tiles: whether a mesh takes the place of the
-    group of flat paths that looks like it, as Inkscape's own import of the same file makes. Raises InputError for
-    other documents, and where there is no such page, group or mesh; the document is then unchanged.
+    group of flat paths that looks like it, as Inkscape's own import of the same file makes. progress: is told of
+    pages, as Progress.mesh, and of the shadings of each; where it returns False the meshes so far are put in. Raises
+    InputError for other documents, and where there is no such page, group or mesh; the document is then unchanged.
     """
     made = document._core.call(
         "insert_pages",
+        _answers(progress),
         path=os.fspath(path),
         page=page,
         password=password,
@@ -65,4 +69,5 @@ def insert_pages(
         [record(PageMesh, mesh) for mesh in made["meshes"]],
         [refusal(message) for message in made["left_out"]],
         made["replaced"],
+        made["stopped"],
     )

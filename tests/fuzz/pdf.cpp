@@ -18,12 +18,12 @@ void check_shading(const PaintedShading& painted, KeptShadings& kept) {
     for (const glm::dvec4& color : patch.colors)
       for (int c = 0; c < 4; ++c) require(color[c] >= 0 && color[c] <= 1, "a colour can be shown");
   if (own.empty() || read.patches.size() > most_patches) return;
-  const std::vector<MeshForm> forms = mesh_forms(own, read.patches, [&](const auto& patches) {
+  MeshForms forms(own, read.patches, [&](const auto& patches) {
     return corners_in_srgb(patches, read.shading.colors);
   });
-  require(!forms.empty() && forms.back().kind == MeshForm::Kind::page, "the page's own is last");
-  for (const MeshForm& form : forms) try {
-      build_mesh(form.mesh);
+  require(forms.page().kind == MeshForm::Kind::page, "the page's own is last");
+  while (const std::optional<MeshForm> form = forms.next()) try {
+      build_mesh(form->mesh);
     } catch (const InputError&) {
       continue;
     }

@@ -44,8 +44,12 @@ MeshForm form_of(const std::vector<PagePatch>& patches, MeshForm::Kind kind) {
 
 MeshForm::Kind chosen(ColorAt color) {
   const std::vector<PagePatch> page = row_of(grey);
-  return choose_form(page, {form_of(row_of(color), MeshForm::Kind::artists),
-                            form_of(page, MeshForm::Kind::page)})
+  const auto goes_on = [] { return true; };
+  return choose_form(page,
+                     MeshForms({form_of(row_of(color), MeshForm::Kind::artists),
+                                form_of(page, MeshForm::Kind::page)}),
+                     goes_on)
+      .value()
       .kind;
 }
 
@@ -55,5 +59,17 @@ TEST(PageForm, is_the_first_that_looks_as_the_page) {
 
 // Of all samples 98 of 100 are near enough, and of the pixels, whose channels must all be, 92.
 TEST(PageForm, is_near_in_all_channels_of_a_pixel) { EXPECT_EQ(chosen(off), MeshForm::Kind::page); }
+
+TEST(PageForm, is_none_where_it_was_stopped) {
+  const std::vector<PagePatch> page = row_of(grey);
+  int asked = 0;
+  const auto goes_on = [&asked] { return ++asked < 2; };
+  // The first of them does not look as the page does.
+  EXPECT_FALSE(choose_form(page,
+                           MeshForms({form_of(row_of(off), MeshForm::Kind::artists),
+                                      form_of(page, MeshForm::Kind::page)}),
+                           goes_on));
+  EXPECT_EQ(asked, 2);
+}
 
 }  // namespace

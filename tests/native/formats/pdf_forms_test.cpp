@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "formats/pdf/grid/mesh_forms.h"
 #include "formats/pdf/grid/page_colors.h"
@@ -114,7 +116,11 @@ std::vector<PagePatch> in_rgb(const std::vector<ShadingPatch>& patches) {
 }
 
 std::vector<MeshForm> forms(const std::vector<PagePatch>& patches) {
-  return mesh_forms(in_components(patches), patches, in_rgb);
+  MeshForms all(in_components(patches), patches, in_rgb);
+  std::vector<MeshForm> found;
+  while (std::optional<MeshForm> form = all.next()) found.push_back(std::move(*form));
+  EXPECT_EQ(found.back().mesh.patches.size(), all.page().mesh.patches.size());
+  return found;
 }
 
 TEST(MeshForms, AGridIsLeftAsItIs) {

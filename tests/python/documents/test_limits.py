@@ -9,7 +9,7 @@ import pytest
 import program
 from bad_documents import DOCUMENT, linked
 from built import PROGRAM, SAMPLES, gradmesh
-from one_patch import one_patch
+from pdf_pages import pdf
 from program import printed
 
 FRUIT = SAMPLES / "fruit.svg"
@@ -135,7 +135,7 @@ def test_in_python(tmp_path):
 @pytest.mark.parametrize("private", [b"%AI12_CompressedData" + zlib.compress(bytes(1000000)), b"%AI24_ZStandard_Data?"])
 def test_a_page_is_read_without_what_illustrator_keeps_beside_it(tmp_path, private):
     page, out = tmp_path / "page.ai", tmp_path / "out.svg"
-    page.write_bytes(one_patch(private))
+    page.write_bytes(pdf("/sh sh", private=private))
     done = gradmesh("convert", page, out, **within("document=100K"))
     if "was built without PDF" in done.stderr:
         pytest.skip(done.stderr.strip())

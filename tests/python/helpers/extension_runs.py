@@ -23,7 +23,7 @@ def extension(tmp_path_factory):
 
 @pytest.fixture
 def run(extension, tmp_path):
-    """Runs the extension on a text or a file with these options, as Inkscape does."""
+    """Runs the extension on a text, bytes or a file with these options, as Inkscape does."""
 
     def run(
         document,
@@ -34,7 +34,10 @@ def run(extension, tmp_path):
         **env,
     ):
         copy = tmp_path / "ink_ext_XXXXXX.svgABC123"
-        copy.write_text(document if isinstance(document, str) else document.read_text())
+        if isinstance(document, bytes):
+            copy.write_bytes(document)
+        else:
+            copy.write_text(document if isinstance(document, str) else document.read_text())
         return subprocess.run(
             [*python, f"gradmesh_{item}.py", *options, str(copy)],
             cwd=extension,

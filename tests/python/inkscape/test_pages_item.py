@@ -1,6 +1,5 @@
 """Meshes of a PDF puts what a PDF paints into the document, when run as Inkscape runs it."""
 
-import io
 import shutil
 import xml.etree.ElementTree as ET
 
@@ -10,6 +9,7 @@ import inkscape_harness
 from built import SAMPLES
 from extension_runs import INKEX, extension, refused, run  # noqa: F401
 from in_inkscape import inkscape, needs  # noqa: F401
+from pdf_pages import pdf
 from pictures import error, export
 
 import gradmesh
@@ -23,50 +23,6 @@ DOCUMENT = (
     '<sodipodi:namedview inkscape:current-layer="own"/>'
     '<g id="own" inkscape:groupmode="layer"><path id="p" d="M0,0 9,9"/></g><g id="last"/></svg>'
 )
-
-
-def square():
-    """A shading of type 7: one patch over the square from (0, 0) to (9, 9)."""
-    around = [(0, 0), (0, 3), (0, 6), (0, 9), (3, 9), (6, 9), (9, 9), (9, 6), (9, 3), (9, 0), (6, 0), (3, 0)]
-    inner = [(3, 3), (3, 6), (6, 6), (6, 3)]
-    colors = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)]
-    return bytes([0]) + b"".join(bytes(each) for each in (*around, *inner, *colors))
-
-
-def pdf(*contents):
-    """A PDF document with pages of 150 x 75 points; /sh is the square."""
-    count = len(contents)
-    first = 3 + 2 * count
-    kids = " ".join(f"{3 + 2 * n} 0 R" for n in range(count))
-    objects = [b"<< /Type /Catalog /Pages 2 0 R >>", f"<< /Type /Pages /Kids [{kids}] /Count {count} >>".encode()]
-    for n, content in enumerate(contents):
-        objects.append(
-            f"<< /Type /Page /Parent 2 0 R /Contents {4 + 2 * n} 0 R /MediaBox [0 0 150 75]"
-            f" /Resources << /Shading << /sh {first} 0 R >> >> >>".encode()
-        )
-        objects.append(stream("", content.encode()))
-    objects.append(
-        stream(
-            "/ShadingType 7 /ColorSpace /DeviceRGB /BitsPerCoordinate 8 /BitsPerComponent 8 /BitsPerFlag 8"
-            " /Decode [0 255 0 255 0 1 0 1 0 1]",
-            square(),
-        )
-    )
-    file = io.BytesIO()
-    file.write(b"%PDF-1.7\n")
-    places = []
-    for number, body in enumerate(objects, 1):
-        places.append(file.tell())
-        file.write(b"%d 0 obj\n%s\nendobj\n" % (number, body))
-    table = file.tell()
-    file.write(b"xref\n0 %d\n0000000000 65535 f \n" % (len(objects) + 1))
-    file.write(b"".join(b"%010d 00000 n \n" % place for place in places))
-    file.write(b"trailer\n<< /Size %d /Root 1 0 R >>\nstartxref\n%d\n%%%%EOF\n" % (len(objects) + 1, table))
-    return file.getvalue()
-
-
-def stream(entries, data):
-    return f"<< {entries} /Length {len(data)} >>\nstream\n".encode() + data + b"\nendstream"
 
 
 @pytest.fixture
@@ -141,6 +97,35 @@ def test_python_says_what_was_found(file):
     (mesh,) = made.meshes
     assert (mesh.id, mesh.page, mesh.number, mesh.patches, mesh.rows, mesh.columns) == ("page-1-mesh-1", 1, 1, 1, 1, 1)
     assert [str(each).split(", page ")[1] for each in made.left_out] == ["1, mesh 2: its clip path hides it."]
+
+
+def test_python_may_stop_it(file):
+    document, path = gradmesh.loads(DOCUMENT), file("/sh sh", "/sh sh 2 0 0 2 0 0 cm /sh sh")
+    told = []
+
+    def until(count):
+        def progress(now):
+            told.append((now.mesh, now.meshes, now.done, now.total))
+            return len(told) < count
+
+        return progress
+
+    before = document.to_bytes()
+    made = gradmesh.insert_pages(document, path, progress=until(1))
+    assert (made.meshes, made.stopped, document.to_bytes()) == ([], True, before)
+    told.clear()
+    made = gradmesh.insert_pages(document, path, progress=until(1000))
+    assert ([mesh.id for mesh in made.meshes], made.stopped) == (
+        ["page-1-mesh-1", "page-2-mesh-1", "page-2-mesh-2"],
+        False,
+    )
+    assert {(mesh, total) for mesh, _, done, total in told if done} == {(1, 2)}
+    assert {meshes for _, meshes, _, _ in told} == {2}
+    half = gradmesh.loads(DOCUMENT)
+    told.clear()
+    made = gradmesh.insert_pages(half, path, progress=lambda now: now.mesh == 0)
+    assert ([mesh.id for mesh in made.meshes], made.stopped) == (["page-1-mesh-1"], True)
+    assert half.ids == ["page-1-mesh-1"]
 
 
 @needs()

@@ -13,7 +13,7 @@ import pytest
 import in_inkscape
 from built import BUILD, PROGRAM, PYTHON, ROOT, SAMPLES, install_extension
 from inkscape_harness import Inkscape
-from one_patch import one_patch
+from pdf_pages import pdf
 
 import gradmesh
 from gradmesh.helper import find_program
@@ -162,7 +162,7 @@ def test_the_program_for_others_writes_the_same_bytes(sample, tmp_path):
 
 @needs_portable
 def test_the_program_for_others_reads_pdf(tmp_path):
-    (tmp_path / "patch.pdf").write_bytes(one_patch())
+    (tmp_path / "patch.pdf").write_bytes(pdf("/sh sh"))
     run(PORTABLE, "convert", tmp_path / "patch.pdf", tmp_path / "patch.svg")
     assert (tmp_path / "patch.svg").read_text().count("<meshpatch") == 1
 

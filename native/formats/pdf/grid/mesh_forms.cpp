@@ -1,9 +1,8 @@
 #include "formats/pdf/grid/mesh_forms.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "formats/pdf/grid/joined_halves.h"
 #include "formats/pdf/grid/page_grids.h"
@@ -58,17 +57,37 @@ std::vector<MeshForm> forms_of_grid(const ArtistsGrid& grid) {
   return forms;
 }
 
-/// Adds the artist's grid with smooth colours, with more and more rows and columns, as long as it
+/// Gives the artist's grid with smooth colours, with more and more rows and columns, as long as it
 /// has at most half as many patches as the page, beyond which what is on the page is as good, and
 /// behind the first one that with bilinear colours.
-void add_grids(std::vector<MeshForm>& forms, const ArtistsGrid& artists, MeshForm::Kind kind,
-               const PageColors& colors, std::size_t on_page) {
-  RefinedGrid refined(patches_of(artists), colors);
-  forms.push_back(form_of(patches_of(artists), kind, true));
-  forms.push_back(form_of(patches_of(artists), MeshForm::Kind::joined));
-  while (refined.divide() && 2 * std::size_t(refined.rows() * refined.columns()) <= on_page)
-    forms.push_back(form_of(refined.grid(), kind, true));
-}
+class FinerGrids {
+ public:
+  FinerGrids(PatchGrid artists, MeshForm::Kind kind, const PageColors& colors, std::size_t on_page)
+      : artists_(std::move(artists)), kind_(kind), colors_(&colors), on_page_(on_page) {}
+
+  std::optional<MeshForm> operator()() {
+    switch (given_++) {
+      case 0:
+        return form_of(artists_, kind_, true);
+      case 1:
+        return form_of(artists_, MeshForm::Kind::joined);
+      default:
+        break;
+    }
+    if (!refined_) refined_.emplace(artists_, *colors_);
+    if (refined_->divide() && 2 * std::size_t(refined_->rows() * refined_->columns()) <= on_page_)
+      return form_of(refined_->grid(), kind_, true);
+    return {};
+  }
+
+ private:
+  PatchGrid artists_;
+  MeshForm::Kind kind_;
+  const PageColors* colors_;
+  std::size_t on_page_;
+  std::size_t given_ = 0;
+  std::optional<RefinedGrid> refined_;
+};
 
 }  // namespace
 
@@ -78,48 +97,66 @@ MeshParts loose_mesh(const std::vector<PagePatch>& patches) {
   return mesh;
 }
 
-std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
-                                 const std::vector<PagePatch>& page, const CornerColors& corners,
-                                 const std::optional<ArtistsGrid>& record) {
-  const PageColors colors(page);
+void MeshForms::add_grids(const ArtistsGrid& artists, MeshForm::Kind kind) {
+  grids_.push_back({{}, FinerGrids(patches_of(artists), kind, *colors_, patches_of_page_)});
+}
+
+MeshForms::MeshForms(std::vector<MeshForm> forms) : others_(std::move(forms)) {}
+
+MeshForms::MeshForms(const std::vector<ShadingPatch>& own, const std::vector<PagePatch>& page,
+                     const CornerColors& corners, const std::optional<ArtistsGrid>& record)
+    : patches_of_page_(page.size()), colors_(std::make_unique<PageColors>(page)) {
   const auto colored = [&](const std::vector<ShadingPatch>& patches) {
     std::vector<PagePatch> all = corners(patches);
     for (PagePatch& patch : all)
-      for (std::size_t k = 0; k < 4; ++k) patch.colors[k].a = colors.at(patch.outer[3 * k]).a;
+      for (std::size_t k = 0; k < 4; ++k) patch.colors[k].a = colors_->at(patch.outer[3 * k]).a;
     return rounded_colors(std::move(all));
   };
   const std::vector<PagePatch> all = rounded_colors(page);
   const bool is_as_painted = own.size() == page.size();
-  std::vector<MeshForm> forms, others;
   if (record) {
     ArtistsGrid drawn = *record;
     drawn.patches = rounded_colors(std::move(drawn.patches));
-    add_grids(forms, drawn, MeshForm::Kind::record, colors, page.size());
+    add_grids(drawn, MeshForm::Kind::record);
   }
   if (const std::optional<ArtistsGrid> grid = one_grid(is_as_painted ? all : colored(own))) {
     // Halves of what is one grid already are the artist's own.
-    if (is_as_painted) return forms_of_grid(*grid);
-    add_grids(forms, *grid, MeshForm::Kind::joined, colors, page.size());
+    if (is_as_painted) {
+      grids_.clear();
+      others_ = forms_of_grid(*grid);
+      return;
+    }
+    add_grids(*grid, MeshForm::Kind::joined);
   } else if (const std::vector<ShadingPatch> whole = without_halving(own);
              whole.size() < own.size()) {
     const std::vector<PagePatch> joined = without_anchors(colored(whole), grid_tolerance).patches;
     if (const std::optional<ArtistsGrid> artists = one_grid(joined))
-      add_grids(forms, *artists, MeshForm::Kind::artists, colors, page.size());
+      add_grids(*artists, MeshForm::Kind::artists);
     else
-      others.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
+      others_.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
   }
   if (const std::vector<ShadingPatch> pairs = paired_triangles(own); pairs.size() < own.size()) {
     const std::vector<PagePatch> joined = colored(pairs);
     if (const std::optional<ArtistsGrid> grid = one_grid(joined))
-      forms.push_back(form_of(patches_of(*grid), MeshForm::Kind::joined));
+      grids_.push_back({form_of(patches_of(*grid), MeshForm::Kind::joined), nullptr});
     else
-      others.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
+      others_.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
   }
+  others_.push_back({page_mesh(all, mesh_tolerance)});
+}
+
+std::optional<MeshForm> MeshForms::next() {
   // A record and what the page shows may take different numbers of lines to the same look.
-  std::ranges::stable_sort(forms, {}, [](const MeshForm& f) { return f.mesh.patches.size(); });
-  std::ranges::move(others, std::back_inserter(forms));
-  forms.push_back({page_mesh(all, mesh_tolerance)});
-  return forms;
+  Grids* coarsest = nullptr;
+  for (Grids& grids : grids_) {
+    if (!grids.next && grids.finer) grids.next = grids.finer();
+    if (!grids.next)
+      grids.finer = nullptr;
+    else if (!coarsest || grids.next->mesh.patches.size() < coarsest->next->mesh.patches.size())
+      coarsest = &grids;
+  }
+  if (coarsest) return std::exchange(coarsest->next, std::nullopt);
+  return passed_ < others_.size() ? std::optional(others_[passed_++]) : std::nullopt;
 }
 
 }  // namespace gradmesh

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "formats/pdf/grid/page_colors.h"
 #include "formats/pdf/grid/page_patch.h"
 #include "formats/pdf/grid/smooth_grid.h"
 #include "formats/pdf/shading/read_patches.h"
@@ -32,17 +35,41 @@ using CornerColors = std::function<std::vector<PagePatch>(const std::vector<Shad
 /// Returns the patches of a shading as they are on the page, in painting order, joined to nothing.
 MeshParts loose_mesh(const std::vector<PagePatch>& patches);
 
-/// Returns the meshes that may stand for the patches of a shading, those that a person would rather
-/// have first: the artist's grid with smooth colours and with bilinear ones, with more and more
-/// rows and columns, and what has T-junctions. The last one has the patches of the page, all
-/// joined, and is never wrong. Which is the first that looks like the page is to be measured: what
-/// Illustrator writes has smooth colours, but not all that has patches like its.
-///
-/// `own` are the shading's patches, `page` those that show them on the page: the same, or more of
-/// them where colours are not bilinear. `record` is the grid as the artist drew it, where the
-/// document says so.
-std::vector<MeshForm> mesh_forms(const std::vector<ShadingPatch>& own,
-                                 const std::vector<PagePatch>& page, const CornerColors& corners,
-                                 const std::optional<ArtistsGrid>& record = {});
+/// The meshes that may stand for the patches of a shading, those that a person would rather have
+/// first: the artist's grid with smooth colours and with bilinear ones, with more and more rows and
+/// columns, and what has T-junctions. The last one has the patches of the page, all joined, and is
+/// never wrong. Which is the first that looks like the page is to be measured: what Illustrator
+/// writes has smooth colours, but not all that has patches like its. Finer grids take the most
+/// time, so that each is made when it is asked for.
+class MeshForms {
+ public:
+  /// `own` are the shading's patches, `page` those that show them on the page: the same, or more of
+  /// them where colours are not bilinear. `record` is the grid as the artist drew it, where the
+  /// document says so.
+  MeshForms(const std::vector<ShadingPatch>& own, const std::vector<PagePatch>& page,
+            const CornerColors& corners, const std::optional<ArtistsGrid>& record = {});
+  /// These alone, at least one, of which the last has the patches of the page.
+  explicit MeshForms(std::vector<MeshForm> forms);
+
+  /// Returns the next one; nothing behind the last one.
+  std::optional<MeshForm> next();
+  /// Returns the last one.
+  const MeshForm& page() const { return others_.back(); }
+
+ private:
+  /// Grids with more and more patches: the next one, if it is made, and what makes one more.
+  struct Grids {
+    std::optional<MeshForm> next;
+    std::function<std::optional<MeshForm>()> finer;
+  };
+
+  void add_grids(const ArtistsGrid& artists, MeshForm::Kind kind);
+
+  std::size_t patches_of_page_ = 0, passed_ = 0;
+  std::unique_ptr<const PageColors> colors_;
+  std::vector<Grids> grids_;
+  /// What comes behind all grids.
+  std::vector<MeshForm> others_;
+};
 
 }  // namespace gradmesh
