@@ -7,7 +7,7 @@ import pytest
 
 import inkscape_harness
 from built import SAMPLES
-from extension_runs import INKEX, extension, refused, run  # noqa: F401
+from extension_runs import INKEX, extension, is_one_sentence, refused, run  # noqa: F401
 from in_inkscape import inkscape, needs  # noqa: F401
 from pdf_pages import pdf
 from pictures import error, export
@@ -126,6 +126,43 @@ def test_python_may_stop_it(file):
     made = gradmesh.insert_pages(half, path, progress=lambda now: now.mesh == 0)
     assert ([mesh.id for mesh in made.meshes], made.stopped) == (["page-1-mesh-1"], True)
     assert half.ids == ["page-1-mesh-1"]
+
+
+@pytest.mark.parametrize("item", ["pdf", "ai"])
+def test_open_and_import_read_the_meshes_alone(run, file, item):
+    path = file("/sh sh", "/sh sh")
+    opened = run(path.read_bytes(), item=item)
+    assert (opened.returncode, opened.stderr) == (0, "")
+    assert gradmesh.loads(opened.stdout).ids == ["page-1-mesh-1", "page-2-mesh-1"]
+    assert gradmesh.loads(run(path.read_bytes(), "--page=2", item=item).stdout).ids == ["page-2-mesh-1"]
+    assert "there is no gradient mesh" in told(run(file("n").read_bytes(), item=item))
+    assert "there is no page 3" in told(run(path.read_bytes(), "--page=3", item=item))
+
+
+def told(done):
+    """The sentence of a reader that read nothing. It names the file, as Inkscape gives a reader the file itself."""
+    assert done.returncode != 0 and done.stdout == ""
+    assert is_one_sentence(done.stderr), done.stderr
+    return done.stderr
+
+
+@needs("xdotool")
+def test_inkscapes_own_import_stays(inkscape, extension, tmp_path):
+    """Beside two further types of file for the same endings: what chooses no type asks, and makes, what it did."""
+    sample = SAMPLES / "two.svg"
+    pages = [tmp_path / "two.pdf", tmp_path / "two.ai"]
+    without, beside = ([tmp_path / f"{kind}{page.suffix}.svg" for page in pages] for kind in ("without", "beside"))
+    for made, source in zip((pages[0], *without), (sample, *pages)):
+        inkscape_harness.run(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
+        if made == pages[0]:
+            shutil.copy(*pages)
+    inkscape.install(extension)
+    for made, source, was in zip(beside, pages, without):
+        inkscape_harness.run(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
+        assert made.read_bytes() == was.read_bytes()
+        assert b"<meshpatch" not in made.read_bytes()
+        with inkscape_harness.Started(["inkscape", source], inkscape.env, inkscape.timeout) as started:
+            started.find_window("PDF Import Settings")
 
 
 @needs()
