@@ -176,6 +176,9 @@ def report(folder, out):
         chromium.save_screenshot(str(out))
 
 
+CODE_LINE = 15  # pixels
+
+
 def opened_pdf(inkscape, folder):
     """The face as a PDF by Inkscape, and what Inkscape opens that as."""
     pdf, svg = folder / "face.pdf", folder / "opened.svg"
@@ -205,6 +208,21 @@ def pages_dialog(folder, out):
             shot(window, folder, WINDOW).save(out, optimize=True)
 
 
+def code_for_apps(folder, out):
+    """The pear, simplified, and how its code begins."""
+    svg, code = folder / "pear.svg", folder / "Pear.swift"
+    simplified(SAMPLES / f"{SAMPLE}.svg", svg, MESH_ID, amount="balanced")
+    run("publish", svg, "--as", "swift", "-o", code)
+    ((_, picture),) = painted([("", svg)], folder, 330)
+    text = Image.new("RGB", (560, picture.height), "#f6f6f6")
+    lines = code.read_text().splitlines()[: picture.height // CODE_LINE]
+    font = ImageFont.truetype("DejaVuSansMono.ttf", 11)
+    for number, line in enumerate(lines):
+        ImageDraw.Draw(text).text((8, 6 + CODE_LINE * number), line, "#203040", font)
+    sheets = [("in Inkscape", picture), (f"{code.name}, {round(code.stat().st_size / 1000)} kB", text)]
+    side_by_side(sheets).save(out, optimize=True)
+
+
 def main(images):
     images.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as name:
@@ -216,6 +234,7 @@ def main(images):
         report(folder, images / "report.png")
         from_pdf(folder, images / "from-pdf.png")
         pages_dialog(folder, images / "pages-dialog.png")
+        code_for_apps(folder, images / "code-for-apps.png")
 
 
 if __name__ == "__main__":

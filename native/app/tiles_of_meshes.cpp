@@ -24,12 +24,9 @@ constexpr int most_comparisons = 1000;
 
 Box box_of(const std::vector<FlatArea>& tiles) {
   Box box;
-  for (const FlatArea& tile : tiles) {
-    const Box one = bounding_box(tile.area.outline);
-    if (one.empty()) continue;
-    box.add(one.low());
-    box.add(one.high());
-  }
+  for (const FlatArea& tile : tiles)
+    for (const std::vector<glm::dvec2>& polygon : tile.area.outline)
+      for (const glm::dvec2 point : polygon) box.add(point);
   return box;
 }
 
@@ -44,8 +41,7 @@ using Level = std::array<std::uint8_t, 3>;
 Level levels(const glm::dvec3& color) {
   Level all;
   for (int channel = 0; channel < 3; ++channel)
-    all[std::size_t(channel)] =
-        std::uint8_t(clamped_int(std::round(255 * glm::clamp(color[channel], 0.0, 1.0)), 0, 255));
+    all[std::size_t(channel)] = std::uint8_t(clamped_int(std::round(255 * color[channel]), 0, 255));
   return all;
 }
 
