@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What File > Save a Copy as code for apps shares."""
 
-from gradmesh_effect import GradmeshOutput, gradmesh, refusals_as_sentences, sentence, translated
+from gradmesh_effect import GradmeshOutput, gradmesh, refusals_as_sentences
+from gradmesh_text import first_of
 from gradmesh_toast import toast
 
 
@@ -17,6 +18,6 @@ class CodeOutput(GradmeshOutput):
         with refusals_as_sentences():
             made = gradmesh.publish_code(self.meshes, self.language)
         stream.write(made.source.encode())
-        lost = [sentence(translated(why.message)) for mesh in made.meshes for why in mesh.lost]
+        lost = [why for mesh in made.meshes for why in mesh.lost]
         if lost:
-            toast(" ".join(lost[:3]))
+            toast(" ".join(first_of(lost)))

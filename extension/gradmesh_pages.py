@@ -4,10 +4,10 @@
 
 import os
 
-from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences, sentence, translated
+from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences
 from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
-from gradmesh_text import _
+from gradmesh_text import _, first_of
 from gradmesh_toast import toast
 from gradmesh_window import LongWork
 
@@ -80,8 +80,7 @@ class Pages(GradmeshEffect):
             yield _("{count} of them are blocks, which Simplify joins.").format(count=count - len(grids))
         if inserted.stopped:
             yield _("It was stopped before the end; Ctrl+Z takes it back.")
-        for left_out in inserted.left_out[:3]:
-            yield sentence(translated(left_out.message))
+        yield from first_of(inserted.left_out)
 
 
 if __name__ == "__main__":

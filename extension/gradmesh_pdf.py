@@ -6,7 +6,8 @@ import os
 
 from gradmesh_effect import Gradmesh, gradmesh, refusals_as_sentences
 from gradmesh_inkex import InputExtension
-from gradmesh_text import _
+from gradmesh_text import _, first_of
+from gradmesh_toast import toast
 
 
 class Pdf(Gradmesh, InputExtension):
@@ -24,7 +25,10 @@ class Pdf(Gradmesh, InputExtension):
         with refusals_as_sentences():
             name = os.path.basename(self.options.input_file)
             page, password = self.options.page or None, self.options.password
-            return gradmesh.loads(stream.read(), name, _, page=page, password=password).to_bytes()
+            read = gradmesh.loads(stream.read(), name, _, page=page, password=password)
+        if read.left_out:
+            toast(" ".join(first_of(read.left_out)))
+        return read.to_bytes()
 
 
 if __name__ == "__main__":

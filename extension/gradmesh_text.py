@@ -34,6 +34,11 @@ def translated(message):
     return _(template).format(*map(translated, arguments))
 
 
+def first_of(left_out):
+    """The sentences for the first three of what was left out or lost, which suffice to look into it."""
+    return [sentence(translated(why.message)) for why in left_out[:3]]
+
+
 def why_it_does_not_load(error):
     """The sentence for an ImportError of what the extension needs."""
     running = "{}.{}".format(*sys.version_info)

@@ -19,6 +19,12 @@ PageChoice page_choice(const Call& call) {
   return {call.get<std::optional<int>>("page"), call.get("password", std::string())};
 }
 
+Json sentences(const std::vector<Message>& left_out) {
+  Json all = Json::array();
+  for (const Message& sentence : left_out) all.push_back(message_json(sentence));
+  return all;
+}
+
 }  // namespace
 
 Json read_document(const Call& call) {
@@ -61,15 +67,13 @@ Json insert_pages_into(const Call& call) {
   options.replace_tiles = call.get("replace_tiles", options.replace_tiles);
   const InsertedPages inserted =
       insert_pages(call.document(), path_argument(call, "path"), options);
-  Json meshes = Json::array(), left_out = Json::array();
+  Json meshes = Json::array();
   for (const FoundMesh& mesh : inserted.found.meshes) {
     Json& told = meshes.emplace_back(found_json(mesh));
     told["id"] = mesh.id;
   }
-  for (const Message& sentence : inserted.found.left_out)
-    left_out.push_back(message_json(sentence));
   return {{"meshes", meshes},
-          {"left_out", left_out},
+          {"left_out", sentences(inserted.found.left_out)},
           {"replaced", inserted.replaced},
           {"stopped", inserted.found.is_stopped}};
 }
@@ -85,6 +89,11 @@ Json document_bytes(const Call& call) {
 }
 
 Json document_kind(const Call& call) { return call.document().format().name; }
+
+Json left_out_of_document(const Call& call) {
+  const FoundPages* const pages = call.document().pages();
+  return pages ? sentences(pages->left_out) : Json::array();
+}
 
 Json mesh_ids(const Call& call) {
   Json ids = Json::array();

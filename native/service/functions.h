@@ -15,6 +15,7 @@ Json insert_pages_into(const Call& call);
 Json write_document(const Call& call);
 Json document_bytes(const Call& call);
 Json document_kind(const Call& call);
+Json left_out_of_document(const Call& call);
 Json mesh_ids(const Call& call);
 Json meshes(const Call& call);
 Json info(const Call& call);

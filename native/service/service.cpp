@@ -28,6 +28,7 @@ const std::unordered_map<std::string, Function>& functions() {
       {"write", write_document},
       {"bytes", document_bytes},
       {"kind", document_kind},
+      {"left_out", left_out_of_document},
       {"ids", mesh_ids},
       {"meshes", meshes},
       {"info", info},

@@ -8,7 +8,7 @@ import warnings
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Mapping, NamedTuple, Optional, Sequence, Union
 
-from .core import Answers, CoreDocument, core, record
+from .core import Answers, CoreDocument, core, record, refusal
 from .errors import InputError
 
 Path = Union[str, os.PathLike]
@@ -98,6 +98,11 @@ class Document:
     def meshes(self) -> list[MeshInfo]:
         """All meshes; InputError where there is none."""
         return [record(MeshInfo, mesh) for mesh in self._core.call("meshes")]
+
+    @property
+    def left_out(self) -> list[InputError]:
+        """A sentence for all that was not read, or not all of it, where the document is the meshes of a PDF."""
+        return [refusal(message) for message in self._core.call("left_out")]
 
     def to_bytes(self) -> bytes:
         """The document; the bytes that were read where nothing was changed."""

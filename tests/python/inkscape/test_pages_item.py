@@ -129,12 +129,17 @@ def test_python_may_stop_it(file):
 
 
 @pytest.mark.parametrize("item", ["pdf", "ai"])
-def test_open_and_import_read_the_meshes_alone(run, file, item):
+def test_open_and_import_read_the_meshes_alone(run, file, tmp_path, item):
     path = file("/sh sh", "/sh sh")
     opened = run(path.read_bytes(), item=item)
     assert (opened.returncode, opened.stderr) == (0, "")
     assert gradmesh.loads(opened.stdout).ids == ["page-1-mesh-1", "page-2-mesh-1"]
     assert gradmesh.loads(run(path.read_bytes(), "--page=2", item=item).stdout).ids == ["page-2-mesh-1"]
+    hidden = file("/sh sh q 50 50 9 9 re W n /sh sh Q").read_bytes()
+    (sentence,) = map(str, gradmesh.loads(hidden, "a.pdf").left_out)
+    assert sentence == "a.pdf, page 1, mesh 2: its clip path hides it."
+    assert gradmesh.loads(run(hidden, item=item).stdout).ids == ["page-1-mesh-1"]
+    assert "page 1, mesh 2: its clip path hides it." in (tmp_path / "cache/gradmesh/extension.log").read_text()
     assert "there is no gradient mesh" in told(run(file("n").read_bytes(), item=item))
     assert "there is no page 3" in told(run(path.read_bytes(), "--page=3", item=item))
 
