@@ -2,9 +2,12 @@
 #include "cli/common_options.h"
 
 #ifdef GRADMESH_WINDOW
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 
 #include "app/editing.h"
 #include "app/info.h"
@@ -46,12 +49,35 @@ std::map<std::string, MeshEntry> named_entries(const std::vector<MeshEntry>& ent
   return named;
 }
 
+/// Does the writing; where that fails, what was made, which may be hours of work, is kept in the
+/// folder for temporary files, and the error that is thrown says where.
+template <class Write>
+void write_or_keep(Document& made, const std::filesystem::path& out, const Write& write) try {
+  write();
+} catch (const InputError& why) {
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(ignored);
+  std::filesystem::path kept;
+  for (int n = 1; kept.empty() || std::filesystem::exists(kept, ignored); ++n) {
+    kept = folder / out.stem();
+    kept += "-by-eye-" + std::to_string(n);
+    kept += out.extension();
+  }
+  try {
+    made.write_file(kept);
+  } catch (const InputError&) {
+    throw InputError(why.message());
+  }
+  throw InputError("{0} What was made is kept in {1}.", why.message(), kept.string());
+}
+
 void simplify(const EyeArguments& a) {
   const auto document = read_document(a.in);
   if (document->pages() && a.out.empty())
     throw InputError("{0}: please say with --output where the SVG document is to be written.",
                      document->name());
-  document->check_target(a.out.empty() ? a.in : a.out);
+  const std::filesystem::path& out = a.out.empty() ? a.in : a.out;
+  document->check_target(out);
   document->set_translation(translation_for(choices(a)));
   std::vector<std::filesystem::path> folders;
   for (const std::string& folder : a.folders) folders.push_back(utf8_path(folder));
@@ -67,10 +93,12 @@ void simplify(const EyeArguments& a) {
     const MeshReport report = write_shown(*document, *editing, {});
     meshes.push_back(result_json(*document, report, RunOptions(), ""));
   }
-  // The report first: where it cannot be written the document is still as it was.
-  if (!a.report.empty())
-    write_bytes(a.report, nlohmann::ordered_json{{"meshes", meshes}}.dump(2) + "\n");
-  document->write_file(a.out.empty() ? a.in : a.out);
+  write_or_keep(*document, out, [&] {
+    // The report first: where it cannot be written the document is still as it was.
+    if (!a.report.empty())
+      write_bytes(a.report, nlohmann::ordered_json{{"meshes", meshes}}.dump(2) + "\n");
+    document->write_file(out);
+  });
 }
 
 /// Runs, and tells of bad input in the language of the window.

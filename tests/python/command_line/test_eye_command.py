@@ -2,12 +2,17 @@
 tests/native/window/ and, in Inkscape, in test_eye_window.py."""
 
 import os
+import re
+import shutil
 import signal
 import subprocess
 import time
 
+import pytest
+
+import inkscape_harness
 from built import BUILD, SAMPLES
-from program import refused
+from program import listed, refused
 
 TWO = SAMPLES / "two.svg"
 NOWHERE = {"SDL_VIDEODRIVER": "x11", "DISPLAY": ""}
@@ -51,3 +56,46 @@ def test_it_waits_for_a_person_and_ends_when_told(tmp_path):
     assert running.returncode == 0
     assert svg.read_bytes() == TWO.read_bytes()
     assert (folder / "gradmesh" / "by-eye").read_text().startswith("width ")
+
+
+MISSING = inkscape_harness.missing("Xvfb", "xdotool")
+
+
+@pytest.mark.skipif(bool(MISSING), reason=MISSING or "nothing is missing")
+def test_what_was_made_is_kept_where_it_cannot_be_written(tmp_path):
+    """The folder goes while somebody works in the window."""
+    out, kept = tmp_path / "gone" / "out.svg", tmp_path / "kept"
+    out.parent.mkdir()
+    kept.mkdir()
+    (kept / "out-by-eye-1.svg").write_text("of another day")
+    with inkscape_harness.Display() as display:
+        env = {**os.environ, "DISPLAY": display.name, "SDL_VIDEODRIVER": "x11", "TMPDIR": str(kept)}
+        env.update(XDG_DATA_HOME=str(tmp_path / "data"), LANGUAGE="en")
+
+        def xdotool(*arguments):
+            done = subprocess.run(["xdotool", *arguments], env=env, capture_output=True, text=True, timeout=60)
+            return done.stdout.split()
+
+        command = [BUILD / "gradmesh", "eye", TWO, "-o", out]
+        end = time.monotonic() + 120
+        with subprocess.Popen(command, env=env, stderr=subprocess.PIPE, text=True) as running:
+            try:
+                while not (windows := xdotool("search", "--onlyvisible", "--name", "Simplify by Eye")):
+                    assert running.poll() is None and time.monotonic() < end
+                    time.sleep(0.1)
+                shutil.rmtree(out.parent)
+                # Apply does nothing until the slider has a curve to go along.
+                while running.poll() is None:
+                    assert time.monotonic() < end
+                    xdotool("windowfocus", windows[0], "key", "--delay", "50", "End", "ctrl+Return")
+                    time.sleep(0.2)
+                said = running.communicate(timeout=60)[1]
+            finally:
+                running.kill()
+    assert running.returncode == 1
+    sentence = r"gradmesh: (.*)/out.svg cannot be written: .*\. What was made is kept in (.*)\.\n"
+    match = re.fullmatch(sentence, said)
+    assert match and match[1] == str(out.parent) and match[2] == str(kept / "out-by-eye-2.svg")
+    assert sorted(path.name for path in kept.iterdir()) == ["out-by-eye-1.svg", "out-by-eye-2.svg"]
+    before, after = (sum(mesh["handles"] for mesh in listed(svg)["meshes"]) for svg in (TWO, kept / "out-by-eye-2.svg"))
+    assert after < before
