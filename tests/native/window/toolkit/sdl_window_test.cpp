@@ -16,7 +16,7 @@
 namespace gradmesh {
 namespace {
 
-void without_display() { setenv("SDL_VIDEODRIVER", "dummy", 1); }
+void without_display() { SDL_setenv("SDL_VIDEODRIVER", "dummy", 1); }
 
 void push_button(Uint32 type, int x, int y) {
   SDL_Event event{};
@@ -156,7 +156,7 @@ TEST(SdlWindow, keys_are_told_by_their_names) {
 }
 
 TEST(SdlWindow, without_a_display_a_sentence_says_so) {
-  setenv("SDL_VIDEODRIVER", "none of these", 1);
+  SDL_setenv("SDL_VIDEODRIVER", "none of these", 1);
   try {
     SdlWindow window("test", 200, 100);
     FAIL();
