@@ -5,71 +5,15 @@
 #include <algorithm>
 #include <set>
 
-#include "app/document.h"
-#include "screen.h"
+#include "eye_windows.h"
 #include "window/toolkit/catalogue.h"
 
 namespace gradmesh {
 namespace {
 
-using test::Screen;
-
-std::string same(const std::string& text) { return text; }
-
-constexpr glm::ivec2 ordinary_size(1100, 900);
-
-/// A person who looks at a document in samples/.
-class EyeWindows : public testing::Test {
- protected:
-  void open(const std::string& name, bool is_dark = false, float density = 1,
-            Translation translation = same, glm::ivec2 size = ordinary_size) {
-    open_file(std::string(GRADMESH_SOURCE_DIR) + "/samples/" + name + ".svg", is_dark, density,
-              translation, size);
-  }
-  void open_file(const std::filesystem::path& file, bool is_dark = false, float density = 1,
-                 Translation translation = same, glm::ivec2 size = ordinary_size) {
-    // What is looked at refers to the document before.
-    screen_.reset();
-    eye_.reset();
-    document_ = Document::read_file(file);
-    std::vector<std::string> ids;
-    for (const MeshEntry& entry : document_->selected({})) ids.push_back(entry.id);
-    eye_.emplace(ids, [this](const std::string& id) {
-      // What is measured does not matter here.
-      RunOptions options;
-      options.resolution = 100;
-      return edit_by_eye(*document_, document_->selected({id}).front(), options);
-    });
-    screen_.emplace(*eye_, size.x, size.y, translation, is_dark, density);
-  }
-  void wait_for_curve() {
-    session().curves().wait();
-    screen_->settle();
-  }
-
-  Session& session() { return eye_->session(); }
-  int handles() { return session().now().counts().handles; }
-  /// Returns where a place in mesh units is in the window.
-  glm::dvec2 seen_at(glm::dvec2 place) const { return eye_->to_pixels().point(place); }
-  /// Returns the middle of the curve of a line inside the mesh that costs little to take out.
-  glm::dvec2 on_a_line() {
-    const Mesh& mesh = session().now().mesh;
-    for (const Halfedge curve : mesh.curves())
-      if (mesh[curve].twin.valid()) return seen_at(mesh.curve_of(curve).at(0.5).position);
-    return {};
-  }
-  glm::dvec2 middle_of(Face face) {
-    return seen_at(session().now().mesh.patch(face).at(0.5, 0.5).position);
-  }
-  std::vector<std::uint32_t> pixels() const {
-    const Surface& s = screen_->surface();
-    return {s.pixels, s.pixels + s.stride * s.height};
-  }
-
-  std::unique_ptr<Document> document_;
-  std::optional<Eye> eye_;
-  std::optional<Screen> screen_;
-};
+using test::EyeWindows;
+using test::ordinary_size;
+using test::same;
 
 TEST_F(EyeWindows, the_first_frame_shows_mesh_and_panel) {
   open("ellipse");
@@ -334,76 +278,6 @@ TEST_F(EyeWindows, a_colour_is_chosen_for_a_point) {
   EXPECT_LT(green(), before);
   EXPECT_EQ(session().undo_name()->english(), "Set the colour of a point");
   EXPECT_EQ(eye_->element.point, point) << "another colour can be chosen at once";
-}
-
-TEST_F(EyeWindows, closing_asks_only_where_hand_work_would_be_lost) {
-  open("ellipse");
-  wait_for_curve();
-  screen_->key("End");
-  screen_->frame({{}, true});
-  EXPECT_FALSE(screen_->is_open()) << "a slider is soon where it was";
-  EXPECT_FALSE(screen_->window().applies());
-
-  open("ellipse");
-  screen_->click(on_a_line());
-  screen_->frame({{}, true});
-  screen_->settle();
-  EXPECT_TRUE(screen_->is_open());
-  screen_->click("Go Back");
-  EXPECT_TRUE(screen_->is_open());
-  screen_->frame({{}, true});
-  screen_->key("Escape");
-  EXPECT_TRUE(screen_->is_open()) << "Escape goes back";
-  screen_->frame({{}, true});
-  screen_->settle();
-  screen_->click("Discard");
-  EXPECT_FALSE(screen_->is_open());
-  EXPECT_FALSE(screen_->window().applies());
-}
-
-TEST_F(EyeWindows, what_is_shown_is_what_is_applied) {
-  open("ellipse");
-  EXPECT_TRUE(eye_->changed().empty());
-  screen_->key("Return", {.control = true});
-  EXPECT_TRUE(screen_->is_open()) << "there is nothing to apply";
-  wait_for_curve();
-  screen_->click("Balanced");
-  screen_->click("Apply");
-  EXPECT_FALSE(screen_->is_open());
-  EXPECT_TRUE(screen_->window().applies());
-  ASSERT_EQ(eye_->changed().size(), 1u);
-}
-
-TEST_F(EyeWindows, each_mesh_keeps_what_was_made_of_it) {
-  open("two");
-  ASSERT_EQ(eye_->ids().size(), 2u);
-  wait_for_curve();
-  screen_->key("End");
-  const int first = handles();
-  screen_->click("meshes");
-  screen_->click("mesh 2");
-  EXPECT_EQ(eye_->id(), eye_->ids()[1]);
-  EXPECT_TRUE(session().is_unchanged());
-  eye_->choose(0);
-  EXPECT_EQ(handles(), first);
-  EXPECT_EQ(eye_->changed().size(), 1u);
-}
-
-TEST_F(EyeWindows, a_mesh_that_cannot_be_opened_takes_nothing_along) {
-  document_ = Document::read_file(std::string(GRADMESH_SOURCE_DIR) + "/samples/two.svg");
-  eye_.emplace(std::vector<std::string>{"stalk", "cap"}, [this](const std::string& id) {
-    if (id == "cap") throw InputError("the mesh covers no pixel.");
-    return edit_by_eye(*document_, document_->selected({id}).front(), {});
-  });
-  screen_.emplace(*eye_, ordinary_size.x, ordinary_size.y, same);
-  screen_->click(on_a_line());
-  const int made = handles();
-  screen_->click("meshes");
-  screen_->click("mesh 2");
-  EXPECT_EQ(eye_->id(), "stalk");
-  EXPECT_EQ(eye_->refusal()->english(), "the mesh covers no pixel.");
-  EXPECT_EQ(handles(), made);
-  EXPECT_TRUE(screen_->is_open());
 }
 
 TEST_F(EyeWindows, what_cannot_be_done_is_said_and_nothing_is_lost) {
