@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/limits.h"
 #include "form/blocks.h"
 #include "form/written_patch.h"
+#include "geom/few_points.h"
 #include "mesh/boundary.h"
 #include "mesh/rectangle.h"
 #include "raster/overlaps.h"
@@ -20,48 +20,6 @@ namespace {
 
 /// How far an outline may be from the shape, in the unit square: a tenth of a pixel of a thousand.
 constexpr double outline_tolerance = 1e-4;
-
-double distance_to_line(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-  const glm::dvec2 along = b - a, to_p = p - a;
-  const double length = along.x * along.x + along.y * along.y;
-  const double t = length > 0 ? (to_p.x * along.x + to_p.y * along.y) / length : 0;
-  const glm::dvec2 off = to_p - std::clamp(t, 0.0, 1.0) * along;
-  return std::sqrt(off.x * off.x + off.y * off.y);
-}
-
-/// Returns the polygon with the fewest points that Douglas and Peucker's way leaves within the
-/// tolerance.
-std::vector<glm::dvec2> with_few_points(const std::vector<glm::dvec2>& polygon) {
-  if (polygon.size() < 4) return polygon;
-  std::vector<bool> stays(polygon.size(), false);
-  // The farthest point from the first parts the polygon into two lines.
-  std::size_t far = 0;
-  double farthest = -1;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (const double away = distance_to_line(polygon[i], polygon[0], polygon[0]); away > farthest)
-      far = i, farthest = away;
-  stays[0] = stays[far] = true;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, far}, {far, polygon.size()}};
-  while (!open.empty()) {
-    const auto [begin, end] = open.back();
-    open.pop_back();
-    std::size_t most = begin;
-    double off = outline_tolerance;
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      const double away =
-          distance_to_line(polygon[i], polygon[begin], polygon[end % polygon.size()]);
-      if (away > off) most = i, off = away;
-    }
-    if (most == begin) continue;
-    stays[most] = true;
-    open.push_back({begin, most});
-    open.push_back({most, end});
-  }
-  std::vector<glm::dvec2> few;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (stays[i]) few.push_back(polygon[i]);
-  return few;
-}
 
 class CodeMaker {
  public:
@@ -180,7 +138,8 @@ class CodeMaker {
         continue;
       }
       FilledOutline clip = set.empty() ? FilledOutline{} : mapped(set.front(), to_unit_);
-      for (std::vector<glm::dvec2>& polygon : clip.outline) polygon = with_few_points(polygon);
+      for (std::vector<glm::dvec2>& polygon : clip.outline)
+        polygon = with_few_points(polygon, outline_tolerance);
       std::erase_if(clip.outline, [](const auto& polygon) { return polygon.size() < 3; });
       made_.code.clips.push_back(std::move(clip));
     }
