@@ -53,7 +53,7 @@ class Trace(GradmeshEffect):
         self.stopped = work.stopped
         self.take_over()
         if self.options.hide_picture:
-            self.hide(images)
+            self.hide({tracing.image for tracing in tracings})
         toast(" ".join(self.what_became(tracings, ids)))
 
     def chosen_images(self):

@@ -108,6 +108,7 @@ class ShapeTrace {
     Tracing tracing = told(svg, entry, *std::move(traced_), tracer_, options_, watch_);
     // The others that are traced beside it have gone on since.
     tracing.seconds = seconds_;
+    tracing.image = image;
     return tracing;
   }
 

@@ -47,6 +47,8 @@ struct TraceOptions {
 struct Tracing {
   /// The object that has the mesh.
   std::string id;
+  /// The image of the document that it was traced from; empty for another picture.
+  std::string image = {};
   MeshCounts counts;
   int rows = 0, columns = 0;
   PictureErrors errors;

@@ -27,6 +27,7 @@ TraceOptions trace_options(const Call& call) {
 Json traced_json(const Document& document, const Tracing& tracing) {
   Json result = tracing_json(tracing);
   result["id"] = tracing.id;
+  result["image"] = tracing.image.empty() ? Json() : Json(tracing.image);
   const std::optional<Message> advice = what_would_help(tracing);
   result["advice"] = advice ? Json(advice->in(document.translation())) : Json();
   return result;

@@ -29,6 +29,7 @@ class Tracing:
 
     document: Document
     id: str  #: of the object that has the mesh
+    image: Optional[str]  #: the id of the image of the document that it was traced from; None for another picture
     handles: int
     patches: int
     rows: int  #: of patches

@@ -78,6 +78,15 @@ def test_the_picture_is_hidden_if_asked_for(run):
     assert is_hidden(found["photo"]) and not is_hidden(found["apple"])
 
 
+def test_of_several_pictures_those_that_were_traced_are_hidden(run):
+    """Where paths alone are selected, too: the picture is the one below."""
+    other = image('transform="translate(100 0)"', link=embedded(60), name="other")
+    spot = '<circle id="spot" cx="150" cy="40" r="20"/>'
+    done = run(page(image(), other, CIRCLE, spot), "--id=spot", FEW, "--hide_picture=true", item="trace")
+    found = traced(done, "spot")
+    assert is_hidden(found["other"]) and not is_hidden(found["photo"])
+
+
 @pytest.mark.parametrize("beside", ("copy", "document"))
 def test_a_linked_picture_is_found_beside_the_copy_or_the_document(run, tmp_path, beside):
     """Inkscape makes most links relative to its copy, but not all."""
