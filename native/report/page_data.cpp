@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "base/clamped_int.h"
+#include "base/power_of_ten.h"
 #include "draw/heat_scale.h"
 #include "files/base64.h"
 #include "files/image_file.h"
@@ -26,7 +27,7 @@ std::string address(const Image& image) {
 
 /// Returns the number that is written with `decimals` decimals.
 double rounded(double value, int decimals) {
-  const double scale = std::pow(10, decimals);
+  const double scale = power_of_ten(decimals);
   return std::round(value * scale) / scale + 0.0;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/power_of_ten.h"
 #include "metric/metric.h"
 #include "problems.h"
 #include "random_meshes.h"
@@ -45,7 +46,7 @@ TEST(HiddenPixels, seen_is_what_some_outline_of_each_set_holds) {
 
 TEST(HiddenPixels, outlines_of_any_size_hide_as_those_near_the_frame_do) {
   for (int power = -9; power <= 9; ++power) {
-    const double size = std::pow(10, power), far = std::max(size, 8.0);
+    const double size = power_of_ten(power), far = std::max(size, 8.0);
     // To the left of x = 3, above and below as far as it goes; its sides begin beyond the frame.
     const Outline left{{{3, -far}, {3, far}, {-far, far}, {-far, -far}}};
     EXPECT_EQ(HiddenPixels(inside(left), Frame{8, 2}).row(1), (Runs{{3, 8}})) << size;
