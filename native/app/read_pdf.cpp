@@ -37,8 +37,10 @@ class PdfReader {
       throw InputError("{0}: there is no page {1}; it has {2}.", name, *choice.page, count);
     const std::size_t first = choice.page ? std::size_t(*choice.page) - 1 : 0;
     now_.meshes = choice.page ? 1 : count;
-    for (now_.mesh = 0; now_.mesh < now_.meshes && goes_on(); ++now_.mesh)
+    for (; now_.mesh < now_.meshes && goes_on(); ++now_.mesh) {
       read_page(first + now_.mesh);
+      now_.done = now_.total = 0;
+    }
   }
 
   PageMeshes run() && {
@@ -109,7 +111,6 @@ class PdfReader {
   void add_tiles(const PageTiles& tiles, const std::vector<ArtistsGrid>& records,
                  std::size_t page) {
     for (const PageTiles::Span surface : tiles.surfaces()) {
-      now_.done = tiles.shadings()[surface.begin].number;
       const std::size_t before = objects_.size();
       add_tiles(tiles, surface, records, page);
       const std::size_t made = objects_.size() - before;
@@ -127,21 +128,25 @@ class PdfReader {
   void add_tiles(const PageTiles& tiles, PageTiles::Span span,
                  const std::vector<ArtistsGrid>& records, std::size_t page) {
     const auto& [begin, end] = span;
+    now_.done = tiles.shadings()[begin].number;
+    if (!goes_on()) return;
     if (const auto surface = tiles.surface(span)) {
-      if (add_surface(*surface, end - begin, page) || found_.is_stopped) return;
+      if (add_surface(*surface, end - begin, page)) return;
       const std::size_t middle = begin + (end - begin) / 2;
       add_tiles(tiles, {begin, middle}, records, page);
       add_tiles(tiles, {middle, end}, records, page);
       return;
     }
-    for (const ShownShading& each : std::span(tiles.shadings()).subspan(begin, end - begin))
+    for (const ShownShading& each : std::span(tiles.shadings()).subspan(begin, end - begin)) {
+      now_.done = each.number;
+      if (!goes_on()) return;
       try_mesh(page, each.number, [&] {
         const auto& patches = each.shown.patches;
-        now_.done = each.number;
         auto chosen = choose(patches, forms_of(each.shown, record_of(patches, records)));
         if (chosen) add(each, std::move(*chosen), page, 1);
         return true;
       });
+    }
   }
 
   /// Adds the surface of so many tiles, if they join to few parts and these look as they do.

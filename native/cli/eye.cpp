@@ -88,12 +88,12 @@ void simplify(const EyeArguments& a) {
     return edit_by_eye(*document, entries.at(name), RunOptions());
   });
   if (!simplify_by_eye(eye, choices(a))) return;
-  nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
-  for (const Editing* const editing : eye.changed()) {
-    const MeshReport report = write_shown(*document, *editing, {});
-    meshes.push_back(result_json(*document, report, RunOptions(), ""));
-  }
   write_or_keep(*document, out, [&] {
+    nlohmann::ordered_json meshes = nlohmann::ordered_json::array();
+    for (const Editing* const editing : eye.changed()) {
+      const MeshReport report = write_shown(*document, *editing, {});
+      meshes.push_back(result_json(*document, report, RunOptions(), ""));
+    }
     // The report first: where it cannot be written the document is still as it was.
     if (!a.report.empty())
       write_bytes(a.report, nlohmann::ordered_json{{"meshes", meshes}}.dump(2) + "\n");

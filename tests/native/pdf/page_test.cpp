@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <qpdf/Pl_Flate.hh>
 #include <qpdf/Pl_String.hh>
 #include <random>
@@ -279,9 +280,21 @@ std::string deflated(const std::string& text) {
   return packed;
 }
 
-std::string packed_by_zstandard(const std::string& text) {
-  std::string packed(ZSTD_compressBound(text.size()), '\0');
-  packed.resize(ZSTD_compress(packed.data(), packed.size(), text.data(), text.size(), 3));
+/// Packs a text in blocks of so many bytes; `begins` gets where each begins.
+std::string packed_by_zstandard(const std::string& text, std::size_t block,
+                                std::vector<std::size_t>& begins) {
+  std::string packed(2 * text.size(), '\0');
+  ZSTD_outBuffer out{packed.data(), packed.size(), 0};
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                     ZSTD_freeCCtx);
+  for (std::size_t at = 0; at < text.size(); at += block) {
+    begins.push_back(out.pos);
+    ZSTD_inBuffer in{text.data() + at, std::min(block, text.size() - at), 0};
+    const bool is_last = at + block >= text.size();
+    EXPECT_EQ(ZSTD_compressStream2(context.get(), &out, &in, is_last ? ZSTD_e_end : ZSTD_e_flush),
+              0U);
+  }
+  packed.resize(out.pos);
   return packed;
 }
 
@@ -317,15 +330,20 @@ TEST(PdfPage, HasWhatIllustrator2020Keeps) {
   std::mt19937 random(49);
   std::string text;
   while (text.size() < 300000) text += static_cast<char>('a' + random() % 16);
-  const std::string marker = "%!PS-Adobe %AI24_ZStandard_Data", packed = packed_by_zstandard(text);
+  std::vector<std::size_t> begins;
+  const std::string marker = "%!PS-Adobe %AI24_ZStandard_Data";
+  const std::string packed = packed_by_zstandard(text, 20000, begins);
   // Zeros fill the last of its streams.
-  EXPECT_EQ(
-      kept_beside({marker + packed.substr(0, 65536), packed.substr(65536) + std::string(99, '\0')}),
-      text);
-  // What is damaged is there as far as it goes.
-  const std::string part = kept_beside({marker + packed.substr(0, 100000)});
-  EXPECT_GT(part.size(), 100000U);
-  EXPECT_EQ(part, text.substr(0, part.size()));
+  EXPECT_TRUE(kept_beside({marker + packed.substr(0, 65536),
+                           packed.substr(65536) + std::string(99, '\0')}) == text);
+  // What is damaged is there as far as it goes: where it ends, and where a block is of no kind.
+  const std::string part = kept_beside({marker + packed.substr(0, begins[7])});
+  EXPECT_TRUE(part == text.substr(0, 140000)) << part.size();
+  std::string broken = packed;
+  broken[begins[7]] = '\x07';
+  const std::string before = kept_beside({marker + broken});
+  EXPECT_GT(before.size(), 130000U);
+  EXPECT_TRUE(before == text.substr(0, before.size()));
   EXPECT_EQ(kept_beside({marker}), "");
   EXPECT_EQ(kept_beside({marker + "no frame"}), "");
 }

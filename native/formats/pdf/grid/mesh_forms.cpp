@@ -150,9 +150,9 @@ std::optional<MeshForm> MeshForms::next() {
   Grids* coarsest = nullptr;
   for (Grids& grids : grids_) {
     if (!grids.next && grids.finer) grids.next = grids.finer();
-    if (!grids.next)
-      grids.finer = nullptr;
-    else if (!coarsest || grids.next->mesh.patches.size() < coarsest->next->mesh.patches.size())
+    if (!grids.next) grids.finer = nullptr;
+    if (grids.next &&
+        (!coarsest || grids.next->mesh.patches.size() < coarsest->next->mesh.patches.size()))
       coarsest = &grids;
   }
   if (coarsest) return std::exchange(coarsest->next, std::nullopt);

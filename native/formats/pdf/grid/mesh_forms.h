@@ -40,7 +40,7 @@ MeshParts loose_mesh(const std::vector<PagePatch>& patches);
 /// columns, and what has T-junctions. The last one has the patches of the page, all joined, and is
 /// never wrong. Which is the first that looks like the page is to be measured: what Illustrator
 /// writes has smooth colours, but not all that has patches like its. Finer grids take the most
-/// time, so that each is made when it is asked for.
+/// time, so that none is made before one is asked for that may be it.
 class MeshForms {
  public:
   /// `own` are the shading's patches, `page` those that show them on the page: the same, or more of

@@ -7,8 +7,8 @@
 namespace gradmesh {
 
 /// Returns what Illustrator keeps for itself beside a page: its own document, as text; empty where
-/// there is none, or it is longer than the limit of documents. Throws InputError if it unpacks to
-/// more than that.
+/// there is none, or all its streams are longer than the limit of documents. Throws InputError if
+/// one of them is, or what they unpack to.
 std::string private_data(QPDFPageObjectHelper page);
 
 }  // namespace gradmesh
