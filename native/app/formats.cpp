@@ -51,11 +51,11 @@ bool Format::holds(ColorModel model) const {
   return std::ranges::find(color_models, model) != color_models.end();
 }
 
-const Format& format_named(const std::string& wanted) {
+const Format& format_named(std::string_view wanted) {
   for (const Format& format : all_formats())
     if (wanted == format.name) return format;
   throw std::invalid_argument("documents are of the kind " + formats_in_words(&Format::name) +
-                              ", not '" + wanted + "'.");
+                              ", not '" + std::string(wanted) + "'.");
 }
 
 const Format* format_of(const std::filesystem::path& path) {

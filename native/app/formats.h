@@ -75,7 +75,7 @@ const std::vector<Format>& all_formats();
 
 /// Returns the format of that name. Throws std::invalid_argument with the names of all formats if
 /// there is none.
-const Format& format_named(const std::string& name);
+const Format& format_named(std::string_view name);
 
 /// Returns the format that the extension of a file promises; null if the extension is that of none.
 const Format* format_of(const std::filesystem::path& path);

@@ -15,12 +15,12 @@ constexpr const char* extensions[] = {".pdf", ".ai", ".eps", ".ps"};
 class PageDocument : public SvgMeshes {
  public:
   PageDocument(PageMeshes read, const std::string& name)
-      : SvgMeshes(as_svg(read), name), found_(std::move(read.found)) {}
+      : SvgMeshes(svg_of(read), name), found_(std::move(read.found)) {}
 
   const FoundPages* pages() const override { return &found_; }
 
  private:
-  static std::string as_svg(const PageMeshes& read) {
+  static std::string svg_of(const PageMeshes& read) {
     NewSvg svg(read.pages);
     const auto english = [](const std::string& text) { return text; };
     write_objects(read.objects, english,

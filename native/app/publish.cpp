@@ -164,7 +164,7 @@ class MeshPublisher {
   /// Returns true if the mesh covers pixels that are more than a pixel beyond a path.
   bool paints_beyond(const std::string& path, const MeshPicture& picture) const {
     const auto outline = path_outline(path);
-    return !outline || covers_beyond(picture, {{*outline}}, frame_);
+    return !outline || covers_beyond(picture, {FilledOutline{*outline}}, frame_);
   }
 
   /// Makes the picture end where the mesh does.

@@ -33,7 +33,7 @@ class Inbox {
     }
     Json message = std::move(messages_.front());
     messages_.pop_front();
-    return message;
+    return std::make_optional(std::move(message));
   }
 
   /// Says whether a call is at work, without which the end of the messages is no reason to end.

@@ -107,7 +107,7 @@ std::optional<Json> read_message(std::istream& in) {
     if (!in.read(text.data() + before, std::streamsize(text.size() - before)))
       throw Garbled("a message is shorter than its length.");
   }
-  return text_message(text);
+  return std::make_optional(text_message(text));
 }
 
 void write_message(std::ostream& out, const Json& message) {

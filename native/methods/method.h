@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/message.h"
@@ -43,7 +44,7 @@ const std::vector<Method>& all_methods();
 
 /// Returns the method of that name; for `simplest` the best method. Throws std::invalid_argument
 /// with the names of all methods if there is none.
-const Method& method_named(const std::string& name);
+const Method& method_named(std::string_view name);
 
 /// Returns the names of all methods, in their order.
 std::vector<std::string> method_names();

@@ -127,14 +127,14 @@ const std::vector<Method>& all_methods() {
   return methods;
 }
 
-const Method& method_named(const std::string& wanted) {
+const Method& method_named(std::string_view wanted) {
   std::string known;
   for (const Method& method : all_methods()) {
     if (wanted == method.name || (wanted == simplest && method.name == best_method)) return method;
     known.append(known.empty() ? "" : ", ").append(method.name);
   }
-  throw std::invalid_argument("the method '" + wanted + "' is not known; there are: " + known +
-                              ".");
+  throw std::invalid_argument("the method '" + std::string(wanted) +
+                              "' is not known; there are: " + known + ".");
 }
 
 std::vector<std::string> method_names() {

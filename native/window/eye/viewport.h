@@ -11,6 +11,9 @@ namespace gradmesh {
 /// large.
 class Viewport {
  public:
+  /// How far a step of the wheel, or a key, zooms.
+  static constexpr double zoom_step = 1.25;
+
   /// `subject` is what is looked at, in units of the page.
   explicit Viewport(const Box& subject = {});
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/clamped_int.h"
+#include "window/toolkit/imgui_versions.h"
 
 namespace gradmesh {
 namespace {
@@ -274,8 +275,7 @@ void paint(const ImDrawData& data, const Surface& surface) {
       const ImVec2 o = data.DisplayPos;
       const Clip clip{whole(r.x - o.x, surface.width), whole(r.y - o.y, surface.height),
                       whole(r.z - o.x, surface.width), whole(r.w - o.y, surface.height)};
-      const auto* const texture = static_cast<const Texture*>(command.GetTexID());
-      paint(*data.CmdLists[n], command, ListPainter(surface, clip, texture));
+      paint(*data.CmdLists[n], command, ListPainter(surface, clip, texture_of(command)));
     }
 }
 

@@ -6,7 +6,7 @@
 
 namespace gradmesh {
 
-/// A picture that draw lists show. Its address is the ImTextureID.
+/// A picture that draw lists show (texture_id() in imgui_versions.h).
 struct Texture {
   int width = 0, height = 0;
   /// How opaque the colour of a drawing is at each pixel, row by row, as the letters of a font have

@@ -4,53 +4,27 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <climits>
 #include <cmath>
 
 #include "base/error.h"
 #include "window/toolkit/desktop.h"
 #include "window/toolkit/font.h"
+#include "window/toolkit/imgui_versions.h"
 
 namespace gradmesh {
 namespace {
-
-/// What Dear ImGui asks for by names of its own.
-constexpr std::array<std::pair<ImGuiKey, SDL_Scancode>, 22> keys = {{
-    {ImGuiKey_Tab, SDL_SCANCODE_TAB},
-    {ImGuiKey_LeftArrow, SDL_SCANCODE_LEFT},
-    {ImGuiKey_RightArrow, SDL_SCANCODE_RIGHT},
-    {ImGuiKey_UpArrow, SDL_SCANCODE_UP},
-    {ImGuiKey_DownArrow, SDL_SCANCODE_DOWN},
-    {ImGuiKey_PageUp, SDL_SCANCODE_PAGEUP},
-    {ImGuiKey_PageDown, SDL_SCANCODE_PAGEDOWN},
-    {ImGuiKey_Home, SDL_SCANCODE_HOME},
-    {ImGuiKey_End, SDL_SCANCODE_END},
-    {ImGuiKey_Insert, SDL_SCANCODE_INSERT},
-    {ImGuiKey_Delete, SDL_SCANCODE_DELETE},
-    {ImGuiKey_Backspace, SDL_SCANCODE_BACKSPACE},
-    {ImGuiKey_Space, SDL_SCANCODE_SPACE},
-    {ImGuiKey_Enter, SDL_SCANCODE_RETURN},
-    {ImGuiKey_Escape, SDL_SCANCODE_ESCAPE},
-    {ImGuiKey_KeyPadEnter, SDL_SCANCODE_KP_ENTER},
-    {ImGuiKey_A, SDL_SCANCODE_A},
-    {ImGuiKey_C, SDL_SCANCODE_C},
-    {ImGuiKey_V, SDL_SCANCODE_V},
-    {ImGuiKey_X, SDL_SCANCODE_X},
-    {ImGuiKey_Y, SDL_SCANCODE_Y},
-    {ImGuiKey_Z, SDL_SCANCODE_Z},
-}};
 
 void set_up(ImGuiIO& io, Texture& font, float density) {
   // Nothing is written beside the document.
   io.IniFilename = nullptr;
   add_font(*io.Fonts, density);
   io.BackendPlatformName = "gradmesh";
-  for (const auto& [name, code] : keys) io.KeyMap[name] = code;
+  set_up_input(io);
   unsigned char* opacity = nullptr;
   io.Fonts->GetTexDataAsAlpha8(&opacity, &font.width, &font.height);
   font.opacity = opacity;
-  io.Fonts->SetTexID(&font);
+  io.Fonts->SetTexID(texture_id(font));
 }
 
 /// Returns which of Dear ImGui's buttons a button of the mouse is; -1 for others.
@@ -95,47 +69,34 @@ Key key_of(const SDL_KeyboardEvent& key) {
   return {SDL_GetKeyName(key.keysym.sym), key.type == SDL_KEYDOWN, held_with(key)};
 }
 
-void pass_on_key(const SDL_KeyboardEvent& key, ImGuiIO& io) {
-  const auto code = std::size_t(key.keysym.scancode);
-  if (code < std::size(io.KeysDown)) io.KeysDown[code] = key.type == SDL_KEYDOWN;
-  const Held held = held_with(key);
-  io.KeyCtrl = held.control;
-  io.KeyShift = held.shift;
-  io.KeyAlt = held.alt;
-  io.KeySuper = (SDL_Keymod(key.keysym.mod) & KMOD_GUI) != 0;
-}
-
 }  // namespace
 
 void pass_on(const SDL_Event& event) {
   ImGuiIO& io = ImGui::GetIO();
   switch (event.type) {
     case SDL_MOUSEMOTION:
-      io.MousePos = {float(event.motion.x), float(event.motion.y)};
+      add_pointer(io, float(event.motion.x), float(event.motion.y));
       break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP:
-      io.MousePos = {float(event.button.x), float(event.button.y)};
+      add_pointer(io, float(event.button.x), float(event.button.y));
       if (const int button = button_of(event.button.button); button >= 0)
-        io.MouseDown[button] = event.type == SDL_MOUSEBUTTONDOWN;
+        add_button(io, button, event.type == SDL_MOUSEBUTTONDOWN);
       break;
     case SDL_MOUSEWHEEL:
-      io.MouseWheelH += event.wheel.preciseX;
-      io.MouseWheel += event.wheel.preciseY;
+      add_wheel(io, event.wheel.preciseX, event.wheel.preciseY);
       break;
     case SDL_TEXTINPUT:
       io.AddInputCharactersUTF8(event.text.text);
       break;
     case SDL_KEYDOWN:
     case SDL_KEYUP:
-      pass_on_key(event.key, io);
+      add_modifiers(io, SDL_Keymod(event.key.keysym.mod));
+      add_key(io, event.key.keysym.scancode, event.type == SDL_KEYDOWN);
       break;
     case SDL_WINDOWEVENT:
-      if (event.window.event == SDL_WINDOWEVENT_LEAVE) io.MousePos = {-FLT_MAX, -FLT_MAX};
-      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) {
-        std::ranges::fill(io.KeysDown, false);
-        io.KeyCtrl = io.KeyShift = io.KeyAlt = io.KeySuper = false;
-      }
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) add_pointer(io, -FLT_MAX, -FLT_MAX);
+      if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) release_keys(io);
       break;
     default:
       break;

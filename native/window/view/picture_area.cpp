@@ -6,11 +6,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "window/toolkit/imgui_versions.h"
+
 namespace gradmesh {
 namespace {
 
-/// How far a step of the wheel zooms, and how many pixels it moves the picture.
-constexpr double zoom_step = 1.25, pan_step = 60;
+/// How many pixels a step of the wheel moves the picture.
+constexpr double pan_step = 60;
 
 Held held_now() {
   const ImGuiIO& io = ImGui::GetIO();
@@ -36,7 +38,7 @@ void PictureArea::show(Eye& eye, Toolbox& toolbox) {
 
   const Texture& texture = picture_.of(eye.session(), eye.view(), eye.revision());
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddImage(const_cast<Texture*>(&texture), corner,
+  list.AddImage(texture_id(texture), corner,
                 {corner.x + float(texture.width), corner.y + float(texture.height)});
   if (!eye.looks.flickers) tool.draw(eye, Pen(list, {corner.x, corner.y}, eye.density));
 }
@@ -52,7 +54,7 @@ void PictureArea::take_wheel(Eye& eye, glm::dvec2 at) const {
   // As in Inkscape: the wheel moves up and down, with Shift to the sides, with Ctrl it zooms.
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseWheel == 0 && io.MouseWheelH == 0) return;
-  if (io.KeyCtrl) return eye.viewport().zoom(std::pow(zoom_step, io.MouseWheel), at);
+  if (io.KeyCtrl) return eye.viewport().zoom(std::pow(Viewport::zoom_step, io.MouseWheel), at);
   glm::dvec2 by(io.MouseWheelH, io.MouseWheel);
   if (io.KeyShift) std::swap(by.x, by.y);
   eye.viewport().pan(pan_step * eye.density * by);
@@ -79,8 +81,7 @@ void PictureArea::drag_to(Eye& eye, Tool& tool, glm::dvec2 at) {
     const double line = eye.looks.split * eye.viewport().size().x;
     const bool is_on_line = eye.looks.ground == SessionView::Ground::halves &&
                             std::abs(pressed_at_.x - line) < near_line * eye.density;
-    const bool pans =
-        button_ == ImGuiMouseButton_Middle || ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+    const bool pans = button_ == ImGuiMouseButton_Middle || is_held_down(ImGuiKey_Space);
     drag_ = pans ? Drag::pan : is_on_line ? Drag::split : Drag::tool;
     last_ = pressed_at_;
   }
@@ -95,7 +96,7 @@ void PictureArea::release(Eye& eye, Tool& tool, glm::dvec2 at) {
   if (ended == Drag::tool) tool.drop(eye, held_now());
   if (ended != Drag::pending) return;
   if (button_ == ImGuiMouseButton_Middle)
-    eye.viewport().zoom(zoom_step, at);
+    eye.viewport().zoom(Viewport::zoom_step, at);
   else
     tool.click(eye, at, held_now());
 }

@@ -8,9 +8,6 @@ namespace {
 
 using Actions = std::map<std::string, std::function<void(Eye&)>>;
 
-/// How far a key zooms.
-constexpr double zoom_step = 1.25;
-
 void next_known(Eye& eye) {
   auto& known = eye.looks.known;
   if (!known)
@@ -35,9 +32,9 @@ const Actions& actions() {
       {"Home", [](Eye& eye) { eye.slide(0); }},
       {"End", [](Eye& eye) { eye.slide(1 << 30); }},
       // from where
-      {"+", [](Eye& eye) { eye.viewport().zoom(zoom_step); }},
-      {"=", [](Eye& eye) { eye.viewport().zoom(zoom_step); }},
-      {"-", [](Eye& eye) { eye.viewport().zoom(1 / zoom_step); }},
+      {"+", [](Eye& eye) { eye.viewport().zoom(Viewport::zoom_step); }},
+      {"=", [](Eye& eye) { eye.viewport().zoom(Viewport::zoom_step); }},
+      {"-", [](Eye& eye) { eye.viewport().zoom(1 / Viewport::zoom_step); }},
       {"1", [](Eye& eye) { eye.viewport().zoom_to(eye.density); }},
       {"2", [](Eye& eye) { eye.viewport().zoom_to(2 * eye.density); }},
       {"3", [](Eye& eye) { eye.viewport().fit(); }},

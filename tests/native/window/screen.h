@@ -7,6 +7,7 @@
 
 #include "window/toolkit/draw_lists.h"
 #include "window/toolkit/font.h"
+#include "window/toolkit/imgui_versions.h"
 #include "window/view/eye_window.h"
 
 namespace gradmesh::test {
@@ -23,13 +24,14 @@ class Screen {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.DisplaySize = {float(width), float(height)};
-    io.MousePos = {-FLT_MAX, -FLT_MAX};
+    set_up_input(io);
+    add_pointer(io, -FLT_MAX, -FLT_MAX);
     add_font(*io.Fonts, density);
     eye.density = density;
     unsigned char* opacity = nullptr;
     io.Fonts->GetTexDataAsAlpha8(&opacity, &font_.width, &font_.height);
     font_.opacity = opacity;
-    io.Fonts->SetTexID(&font_);
+    io.Fonts->SetTexID(texture_id(font_));
     settle();
   }
   Screen(const Screen&) = delete;
@@ -51,11 +53,11 @@ class Screen {
   }
 
   void move(glm::dvec2 to) {
-    ImGui::GetIO().MousePos = {float(to.x), float(to.y)};
+    add_pointer(ImGui::GetIO(), float(to.x), float(to.y));
     frame();
   }
   void hold(bool is_down, int button = ImGuiMouseButton_Left) {
-    ImGui::GetIO().MouseDown[button] = is_down;
+    add_button(ImGui::GetIO(), button, is_down);
     frame();
   }
   void click(glm::dvec2 at) {
@@ -84,11 +86,10 @@ class Screen {
   }
   void turn_wheel(float steps, Held held = {}) {
     ImGuiIO& io = ImGui::GetIO();
-    io.KeyCtrl = held.control;
-    io.KeyShift = held.shift;
-    io.MouseWheel = steps;
+    add_modifiers(io, SDL_Keymod((held.control ? KMOD_CTRL : 0) | (held.shift ? KMOD_SHIFT : 0)));
+    add_wheel(io, 0, steps);
     frame();
-    io.KeyCtrl = io.KeyShift = false;
+    add_modifiers(io, KMOD_NONE);
     settle();
   }
 

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "window/toolkit/imgui_versions.h"
 
 namespace gradmesh {
 namespace {
@@ -88,12 +89,12 @@ TEST(SdlWindow, what_is_typed_and_turned_arrives) {
         if (frames == 8) {
           SDL_Event key{};
           key.type = SDL_KEYDOWN;
-          key.key.keysym.scancode = SDL_SCANCODE_F;
+          key.key.keysym.scancode = SDL_SCANCODE_A;
           key.key.keysym.mod = KMOD_LCTRL;
           SDL_PushEvent(&key);
         }
         turned += ImGui::GetIO().MouseWheel;
-        is_held = is_held || (ImGui::IsKeyDown(SDL_SCANCODE_F) && ImGui::GetIO().KeyCtrl);
+        is_held = is_held || (is_held_down(ImGuiKey_A) && ImGui::GetIO().KeyCtrl);
         draw_all([&] {
           if (frames == 1) ImGui::SetKeyboardFocusHere();
           ImGui::InputText("name", text, sizeof text);
