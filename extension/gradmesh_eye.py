@@ -9,9 +9,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from gradmesh.helper import find_program, make_executable
+from gradmesh.helper import find_program, make_executable, no_program
 from gradmesh_log import log
-from gradmesh_text import LANGUAGE, _, sentence
+from gradmesh_text import LANGUAGE, _, sentence, translated
 from gradmesh_theme import inkscape_is_dark
 
 #: What the program says before a sentence of its own.
@@ -45,7 +45,7 @@ def simplify_by_eye(document, name, ids, folders):
 def program():
     found = find_program() or shutil.which("gradmesh")
     if found is None:
-        raise NoWindow(_("The program gradmesh, whose window it is, is not there: install gradmesh again."))
+        raise NoWindow(translated(no_program().message))
     make_executable(Path(found))
     return os.path.abspath(found)
 

@@ -14,7 +14,7 @@ from importlib import import_module
 from typing import Any, Callable, Dict, Mapping, Optional
 
 from .errors import InputError, ended
-from .helper import Helper, find_program
+from .helper import Helper, find_program, no_program
 
 #: The version of the functions that this package calls.
 PROTOCOL = 4
@@ -101,17 +101,20 @@ def core() -> Core:
 
 
 def _service() -> Any:
-    """Raises ImportError where there is neither a module that loads and fits nor a program."""
+    """Raises ImportError where there is neither a module that loads and fits nor a program; NoCoreError where
+    there is no module at all."""
     choice = os.environ.get(CHOICE) or None
     if choice not in (None, "module", "helper"):
         raise ImportError(f"{CHOICE} is module or helper, not '{choice}'")
-    failure = ImportError("there is no program that does the work on this system")
+    failure: ImportError = no_program()
     if choice != "helper":
         try:
             module = import_module("._core", __package__)
             if module.protocol == PROTOCOL:
                 return module.Service()
             failure = ImportError("gradmesh._core is of another version than the rest of the package")
+        except ModuleNotFoundError as error:
+            failure = failure if error.name == f"{__package__}._core" else error
         except ImportError as error:
             failure = error
     program = find_program() if choice != "module" else None

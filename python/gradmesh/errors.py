@@ -33,6 +33,15 @@ class HelperError(RuntimeError):
         super().__init__(said(self.message))
 
 
+class NoCoreError(ImportError):
+    """There is neither a compiled module nor a program that does the work. Its text is one sentence for the
+    person."""
+
+    def __init__(self, template: str, *arguments: object):
+        self.message: Message = (template, tuple(map(str, arguments)))
+        super().__init__(said(self.message))
+
+
 def ended() -> HelperError:
     """Returns what is raised where a document's program is no longer there."""
     return HelperError(

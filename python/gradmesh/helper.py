@@ -20,7 +20,7 @@ import threading
 from pathlib import Path
 from typing import Any, BinaryIO, Callable, Optional, Tuple
 
-from .errors import HelperError, ended
+from .errors import HelperError, NoCoreError, ended
 from .interrupts import Interrupts
 
 #: The name of the environment variable that names the program.
@@ -36,14 +36,37 @@ MACHINES = {"amd64": "x86_64", "x86_64": "x86_64", "arm64": "arm64", "aarch64": 
 
 def find_program() -> Optional[Path]:
     """Returns the program for this system: the one that GRADMESH_HELPER names, or that beside the
-    package, in bin/SYSTEM-MACHINE; nothing where there is none."""
+    package, in bin/SYSTEM-MACHINE; nothing where there is none, or an empty file."""
     if os.environ.get(PROGRAM):
         return Path(os.environ[PROGRAM])
+    program = _program_beside()
+    return program if program.is_file() and program.stat().st_size > 0 else None
+
+
+def no_program() -> NoCoreError:
+    """Returns what is raised where there is no program for this system, with why that may be."""
+    program = _program_beside()
+    others = sorted(folder.name for folder in program.parents[1].glob("*-*"))
+    if others and program.parent.name not in others:
+        return NoCoreError(
+            "This gradmesh has no program for this system, {0}, only for {1}: build it from its source, as its "
+            "README says.",
+            program.parent.name,
+            ", ".join(others),
+        )
+    return NoCoreError(
+        "The program {0}, which does gradmesh's work, is not there or empty; a virus scanner may have taken it: "
+        "tell that to leave it alone, and install gradmesh again.",
+        program,
+    )
+
+
+def _program_beside() -> Path:
+    """Returns where the program for this system belongs."""
     system = SYSTEMS.get(sys.platform, sys.platform)
     machine = MACHINES.get(platform.machine().lower(), platform.machine().lower())
     name = "gradmesh.exe" if system == "windows" else "gradmesh"
-    program = Path(__file__).resolve().parent.parent / "bin" / f"{system}-{machine}" / name
-    return program if program.is_file() else None
+    return Path(__file__).resolve().parent.parent / "bin" / f"{system}-{machine}" / name
 
 
 class Helper:

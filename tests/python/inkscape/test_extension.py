@@ -272,7 +272,7 @@ def test_the_document_may_come_through_a_pipe(extension):
     assert b"Gradient mesh: " in done.stdout
 
 
-def test_a_missing_module_is_named(run, extension):
+def test_the_program_works_where_the_module_is_missing(run, extension):
     (module,) = (extension / "gradmesh").glob("_core*.so")
     # The program, whose window the extension shows, would do the work instead.
     program = extension / "bin"
@@ -286,7 +286,7 @@ def test_a_missing_module_is_named(run, extension):
         aside.rename(module)
         if program_aside.exists():
             program_aside.rename(program)
-    assert "gradmesh._core" in said and "install gradmesh again" in said
+    assert "bin/linux-" in said and "install gradmesh again" in said
     assert (helped.returncode, helped.stderr) == (0, "")
     assert "Gradient mesh: " in helped.stdout
 
