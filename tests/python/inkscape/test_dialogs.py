@@ -23,10 +23,16 @@ pytestmark = pytest.mark.skipif(not INKEX.is_dir(), reason="Inkscape is not inst
 def test_inkscape_accepts_the_dialog(item):
     from lxml import etree
 
-    schema = etree.RelaxNG(etree.parse(str(INKEX / "inkscape.extension.rng")))
+    schema_file = INKEX / "inkscape.extension.rng"
+    if not schema_file.exists():
+        pytest.skip("this Inkscape brings no schema of dialogs")
+    schema = etree.RelaxNG(etree.parse(str(schema_file)))
     dialog = etree.parse(str(ROOT / "inx" / f"gradmesh_{item}.inx"))
     # Inkscape reads it, but its schema knows it only since Inkscape 1.4.
     assert dialog.getroot().attrib.pop("translationdomain") == "gradmesh"
+    # Heeded since 1.4.
+    for effect in dialog.findall("{*}effect"):
+        effect.attrib.pop("show-stderr", None)
     # Its schema has it as an attribute, but 1.2 looks for an element: with that alone Save As lists no copy.
     copies = dialog.findall("{*}output/{*}savecopyonly")
     assert [element.text for element in copies] == ["true"] * (item in ("publish", "swift", "compose"))

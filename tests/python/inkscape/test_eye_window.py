@@ -83,6 +83,11 @@ def test_what_is_chosen_is_written_in_one_step_of_undo(by_eye, svg, tmp_path):
     assert path.tag == "{http://www.w3.org/2000/svg}path"
 
 
+def test_inkscape_puts_no_box_of_its_own_above_the_window(by_eye):
+    by_eye.key("End")
+    assert sorted(title.partition(" - ")[0] for title in by_eye.titles()) == ["Simplify by Eye", "fruit.svg"]
+
+
 def test_a_line_is_taken_out_by_a_click_and_what_is_protected_stays(by_eye, svg, tmp_path):
     patches = pear(svg).patches
     untouched = picture_of(by_eye, tmp_path)
