@@ -6,8 +6,8 @@
 #                            "$results". 77: it could not run, for the reason that it said last.
 #     end_of_parts           prints the summary of all parts (scripts/summary.py), and exits: 1 where one failed
 #
-# A script that another one calls adds its parts to the summary of that one. With `quiet=1` a part's output
-# is kept for the summary, and its line alone is shown.
+# A script that another one calls adds its parts to the summary of that one, with names that begin with
+# GRADMESH_PARTS_OF. With `quiet=1` a part's output is kept for the summary, and its line alone is shown.
 if [ -z "${GRADMESH_PARTS:-}" ]; then
   GRADMESH_PARTS=$(mktemp -d)
   export GRADMESH_PARTS
@@ -16,7 +16,7 @@ fi
 failed=0
 
 part() {
-  local name=$1 start=$SECONDS status
+  local name="${GRADMESH_PARTS_OF:-}$1" start=$SECONDS status
   shift
   # The command sees it, also where that is a function.
   local results="$GRADMESH_PARTS/$name.xml"
