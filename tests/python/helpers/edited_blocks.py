@@ -63,8 +63,8 @@ class Group:
         gradient, moved = self.gradient(block), 0
         start = complex(float(gradient.get("x")), float(gradient.get("y")))
         if start == point:
-            gradient.set("x", repr((start + by).real))
-            gradient.set("y", repr((start + by).imag))
+            gradient.set("x", repr(float((start + by).real)))
+            gradient.set("y", repr(float((start + by).imag)))
             moved += 1
         for stop in gradient.iter(SVG + "stop"):
             # A straight side stays one, with its end alone.

@@ -15,14 +15,16 @@ Look at what it wrote.
 The environment variable GRADMESH_INKSCAPE names the program, to test with another version.
 """
 
+import functools
 import os
+import re
 import shutil
 import signal
 import subprocess
 import tempfile
 import time
 from pathlib import Path
-from typing import Mapping, Optional, Sequence
+from typing import Mapping, Optional, Sequence, Tuple
 from xml.sax.saxutils import quoteattr
 
 INKSCAPE = os.environ.get("GRADMESH_INKSCAPE", "inkscape")
@@ -33,6 +35,19 @@ def missing(*programs: str) -> str:
     """Why Inkscape (and the further `programs`) cannot be driven here; empty if it can."""
     absent = [p for p in (INKSCAPE, "Xvfb", *programs) if shutil.which(p) is None]
     return f"not installed: {', '.join(absent)}" if absent else ""
+
+
+@functools.lru_cache(maxsize=None)
+def version() -> Tuple[int, ...]:
+    """The version of Inkscape, such as (1, 2, 2)."""
+    told = subprocess.run([INKSCAPE, "--version"], capture_output=True, text=True, timeout=60).stdout
+    return tuple(map(int, re.search(r"Inkscape (\d+(?:\.\d+)*)", told)[1].split(".")))
+
+
+def undoes_in_batch_runs() -> bool:
+    """Whether the action `undo` takes an extension's change back where there is no window; in 1.4 it takes
+    nothing back there, and Ctrl+Z in the window does."""
+    return version() < (1, 4)
 
 
 WINDOW_PROGRAMS = ("xdotool", "import")
@@ -376,8 +391,20 @@ class Inkscape:
                 kill_group(process)
         return f"Inkscape crashed ({process.returncode})" if process.returncode else ""
 
-    def window(self, svg, timeout: Optional[float] = None) -> "InkscapeWindow":
-        return InkscapeWindow(self, svg, timeout or self.timeout)
+    def window(self, svg, timeout: Optional[float] = None, actions: Sequence[str] = ()) -> "InkscapeWindow":
+        """Its window over a document, on which these actions have run."""
+        return InkscapeWindow(self, svg, timeout or self.timeout, actions)
+
+    def undone_in_window(self, svg, actions: Sequence[str]) -> Tuple[bytes, bytes]:
+        """What the file is after actions, one undo and saving, and after redo and saving; undone as far as to what
+        was opened Inkscape saves nothing."""
+        files = []
+        with self.window(svg, actions=actions) as window:
+            for key in ("ctrl+z", "ctrl+shift+z"):
+                window.key(key)
+                window.key("ctrl+s")
+                files.append(Path(svg).read_bytes())
+        return files[0], files[1]
 
 
 class Started:
@@ -413,6 +440,11 @@ class Started:
             time.sleep(0.2)
         raise Timeout(f"there is no window {name}: {self._command}; {seen(self._env)}")
 
+    def titles(self) -> Sequence[str]:
+        """The titles of the windows that are to be seen."""
+        windows = self.xdotool("search", "--onlyvisible", "--name", ".").split()
+        return [self.xdotool("getwindowname", window).strip() for window in windows]
+
     def wait(self) -> None:
         """Waits until the program has ended by itself."""
         self._process.wait(self._timeout)
@@ -421,8 +453,9 @@ class Started:
 class InkscapeWindow(Started):
     """A document open in Inkscape's own window, filling the display; positions are its pixels."""
 
-    def __init__(self, inkscape: Inkscape, svg, timeout: float):
-        super().__init__([INKSCAPE, svg], inkscape.env, timeout)
+    def __init__(self, inkscape: Inkscape, svg, timeout: float, actions: Sequence[str] = ()):
+        run = ["--with-gui", "--actions=" + ";".join(actions)] if actions else []
+        super().__init__([INKSCAPE, *run, svg], inkscape.env, timeout)
         self._look = inkscape.pixels
         self._svg = Path(svg)
         self.is_asking = False
