@@ -44,41 +44,154 @@ TEST(SvgColor, all_forms) {
   EXPECT_EQ(parse_color("yellowgreen"), glm::dvec3(154, 205, 50) / 255.0);
 }
 
+void expect_color(std::string_view text, glm::dvec4 expected, double tolerance) {
+  const auto color = parse_translucent_color(text);
+  ASSERT_TRUE(color) << text;
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR((*color)[i], expected[i], tolerance) << text;
+}
+
 TEST(SvgColor, hsl) {
-  const auto expect_color = [](std::string_view text, glm::dvec3 expected) {
-    const auto color = parse_color(text);
-    ASSERT_TRUE(color) << text;
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR((*color)[i], expected[i], 1e-12) << text;
+  expect_color("hsl(0, 100%, 50%)", {1, 0, 0, 1}, 1e-12);
+  expect_color("hsl(120, 100%, 25%)", {0, 0.5, 0, 1}, 1e-12);
+  expect_color("hsl(-120, 100%, 50%)", {0, 0, 1, 1}, 1e-12);
+  // As Inkscape 1.5 writes it.
+  expect_color("hsl(120, 100, 45.9)", {0, 0.918, 0, 1}, 1e-12);
+  expect_color("hsl(47, 70, 30)", {0.51, 0.419, 0.09, 1}, 1e-12);
+}
+
+TEST(SvgColor, separators_and_opacities) {
+  const glm::dvec4 half(1, 0, 0, 0.5);
+  for (const std::string_view text :
+       {"rgb(255 0 0 / 0.5)", "rgb(255 0 0/50%)", "rgba(255, 0, 0, 0.5)", "rgba(255 0 0 / .5)",
+        "rgb(100% 0 0% / 50%)", "RGB(300, -1, none, 50%)", "hsla(0, 100%, 50%, .5)",
+        "hsl(0 100 50 / 50%) ham", "hwb(0 0 0 / 0.5)", "color(srgb 1 0 0 / 0.5)",
+        "color( SRGB 100% none 0% / 50% )", "device-cmyk(0 1 1 0 / 0.5)",
+        "device-cmyk(0, 100%, 100%, 0, 50%)"})
+    expect_color(text, half, 1e-12);
+  expect_color("#f008", {1, 0, 0, 136 / 255.0}, 1e-12);
+  expect_color("#FF000080", {1, 0, 0, 128 / 255.0}, 1e-12);
+  expect_color("transparent", {0, 0, 0, 0}, 0);
+  expect_color("rgb(1 2 3 / none)", {1 / 255.0, 2 / 255.0, 3 / 255.0, 0}, 1e-12);
+  expect_color("rgb(0 0 0 / 7)", {0, 0, 0, 1}, 0);
+  for (const std::string_view text : {"#f008", "rgba(1,2,3,0.99)", "transparent"})
+    EXPECT_FALSE(parse_color(text)) << text;
+  EXPECT_EQ(parse_color("#ff0000ff"), glm::dvec3(1, 0, 0));
+  EXPECT_EQ(parse_color("rgba(255,0,0,1)"), glm::dvec3(1, 0, 0));
+}
+
+TEST(SvgColor, angles) {
+  for (const std::string_view hue :
+       {"90", "90deg", "450", "-270DEG", "0.25turn", "100grad", "1.5707963267948966rad", "25%"})
+    expect_color("hsl(" + std::string(hue) + " 100 50)", {0.5, 1, 0, 1}, 1e-12);
+}
+
+// The expected values are those of matrices that were worked out anew, from the chromaticities of
+// primaries and whites, and of Oklab's own for linear sRGB.
+TEST(SvgColor, spaces_of_css_color_4) {
+  const auto expect_opaque = [](std::string_view text, glm::dvec3 expected) {
+    expect_color(text, glm::dvec4(expected, 1), 1e-4);
   };
-  expect_color("hsl(0, 100%, 50%)", {1, 0, 0});
-  expect_color("hsl(120, 100%, 25%)", {0, 0.5, 0});
-  expect_color("hsl(-120, 100%, 50%)", {0, 0, 1});
+  expect_opaque("hwb(150 20% 10%)", {0.2, 0.9, 0.55});
+  expect_opaque("hwb(30 60 60)", {0.5, 0.5, 0.5});
+  expect_opaque("lab(29.2345 39.3825 20.0664)", {0.49063, 0.13867, 0.15901});
+  expect_opaque("lab(52.2345% 32.1316% 47.99768%)", {0.77617, 0.36339, 0.02455});
+  expect_opaque("lab(5 -3 -4)", {0.028, 0.07302, 0.08943});
+  expect_opaque("lch(29.2345% 44.2 27)", {0.49063, 0.13867, 0.15901});
+  expect_opaque("lch(52.2345 48.13333% 56.2deg)", {0.77617, 0.36339, 0.02455});
+  expect_opaque("oklab(0.40101 0.1147 0.0453)", {0.49055, 0.13874, 0.15913});
+  expect_opaque("oklab(59.686%, 25.225%, 29.8%)", {0.77602, 0.36345, 0.02595});
+  expect_opaque("oklch(0.7 0.15 40)", {0.9205, 0.47807, 0.32006});
+  expect_opaque("oklch(40.1% 30.75% 21.57)", {0.49009, 0.13939, 0.15938});
+  expect_opaque("color(srgb .4 .5 .6)", {0.4, 0.5, 0.6});
+  expect_opaque("color(srgb-linear .2 .5 .8)", {0.48453, 0.73536, 0.90633});
+  expect_opaque("color(display-p3 .4 50% .6)", {0.37282, 0.50367, 0.61006});
+  expect_opaque("color(a98-rgb .4 .5 .6)", {0.34862, 0.50399, 0.60953});
+  expect_opaque("color(prophoto-rgb .4 .5 .6)", {0.27102, 0.59139, 0.67821});
+  expect_opaque("color(prophoto-rgb .02 .03 .03)", {0.0078, 0.02607, 0.02429});
+  expect_opaque("color(rec2020 .4 .5 .6)", {0.36263, 0.55603, 0.65007});
+  expect_opaque("color(rec2020 .04 .05 .06)", {0.08051, 0.10836, 0.12122});
+  expect_opaque("color(xyz .3 .25 .2)", {0.72755, 0.46908, 0.45786});
+  expect_opaque("color(xyz-d65 .3 .25 .2)", {0.72755, 0.46908, 0.45786});
+  expect_opaque("color(xyz-d50 .3 .25 .2)", {0.69277, 0.47556, 0.53255});
+  expect_opaque("device-cmyk(0.5 0.2 0 0.1)", {0.45, 0.72, 0.9});
+}
+
+TEST(SvgColor, white_is_white_in_all_spaces) {
+  for (const std::string_view text :
+       {"hwb(77 100 0)", "lab(100 0 0)", "lch(100 0 77)", "oklab(1 0 0)", "oklch(100% 0 none)",
+        "oklch(7 0 0)", "lab(700 0 0)", "color(srgb-linear 1 1 1)", "color(display-p3 1 1 1)",
+        "color(a98-rgb 1 1 1)", "color(prophoto-rgb 1 1 1)", "color(rec2020 1 1 1)",
+        "color(xyz 0.9504559 1 1.0890578)", "color(xyz-d50 0.9642957 1 0.8251046)",
+        "device-cmyk(0 0 0 0)"})
+    expect_color(text, glm::dvec4(1.0), 1e-5);
+}
+
+TEST(SvgColor, channels_outside_of_srgb_are_clipped) {
+  expect_color("oklch(0.7 0.4 150)", {0, 0.83865, 0, 1}, 1e-4);
+  expect_color("lch(60 100 30)", {1, 0.05319, 0.25322, 1}, 1e-4);
+  expect_color("color(display-p3 0 1 0)", {0, 1, 0, 1}, 1e-12);
+  // Inkscape 1.5's own tests have this one.
+  expect_color("lch(100 150 360)", {1, 0, 1, 1}, 1e-12);
+  for (const std::string_view text :
+       {"lab(1e9 1e9 -1e9)", "lch(50 -1e9 1e9)", "oklab(-1e9 1e9 1e9)", "oklch(1 1e9 1e9turn)",
+        "color(rec2020 1e9 -1e9 1e9)", "color(xyz-d50 -1e9 1e9 1e9)", "hwb(1e9 1e9 1e9)"})
+    EXPECT_TRUE(parse_color(text)) << text;
 }
 
 TEST(SvgColor, others_are_none) {
   for (const std::string_view text : {"",
                                       "#",
                                       "#12",
-                                      "#1234",
                                       "#12345",
+                                      "#1234567",
+                                      "#123456789",
                                       "#ggg",
                                       "#-12",
-                                      "#12345678",
                                       "puce",
                                       "none",
-                                      "transparent",
+                                      "rgb",
+                                      "rgb (1,2,3)",
+                                      "rgb()",
                                       "rgb(1,2)",
                                       "rgb(1,2,3",
-                                      "rgb(1 2 3)",
-                                      "rgb(1%,2,3)",
+                                      "rgb(1,,2,3)",
+                                      "rgb(1 2 3 4)",
+                                      "rgb(1,2,3,)",
+                                      "rgb(1,2,3,4,5)",
+                                      "rgb(1 2 3 / )",
+                                      "rgb(1deg 2 3)",
                                       "rgb(nan,0,0)",
-                                      "rgb(1,2,3,4)",
-                                      "rgba(1,2,3,1)",
-                                      "hsl(1,2%,3)",
-                                      "lab(1,2,3)",
+                                      "rgb(1e99,0,0)",
+                                      "hsl(1em 2 3)",
+                                      "hsl(1 2deg 3)",
+                                      "hsl(1 deg 2 3)",
+                                      "rgb(1 % 2 3)",
+                                      "lab(ham 2 3)",
+                                      "color(1 2 3)",
+                                      "color(ham 1 2 3)",
+                                      "color(lab 1 2 3)",
+                                      "color(srgb 1 2)",
+                                      "srgb(1 2 3)",
+                                      "device-cmyk(1 2 3)",
+                                      "icc-color(x, 1, 2)",
+                                      "var(--x)",
+                                      "url(#m) magenta",
                                       "currentColor",
                                       "inherit"})
-    EXPECT_FALSE(parse_color(text)) << text;
+    EXPECT_FALSE(parse_translucent_color(text)) << text;
+}
+
+TEST(SvgColor, texts_that_hex_would_not_give_back) {
+  for (const std::string_view text :
+       {"hsl(120, 100, 45.9)", "oklch(0.7 0.15 40 / 50%)", "rgb(1,2,3)", "#12345678", "#1234",
+        "#ffa500 icc-color(x, 1, 2)"}) {
+    EXPECT_EQ(own_color_text(text), text);
+    EXPECT_EQ(own_color_text(" " + std::string(text) + " ham "), text);
+  }
+  for (const std::string_view text :
+       {"", "red", "transparent", "#123", "#123456", "#123456 ham", "ham", "lab(1 2)", "#12345",
+        "#ffa500 icc-color(;, 1)", "#ffa500 icc-color(x, 1"})
+    EXPECT_EQ(own_color_text(text), "") << text;
 }
 
 TEST(SvgNumber, forms_and_limits) {

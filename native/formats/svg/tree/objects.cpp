@@ -71,7 +71,7 @@ PaintRole group_role(const xmlNode* group) {
 bool is_readable_paint(std::string_view value) {
   constexpr std::array<std::string_view, 5> words{"none", "inherit", "currentColor", "context-fill",
                                                   "context-stroke"};
-  return contains(words, value) || value.starts_with("url") || parse_color(value);
+  return contains(words, value) || value.starts_with("url") || parse_translucent_color(value);
 }
 
 /// The properties in force at an element.
