@@ -331,14 +331,16 @@ void SvgMeshes::replace_gradient(const ChangedMesh& m, const std::string& origin
   // Of the bytes that were read as well, to which serializing may add a declaration.
   const std::size_t before = must_fit ? std::min(bytes().size(), text().size()) : 0;
   const double tolerance = coons_tolerance(m.frame);
-  const MeshObject written =
-      write_mesh_gradient(changing(), object(m.entry), m.written.mesh, tolerance, &by_origin);
+  const ColorTexts texts = color_texts(svg_, object(m.entry));
+  const MeshObject written = write_mesh_gradient(changing(), object(m.entry), m.written.mesh,
+                                                 tolerance, texts, &by_origin);
   // What was measured against a picture has no other original, and still looks like that.
   if (!m.original && remembered_picture(svg_, written))
     return remember_original(changing(), written, m.written.mesh, tolerance, "");
-  if (original.empty()) return;
-  if (!must_fit || text().size() + original.size() + names <= before)
-    remember_original(changing(), written, m.written.mesh, tolerance, original);
+  const std::size_t more = original.size() + texts.list().size() + names;
+  if (original.empty() || (must_fit && text().size() + more > before)) return;
+  remember_original(changing(), written, m.written.mesh, tolerance, original);
+  remember_color_texts(written, texts);
 }
 
 ChosenPatches SvgMeshes::block(const std::string& id) const {
@@ -415,9 +417,12 @@ void SvgMeshes::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& mesh
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const MeshEntry& entry = written.emplace_back(meshes[i].first);
     const std::string original = remembered_original(entry) ? *memory_of(object(entry)) : "";
+    const ColorTexts texts = color_texts(svg_, object(entry));
     const MeshObject shape = restore_shape(changing(), object(entry));
-    const MeshObject one = write_mesh_gradient(svg_, shape, meshes[i].second, tolerances[i]);
-    if (!original.empty()) remember_original(svg_, one, meshes[i].second, tolerances[i], original);
+    const MeshObject one = write_mesh_gradient(svg_, shape, meshes[i].second, tolerances[i], texts);
+    if (original.empty()) continue;
+    remember_original(svg_, one, meshes[i].second, tolerances[i], original);
+    remember_color_texts(one, texts);
   }
   list_meshes(written);
   mark_changed();

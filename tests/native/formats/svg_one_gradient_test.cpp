@@ -2,6 +2,7 @@
 
 #include "app/runs.h"
 #include "form/written_patch.h"
+#include "formats/svg/gradient/color_texts.h"
 #include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/gradient/written_gradient.h"
 #include "formats/svg/tree/own.h"
@@ -172,6 +173,78 @@ TEST(OneGradient, keeps_its_colours_from_the_rules_of_the_document) {
   const auto stops = elements_called(document.find("b-mesh1"), "stop");
   EXPECT_EQ(text(stops[0], "style"), "stop-color:#f00;stop-opacity:0.37");
   EXPECT_EQ(text(stops[1], "style"), "stop-color:#0f0;stop-opacity:0.5");
+}
+
+/// Returns the rows with other texts for some of their colours.
+std::string rows_of(const std::vector<std::pair<std::string, std::string>>& texts) {
+  std::string changed = rows();
+  for (const auto& [old, now] : texts) changed.replace(changed.find(old), old.size(), now);
+  return changed;
+}
+
+TEST(OneGradient, writes_colours_as_they_stood) {
+  const std::string content = rows_of({{"#ff0000", "rgba(255, 0, 0, 0.5)"},
+                                       {"#808000", "lab(50 10 20)"},
+                                       {"#00ff00", "hsl(120, 100, 45.9)"},
+                                       {"#0000ff", "#00f icc-color(Ink, 1, 0.5)"}});
+  SvgTree document = parse(gradient("m", user_space, content), "<rect id='b' fill='url(#m)'/>");
+  const MeshObject object = mesh_objects(document).at(0);
+  const Mesh mesh = one_patch(read(document, object));
+  const MeshObject after = write_mesh_gradient(document, object, mesh, tolerance);
+  const auto stops = elements_called(after.gradient, "stop");
+  ASSERT_EQ(stops.size(), 4);
+  EXPECT_EQ(text(stops[0], "stop-color"), "rgba(255, 0, 0, 0.5)");
+  EXPECT_EQ(text(stops[0], "stop-opacity"), "0.37");
+  EXPECT_EQ(text(stops[1], "stop-color"), "hsl(120, 100, 45.9)");
+  EXPECT_EQ(text(stops[2], "stop-color"), "#fff");
+  EXPECT_EQ(text(stops[3], "stop-color"), "#00f icc-color(Ink, 1, 0.5)");
+}
+
+TEST(OneGradient, writes_the_colours_of_what_it_remembers_as_they_stood) {
+  const std::string content =
+      rows_of({{"#808000", "lab(50 10 20)"}, {"#00ff00", "oklch(0.7 0.15 40)"}});
+  SvgTree document = parse(gradient("m", user_space, content), "<rect id='b' fill='url(#m)'/>");
+  const MeshObject object = mesh_objects(document).at(0);
+  const Mesh whole = read(document, object);
+  const ColorTexts texts = color_texts(document, object);
+  const MeshObject once = write_mesh_gradient(document, object, one_patch(whole), tolerance);
+  EXPECT_EQ(own_attribute(once.node, "fill-colors"), std::nullopt);
+  remember_color_texts(once, texts);
+  EXPECT_EQ(own_attribute(once.node, "fill-colors"), "lab(50 10 20);oklch(0.7 0.15 40)");
+  const auto colors = [&](const MeshObject& written) {
+    std::vector<std::string> texts;
+    for (const xmlNode* stop : elements_called(written.gradient, "stop"))
+      texts.push_back(text(stop, "stop-color"));
+    return texts;
+  };
+  EXPECT_EQ(std::ranges::count(colors(once), "lab(50 10 20)"), 0);
+  const MeshObject twice = write_mesh_gradient(document, once, whole, tolerance);
+  EXPECT_EQ(std::ranges::count(colors(twice), "lab(50 10 20)"), 1);
+  EXPECT_EQ(std::ranges::count(colors(twice), "oklch(0.7 0.15 40)"), 1);
+  remember_color_texts(twice, texts);
+  forget_original(twice);
+  EXPECT_EQ(own_attribute(twice.node, "fill-colors"), std::nullopt);
+}
+
+TEST(ColorTexts, finds_what_8_bits_cannot_tell_apart) {
+  ColorTexts texts;
+  EXPECT_TRUE(texts.is_empty());
+  texts.add_list("hsl(0, 0, 50);color(srgb .503 .5 .5);rgb(255 0 0 / 0.5);red;;hsl(0, 0, 50)");
+  EXPECT_EQ(texts.list(), "hsl(0, 0, 50);color(srgb .503 .5 .5);rgb(255 0 0 / 0.5)");
+  const auto found = [&](const glm::dvec4& color) {
+    const ColorText* const match = texts.find(color);
+    return match ? match->text : "";
+  };
+  EXPECT_EQ(found({0.5, 0.5, 0.5, 1}), "hsl(0, 0, 50)");
+  EXPECT_EQ(found({0.5, 0.5, 0.5, 0.2}), "hsl(0, 0, 50)");
+  EXPECT_EQ(found({0.501, 0.499, 0.5, 1}), "hsl(0, 0, 50)");
+  EXPECT_EQ(found({0.502, 0.5, 0.5, 1}), "color(srgb .503 .5 .5)");
+  EXPECT_EQ(found({128 / 255.0, 127 / 255.0, 0.5, 1}), "hsl(0, 0, 50)");
+  EXPECT_EQ(found({0.5, 0.503, 0.5, 1}), "");
+  EXPECT_EQ(found({0.497, 0.5, 0.5, 1}), "");
+  EXPECT_EQ(found({1, 0, 0, 0.25}), "rgb(255 0 0 / 0.5)");
+  EXPECT_EQ(found({1, 0, 0, 0.6}), "");
+  EXPECT_EQ(texts.find({1, 0, 0, 0.25})->opacity_beside(0.25), 0.5);
 }
 
 TEST(OneGradient, remembers_what_it_is_told_until_it_is_edited) {

@@ -295,8 +295,16 @@ TEST(SvgMesh, stop_colors) {
   // Stops inherit nothing in Inkscape.
   EXPECT_EQ(color("stop-color='currentColor'", "color='lime'"), glm::dvec4(0, 0, 0, 1));
   EXPECT_EQ(color("stop-color='inherit'", "stop-color='red'"), glm::dvec4(0, 0, 0, 1));
-  // What is no colour and no opacity is as if it were not there.
-  EXPECT_EQ(color("stop-color='puce' stop-opacity='none'"), glm::dvec4(0, 0, 0, 1));
+  EXPECT_EQ(color("color='red' style='stop-color:currentcolor'"), glm::dvec4(1, 0, 0, 1));
+  // The opacity of a colour multiplies with that of the stop.
+  EXPECT_EQ(color("stop-color='rgb(255 0 0 / 0.5)' stop-opacity='0.5'"), glm::dvec4(1, 0, 0, 0.25));
+  EXPECT_EQ(color("style='stop-color:hsl(120, 100, 50)'"), glm::dvec4(0, 1, 0, 1));
+  // What is no paint is black, as in Inkscape.
+  for (const char* none : {"none", "inherit", "unset", "", "currentColor"})
+    EXPECT_EQ(color("stop-color='" + std::string(none) + "' stop-opacity='none'"),
+              glm::dvec4(0, 0, 0, 1))
+        << none;
+  // What is no colour is as if it were not there, beside one that is.
   EXPECT_EQ(color("stop-color='red' style='stop-color:puce'"), glm::dvec4(1, 0, 0, 1));
   EXPECT_EQ(color("style='stop-color:red;stop-color:none'"), glm::dvec4(1, 0, 0, 1));
 }
@@ -360,6 +368,14 @@ TEST(SvgMesh, bad_meshes_are_named) {
   for (const std::string path : {"", "c 1,2 3,4", "c 1,2 3,4 5", "q 1,2 3,4", "l 1", "l", "z",
                                  "l nan,0", "l inf,0", "l 1e30,0", "l 1e999,0", "1,2"})
     EXPECT_EQ(complaint(broken_stop(path)), path_complaint(path));
+  for (const std::string color : {"puce", "oklch(0.7 0.15)", "var(--x)", "#12345"})
+    EXPECT_EQ(complaint(mesh(row(patch(stop("l 10,0") + stop("l 0,10", color) + stop("l -10,0") +
+                                       stop("l 0,-10"))))),
+              m + "row 1, patch 1, stop 2: the colour \"" + color + "\" is none that can be read.");
+  EXPECT_EQ(complaint(mesh(
+                row(square + patch(stop("l 10,0", "puce") + stop("l 0,10") + stop("l -10,0"))))),
+            "nothing was thrown")
+      << "the patch before has given it";
   EXPECT_EQ(complaint(mesh(row(patch(stop("l 0,0") + stop("l 0,0") + stop("l 0,0") + stop("l"))))),
             m + "row 1, patch 1 is degenerate: all its points coincide.");
   EXPECT_EQ(complaint(mesh(row(square), "gradientTransform='turn(3)'")),

@@ -77,22 +77,17 @@ def linked(order, attributes='x="10" y="10" xlink:href="#g"', rows=one(), other=
     return "".join(parts if order == "before" else reversed(parts))
 
 
+# Those that Inkscape 1.2 does not know are no cases: gradmesh reads what 1.5 knows, and refuses the rest.
 COLORS = [
-    "none", "ham", "inherit", "currentColor", "currentcolor", "CurrentColor", "transparent", "#f0f",
-    "#F0f0", "#ff00ff80", "#ff00f", "#ff00ffx", "#gg0000", "MAGENTA", "magenta ham", "lightgrey",
-    "rgb(255,0,255)", "rgb( 255 , 0 , 255 )", "rgb(255 0 255)", "RGB(255,0,255)", "rgb (255,0,255)",
-    "rgb(127.6,-20,300)", "rgb(33.3%,0%,100%)", "rgba(255,0,255,0.5)",
-    "rgb(255,0,255) ham", "hsl(300,100%,50%)", "hsl(-60,50%,40%)", "hsl(300deg,100%,50%)",
-    "hsl(300 100% 50%)", "hsl(300,1,0.5)", "hsla(300,100%,50%,.5)", "#ff00ff icc-color(x,1,2)",
-    "url(#m) magenta", "",
+    "none", "inherit", "currentColor", "#f0f", "#ff00ffx", "MAGENTA", "magenta ham", "lightgrey",
+    "rgb(255,0,255)", "rgb( 255 , 0 , 255 )", "rgb(127.6,-20,300)", "rgb(33.3%,0%,100%)",
+    "rgb(255,0,255) ham", "hsl(300,100%,50%)", "hsl(-60,50%,40%)", "#ff00ff icc-color(x,1,2)", "",
 ]  # fmt: skip
-IN_ATTRIBUTES = [
-    "white ", " white", "white\n", " #ff00ff ", "magenta,", "rgb(255,0,255,0.5)", "rgb(255,0,255",
-]  # fmt: skip
+IN_ATTRIBUTES = ["white ", " white", "white\n", " #ff00ff "]
 IN_STYLES = [
-    "stop-color:#ff00ff !important", "stop-color:#ff00ff;stop-color:ham", "stop-color:'magenta'",
+    "stop-color:#ff00ff !important", "stop-color:#ff00ff;stop-color:ham",
     "stop-color:#ff00ff;stop-color:inherit", "color:#ff00ff;stop-color:currentColor",
-    "color:ham;stop-color:currentColor", "color:inherit;stop-color:currentColor",
+    "color:inherit;stop-color:currentColor",
     "stop-color:red;stop-opacity:.5;stop-opacity:ham",
 ]  # fmt: skip
 PAINTS = [
@@ -124,7 +119,7 @@ for text in OPACITIES:
     paint = f'style="stop-color:red;stop-opacity:{text}"'
     CASES[f"opacity in a style {text!r}"] = Case(mesh(one(paint)), one())
 # Stops inherit nothing.
-for paint in ("inherit", "currentColor", "ham"):
+for paint in ("inherit", "currentColor"):
     green = 'color="lime" stop-color="lime"'
     body = mesh(one(f'stop-color="{paint}"'), f'{USER} x="10" y="10" {green}')
     body = body.replace("<meshpatch", f"<meshpatch {green}")

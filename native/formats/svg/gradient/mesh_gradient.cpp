@@ -66,6 +66,14 @@ HrefChain href_chain(const SvgTree& tree, const xmlNode* gradient) {
   return chain;
 }
 
+/// Returns the first of them that has rows; null if none has.
+const xmlNode* rows_holder(const HrefChain& chain) {
+  const auto holder = std::ranges::find_if(chain.gradients, [](const xmlNode* node) {
+    return is_mesh_gradient(node) && !mesh_rows(node).empty();
+  });
+  return holder != chain.gradients.end() ? *holder : nullptr;
+}
+
 bool uses_bounding_box(const HrefChain& chain) {
   for (const xmlNode* node : chain.gradients)
     if (const auto units = attribute(node, "gradientUnits")) return *units != "userSpaceOnUse";
@@ -149,6 +157,10 @@ void check_unpainted(const SvgTree& tree, const xmlNode* gradient) {
 
 bool is_smooth(const xmlNode* gradient) { return attribute(gradient, "type") == "bicubic"; }
 
+const xmlNode* rows_holder(const SvgTree& tree, const xmlNode* gradient) {
+  return rows_holder(href_chain(tree, gradient));
+}
+
 PatchGrid gradient_patches(const SvgTree& tree, const xmlNode* gradient) {
   const HrefChain chain = href_chain(tree, gradient);
   const std::size_t most = limits().links, count = chain.gradients.size();
@@ -158,16 +170,14 @@ PatchGrid gradient_patches(const SvgTree& tree, const xmlNode* gradient) {
   if (chain.has_plain)
     fail(gradient, Message("its href without xlink: is followed by some versions of Inkscape and "
                            "not by others"));
-  const auto holder = std::ranges::find_if(chain.gradients, [](const xmlNode* node) {
-    return is_mesh_gradient(node) && !mesh_rows(node).empty();
-  });
-  if (holder == chain.gradients.end()) {
+  const xmlNode* const holder = rows_holder(chain);
+  if (!holder) {
     if (chain.broken) fail(gradient, *chain.broken);
     fail(gradient, Message("it has no meshrow"));
   }
   // Inkscape takes a percentage for a fraction of one unit, whatever the units are.
   const glm::dvec2 start(read_box_length(gradient, "x"), read_box_length(gradient, "y"));
-  return read_rows(tree.styles(), *holder, start);
+  return read_rows(tree.styles(), holder, start);
 }
 
 PatchGrid read_mesh_gradient(const SvgTree& tree, const xmlNode* gradient) {
@@ -236,7 +246,7 @@ std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
 }
 
 void write_grid(const SvgTree& tree, xmlNode* gradient, const Mesh& mesh, double coons_tolerance,
-                const Affine& to_gradient) {
+                const Affine& to_gradient, const ColorTexts& texts) {
   const BlockForm form = gradient_form(mesh, coons_tolerance, to_gradient);
   write_rows(gradient, mesh, form.blocks.front(),
              {.precision = form.precision,
@@ -245,13 +255,21 @@ void write_grid(const SvgTree& tree, xmlNode* gradient, const Mesh& mesh, double
               .rounding = form.precision.last_bits > 0
                               ? no_rounding
                               : rounding_within(bounding_box(mesh, form.precision.to_written)),
-              .is_relative = form.precision.step > 0 && form.precision.last_bits == 0});
+              .is_relative = form.precision.step > 0 && form.precision.last_bits == 0,
+              .texts = &texts});
 }
 
 MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
                                double coons_tolerance, GradientsByOrigin* by_origin) {
+  return write_mesh_gradient(tree, object, mesh, coons_tolerance, color_texts(tree, object),
+                             by_origin);
+}
+
+MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
+                               double coons_tolerance, const ColorTexts& texts,
+                               GradientsByOrigin* by_origin) {
   xmlNode* gradient = add_gradient(tree, object);
-  write_grid(tree, gradient, mesh, coons_tolerance, mesh_to_gradient(tree, object));
+  write_grid(tree, gradient, mesh, coons_tolerance, mesh_to_gradient(tree, object), texts);
   forget_original(object);
   const char* property = paint_name(object.role);
   const std::string old = attribute(object.gradient, "id").value_or("");

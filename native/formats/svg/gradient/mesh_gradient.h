@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/svg/gradient/color_texts.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/svg_tree.h"
 #include "mesh/mesh.h"
@@ -21,6 +22,10 @@ namespace gradmesh {
 PatchGrid gradient_patches(const SvgTree& tree, const xmlNode* gradient);
 /// Returns gradient_patches(), and throws InputError at type="bicubic" too.
 PatchGrid read_mesh_gradient(const SvgTree& tree, const xmlNode* gradient);
+
+/// Returns the gradient whose rows a meshgradient has: itself, or one that its href leads to; null
+/// if there is none.
+const xmlNode* rows_holder(const SvgTree& tree, const xmlNode* gradient);
 
 /// Returns true if the meshgradient has smooth colours (type="bicubic").
 bool is_smooth(const xmlNode* gradient);
@@ -57,8 +62,9 @@ std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
 
 /// Writes a mesh that is a grid, bilinear and with one colour at each point, into a meshgradient
 /// without rows, in its gradient_form(). `to_gradient` maps the mesh to the gradient's coordinates.
+/// Colours that are among `texts` are written as they stand there.
 void write_grid(const SvgTree& tree, xmlNode* gradient, const Mesh& mesh, double coons_tolerance,
-                const Affine& to_gradient);
+                const Affine& to_gradient, const ColorTexts& texts = {});
 
 /// The gradients that were written, by the id of the one that each was made of.
 using GradientsByOrigin = std::map<std::string, std::vector<xmlNode*>>;
@@ -67,9 +73,14 @@ using GradientsByOrigin = std::map<std::string, std::vector<xmlNode*>>;
 /// object is otherwise unchanged, and the new gradient has the old one's units, transform and type.
 /// The old gradient is removed if nothing else uses it. The mesh is a grid (find_grid), bilinear,
 /// in the coordinates of read_mesh, with one colour at each point, and is written in its
-/// gradient_form(). The object's memory (formats/svg/gradient/written_gradient.h) is removed.
+/// gradient_form(). Colours of `texts`, which are usually the object's color_texts(), are written
+/// as they stood. The object's memory (formats/svg/gradient/written_gradient.h) is removed.
 /// Objects that shared the old gradient share the new one where it is the same, if `by_origin` has
 /// what was written before. Returns the object with its new gradient.
+MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
+                               double coons_tolerance, const ColorTexts& texts,
+                               GradientsByOrigin* by_origin = nullptr);
+/// Does the same with the object's own color_texts().
 MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
                                double coons_tolerance, GradientsByOrigin* by_origin = nullptr);
 

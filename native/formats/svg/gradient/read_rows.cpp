@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "formats/svg/gradient/rows.h"
 #include "formats/svg/values/color.h"
@@ -10,26 +11,38 @@
 namespace gradmesh {
 namespace {
 
+bool is_current_color(std::string_view value) { return lower(value) == "currentcolor"; }
+
+/// Returns true if a stop without a colour of its own is painted black by these: stops inherit
+/// nothing in Inkscape, and a paint that is none is black there.
+bool means_black(std::string_view value) {
+  constexpr std::array<std::string_view, 7> words{"",      "none",   "inherit",     "initial",
+                                                  "unset", "revert", "revert-layer"};
+  return std::ranges::find(words, lower(value)) != words.end();
+}
+
 /// Returns true if Inkscape takes the value for a colour; it ignores all others.
 bool is_color(std::string_view value) {
-  return value == "inherit" || value == "currentColor" || parse_color(value).has_value();
+  return value == "inherit" || is_current_color(value) ||
+         parse_translucent_color(value).has_value();
 }
 
 bool is_opacity(std::string_view value) {
   return value == "inherit" || parse_opacity(value).has_value();
 }
 
-/// Returns a property of a stop that is a colour. Stops inherit nothing in Inkscape: a value that
-/// would be inherited is black.
-glm::dvec3 own_color(const StyleSheet& styles, const xmlNode* stop, std::string_view property) {
-  const std::string text = styles.declared(stop, property, is_color).value_or("black");
-  if (text == "currentColor" && property != "color") return own_color(styles, stop, "color");
-  return parse_color(text).value_or(glm::dvec3(0.0));
+/// Returns the text of a property of a stop that is a colour, as stop_color_text() does.
+std::string own_color(const StyleSheet& styles, const xmlNode* stop, std::string_view property) {
+  auto text = styles.declared(stop, property, is_color);
+  if (!text) text = styles.declared(stop, property);
+  if (!text || means_black(*text)) return "";
+  if (!is_current_color(*text)) return *text;
+  return property == "color" ? "" : own_color(styles, stop, "color");
 }
 
-glm::dvec4 stop_color(const StyleSheet& styles, const xmlNode* stop) {
+double stop_opacity(const StyleSheet& styles, const xmlNode* stop) {
   const std::string opacity = styles.declared(stop, "stop-opacity", is_opacity).value_or("1");
-  return {own_color(styles, stop, "stop-color"), parse_opacity(opacity).value_or(1.0)};
+  return parse_opacity(opacity).value_or(1.0);
 }
 
 Message place_name(int row, int column) {
@@ -114,11 +127,25 @@ class RowsReader {
         fail(gradient_,
              Message("{0}: the path {1} is not one c, C, l or L segment of numbers between "
                      "-1e9 and 1e9",
-                     Message("{0}, stop {1}", place.name(), side - first + 1), excerpt(path)));
+                     stop_name(place, side - first + 1), excerpt(path)));
       const bool is_known = (side == 0 && place.column > 0) || (side == 1 && place.row > 0);
-      if (!is_known) side_node(place, side, 0).value.color = stop_color(styles_, stop);
+      if (!is_known)
+        side_node(place, side, 0).value.color = stop_color(stop, place, side - first + 1);
     }
     if (const auto tensor = attribute(patch, "tensor")) read_interior(place, *tensor);
+  }
+
+  static Message stop_name(Place place, int number) {
+    return Message("{0}, stop {1}", place.name(), number);
+  }
+
+  glm::dvec4 stop_color(const xmlNode* stop, Place place, int number) const {
+    const std::string text = stop_color_text(styles_, stop);
+    const auto color = parse_translucent_color(text.empty() ? "black" : text);
+    if (!color)
+      fail(gradient_, Message("{0}: the colour {1} is none that can be read",
+                              stop_name(place, number), excerpt(text)));
+    return {glm::dvec3(*color), color->a * stop_opacity(styles_, stop)};
   }
 
   /// Reads one segment from the side's known start; text after it is ignored. If the side closes
@@ -224,6 +251,10 @@ void check_limits(const PatchGrid& grid, const xmlNode* node) {
     if (!is_within_limits(grid.patches[i]))
       fail(node, Message("{0} reaches beyond 5e8 user units",
                          place_name(int(i) / grid.columns, int(i) % grid.columns)));
+}
+
+std::string stop_color_text(const StyleSheet& styles, const xmlNode* stop) {
+  return own_color(styles, stop, "stop-color");
 }
 
 PatchGrid read_rows(const StyleSheet& styles, const xmlNode* gradient, glm::dvec2 start) {

@@ -3,6 +3,7 @@
 #include <libxml/tree.h>
 
 #include "form/blocks.h"
+#include "formats/svg/gradient/color_texts.h"
 #include "formats/svg/values/style.h"
 #include "formats/text/number.h"
 #include "geom/patch.h"
@@ -23,6 +24,11 @@ void check_limits(const PatchGrid& grid, const xmlNode* node);
 /// and with bilinear colours. Throws InputError at all that Inkscape could not paint.
 PatchGrid read_rows(const StyleSheet& styles, const xmlNode* gradient, glm::dvec2 start);
 
+/// Returns the text of a stop's colour, with `currentColor` looked up; an empty string for the
+/// black of a stop that has none. A text that is no colour is returned too if no other value
+/// counts.
+std::string stop_color_text(const StyleSheet& styles, const xmlNode* stop);
+
 /// The part of the colours that a gradient holds: where opacities are in a mask (BlockForm), the
 /// mask's gradients hold them as mask_color, and the blocks are opaque. Elsewhere a gradient holds
 /// both.
@@ -41,6 +47,8 @@ struct GradientFormat {
   /// True if coordinates are multiples of a step, and relative to where the side starts, as they
   /// need not equal those of another gradient, nor what they were to the last bit.
   bool is_relative = false;
+  /// The texts of colours that are written as they stood; null if there are none.
+  const ColorTexts* texts = nullptr;
 };
 
 /// Gives a meshgradient the block's start and rows, in Inkscape's own form: the ends of sides that

@@ -76,13 +76,17 @@ class RowsWriter {
     const bool opaque = format_.channel != MeshChannel::both;
     const glm::dvec3 shown =
         format_.channel == MeshChannel::opacity ? mask_color(limited.a) : glm::dvec3(limited);
-    const std::string opacity = opaque ? "1" : format_number(limited.a);
+    const double alpha = opaque ? 1 : limited.a;
+    const ColorText* const kept = format_.texts && format_.channel != MeshChannel::opacity
+                                      ? format_.texts->find({shown, alpha})
+                                      : nullptr;
+    const std::string text = kept ? kept->text : color_text(shown);
+    const std::string opacity = format_number(kept ? kept->opacity_beside(alpha) : alpha);
     if (format_.in_style) {
       const std::string mark(format_.is_important ? important_mark : "");
-      set_attribute(stop, "style",
-                    "stop-color:" + color_text(shown) + mark + ";stop-opacity:" + opacity + mark);
+      set_attribute(stop, "style", "stop-color:" + text + mark + ";stop-opacity:" + opacity + mark);
     } else {
-      set_attribute(stop, "stop-color", color_text(shown));
+      set_attribute(stop, "stop-color", text);
       if (opacity != "1") set_attribute(stop, "stop-opacity", opacity);
     }
   }

@@ -6,6 +6,7 @@
 #include "base/hash.h"
 #include "base/power_of_ten.h"
 #include "form/blocks.h"
+#include "formats/svg/gradient/color_texts.h"
 #include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/xml/node.h"
@@ -86,6 +87,7 @@ void remember_original(SvgTree& tree, const MeshObject& object, const Mesh& mesh
 void forget_original(const MeshObject& object) {
   for (const std::string& name : {original_name(object.role), fingerprint_name(object.role)})
     set_own_attribute(object.node, name.c_str(), "");
+  remember_color_texts(object, {});
 }
 
 }  // namespace gradmesh

@@ -31,7 +31,7 @@ bool is_as_written(const SvgTree& tree, const MeshObject& object);
 /// coordinates are too fine for a step.
 void remember_original(SvgTree& tree, const MeshObject& object, const Mesh& mesh,
                        double coons_tolerance, const std::string& original);
-/// Removes both attributes.
+/// Removes both attributes, and the texts of colours (formats/svg/gradient/color_texts.h).
 void forget_original(const MeshObject& object);
 
 }  // namespace gradmesh

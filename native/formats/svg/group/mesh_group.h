@@ -24,6 +24,8 @@ namespace gradmesh {
 ///                   (formats/svg/values/curves.h)
 ///   original        on the group: the mesh before it was first simplified, or as a person has
 ///                   edited it since; may be absent (formats/svg/group/memory.h)
+///   colors          on the group: the texts of colours that hexadecimal digits could not give back
+///                   (formats/svg/gradient/color_texts.h); may be absent
 ///   written         on the group: its blocks as they were last written, which tells what a person
 ///                   has moved; may be absent
 ///   label           on the group: its inkscape:label as it was written

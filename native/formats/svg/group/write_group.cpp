@@ -62,7 +62,8 @@ class GroupWriter {
         written_(written),
         mesh_(written.mesh),
         defs_(tree.defs()),
-        id_(object_id(object.node)) {}
+        id_(object_id(object.node)),
+        texts_(color_texts(tree, object)) {}
 
   void run() {
     if (object_.is_group()) {
@@ -120,6 +121,7 @@ class GroupWriter {
     set_own_attribute(group, "patches-before", std::to_string(before.patches));
     set_own_attribute(group, "curves", format_curves(mesh_, written_.form.blocks));
     set_own_attribute(group, "original", written_.original);
+    set_own_attribute(group, "colors", written_.original.empty() ? "" : texts_.list());
     set_own_attribute(group, "written", remember_blocks(mesh_, written_.form));
     set_own_attribute(group, "label", written_.label);
     // The group around it, where there is one, is what the person sees first.
@@ -133,13 +135,13 @@ class GroupWriter {
                    const BlockIds& ids) const {
     const bool color = channel != MeshChannel::opacity;
     const Box mesh_box = bounding_box(mesh_, {});
-    const GradientFormat format{.precision = written_.form.precision,
-                                .channel = channel,
-                                .in_style = !tree_.styles().is_empty(),
-                                .is_important = tree_.styles().has_important(),
-                                .rounding = written_.form.precision.last_bits > 0
-                                                ? no_rounding
-                                                : rounding_within(mesh_box)};
+    const GradientFormat format{
+        .precision = written_.form.precision,
+        .channel = channel,
+        .in_style = !tree_.styles().is_empty(),
+        .is_important = tree_.styles().has_important(),
+        .rounding = written_.form.precision.last_bits > 0 ? no_rounding : rounding_within(mesh_box),
+        .texts = &texts_};
     const double margin = seam_margin();
     // A tenth of what an outline is grown by, which need not be exact.
     const double step = decimal_step(0.1 * margin);
@@ -200,6 +202,7 @@ class GroupWriter {
   const Mesh& mesh_;
   xmlNode* defs_;
   const std::string id_;
+  const ColorTexts texts_;
   /// The colour that programs that know no meshes paint instead.
   std::string fallback_;
 };
