@@ -17,8 +17,8 @@ from contextlib import contextmanager
 from functools import cached_property
 
 from gradmesh_log import log
-from gradmesh_needs import why_it_does_not_load
 from gradmesh_report import report
+from gradmesh_needs import why_it_does_not_load
 from gradmesh_text import _, sentence, translated
 
 # Drivers of graphics processors that gradmesh looks at would otherwise warn on stderr.
