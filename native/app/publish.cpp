@@ -164,7 +164,9 @@ class MeshPublisher {
   /// Returns true if the mesh covers pixels that are more than a pixel beyond a path.
   bool paints_beyond(const std::string& path, const MeshPicture& picture) const {
     const auto outline = path_outline(path);
-    return !outline || covers_beyond(picture, {FilledOutline{*outline}}, frame_);
+    if (!outline) return true;
+    const std::vector<FilledOutline> area{{*outline}};
+    return covers_beyond(picture, area, frame_);
   }
 
   /// Makes the picture end where the mesh does.

@@ -10,8 +10,8 @@ namespace gradmesh {
 /// and rises where it did harm.
 class Damping {
  public:
-  explicit Damping(std::size_t unknowns, double most = std::numeric_limits<double>::infinity())
-      : values_(unknowns, first), most_(most) {}
+  explicit Damping(std::size_t unknowns, double largest = std::numeric_limits<double>::infinity())
+      : values_(unknowns, first), most_(largest) {}
 
   const std::vector<double>& values() const { return values_; }
   void lower(std::size_t unknown) {

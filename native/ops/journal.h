@@ -77,9 +77,10 @@ class Journal {
     std::vector<std::uint64_t> stamps;
   };
   /// For one kind, the number of records in the mesh and of records saved when an operation began.
+  /// Without values by default, for which Clang 19 finds the tuple of these to have no constructor.
   template <class Record>
   struct Before {
-    std::size_t size = 0, saved = 0;
+    std::size_t size, saved;
   };
   template <template <class> class Of>
   using ForEachKind =

@@ -137,18 +137,18 @@ const OptionEntry& option_named(const std::string& name) {
 }
 
 const std::vector<Amount>& all_amounts() {
-  static const std::vector<Amount> amounts = {{"gentle", 0.005, 0.05, 0.06, 0.02},
-                                              {"balanced", 0.01, 0.1, 0.11, 0.03},
-                                              {"strong", 0.02, 0.1, 0.3, 0.04}};
-  return amounts;
+  static const std::vector<Amount> all = {{"gentle", 0.005, 0.05, 0.06, 0.02},
+                                          {"balanced", 0.01, 0.1, 0.11, 0.03},
+                                          {"strong", 0.02, 0.1, 0.3, 0.04}};
+  return all;
 }
 
 const Amount& amount_named(const std::string& wanted) {
-  const auto& amounts = all_amounts();
-  const auto found = std::ranges::find(amounts, wanted, &Amount::name);
-  if (found != amounts.end()) return *found;
+  const auto& all = all_amounts();
+  const auto found = std::ranges::find(all, wanted, &Amount::name);
+  if (found != all.end()) return *found;
   std::string known;
-  for (const Amount& amount : amounts) known.append(known.empty() ? "" : ", ").append(amount.name);
+  for (const Amount& amount : all) known.append(known.empty() ? "" : ", ").append(amount.name);
   throw std::invalid_argument("the amount '" + wanted + "' is not known; there are: " + known +
                               ".");
 }

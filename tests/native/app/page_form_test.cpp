@@ -9,7 +9,7 @@ using namespace gradmesh;
 
 namespace {
 
-constexpr int columns = 40;
+constexpr int strips = 40;
 
 /// The colour at point j of a row of patches.
 using ColorAt = glm::dvec4 (*)(int j);
@@ -26,7 +26,7 @@ glm::dvec4 off(int j) {
 
 std::vector<PagePatch> row_of(ColorAt color) {
   std::vector<PagePatch> patches;
-  for (int j = 0; j < columns; ++j) {
+  for (int j = 0; j < strips; ++j) {
     const double x = 10 * j;
     patches.push_back(straight_patch<glm::dvec4>({{{x, 0}, {x + 10, 0}, {x + 10, 100}, {x, 100}}},
                                                  {color(j), color(j + 1), color(j + 1), color(j)}));
@@ -35,7 +35,7 @@ std::vector<PagePatch> row_of(ColorAt color) {
 }
 
 MeshForm form_of(const std::vector<PagePatch>& patches, MeshForm::Kind kind) {
-  PatchGrid grid{1, columns, {}};
+  PatchGrid grid{1, strips, {}};
   for (const PagePatch& patch : patches) grid.patches.push_back(mesh_patch(patch));
   MeshForm form{parts_of({grid}), kind};
   form.mesh.smooth = kind == MeshForm::Kind::artists;

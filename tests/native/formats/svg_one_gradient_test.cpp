@@ -212,10 +212,10 @@ TEST(OneGradient, writes_the_colours_of_what_it_remembers_as_they_stood) {
   remember_color_texts(once, texts);
   EXPECT_EQ(own_attribute(once.node, "fill-colors"), "lab(50 10 20);oklch(0.7 0.15 40)");
   const auto colors = [&](const MeshObject& written) {
-    std::vector<std::string> texts;
+    std::vector<std::string> found;
     for (const xmlNode* stop : elements_called(written.gradient, "stop"))
-      texts.push_back(text(stop, "stop-color"));
-    return texts;
+      found.push_back(text(stop, "stop-color"));
+    return found;
   };
   EXPECT_EQ(std::ranges::count(colors(once), "lab(50 10 20)"), 0);
   const MeshObject twice = write_mesh_gradient(document, once, whole, tolerance);

@@ -73,9 +73,9 @@ ShadingLattice read_lattice(std::string_view bytes, const Packing& packing, std:
     }
     read.vertices.push_back(*std::move(vertex));
   }
-  const std::size_t beyond = read.vertices.size() % columns;
-  read.is_damaged = read.is_damaged || beyond > 0;
-  read.vertices.resize(read.vertices.size() - beyond);
+  const std::size_t left_over = read.vertices.size() % columns;
+  read.is_damaged = read.is_damaged || left_over > 0;
+  read.vertices.resize(read.vertices.size() - left_over);
   return read;
 }
 
