@@ -44,10 +44,15 @@ def version() -> Tuple[int, ...]:
     return tuple(map(int, re.search(r"Inkscape (\d+(?:\.\d+)*)", told)[1].split(".")))
 
 
+def is_older_than(*wanted: int) -> bool:
+    """Whether the Inkscape that is installed is older; true also where there is none."""
+    return bool(missing()) or version() < wanted
+
+
 def undoes_in_batch_runs() -> bool:
     """Whether the action `undo` takes an extension's change back where there is no window; in 1.4 it takes
     nothing back there, and Ctrl+Z in the window does."""
-    return version() < (1, 4)
+    return is_older_than(1, 4)
 
 
 WINDOW_PROGRAMS = ("xdotool", "import")

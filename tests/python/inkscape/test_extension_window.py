@@ -6,17 +6,23 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
+import inkscape_harness
 from built import SAMPLES, install_extension
 from in_inkscape import needs
 from inkscape_harness import WINDOW_PROGRAMS, Inkscape
 
 pytestmark = needs(*WINDOW_PROGRAMS)
 
-# Where things are on the harness's screen once the page fits the window.
-PEAR, STEM, SUBMENU, SIMPLIFY = (750, 480), (710, 210), (460, 238), (779, 390)
+# Where things are on the harness's screen once the page fits the window; in 1.4 the menu has other items, and the
+# panel beside the canvas is open.
+IS_1_4 = not inkscape_harness.is_older_than(1, 4)
+PEAR, STEM = ((502, 640), (520, 240)) if IS_1_4 else ((750, 480), (710, 210))
+SUBMENU, SIMPLIFY = ((440, 262), (779, 414)) if IS_1_4 else ((460, 238), (779, 390))
 SIMPLIFY_TAB, MORE_TAB = (58, 30), (134, 30)
-HOW_MUCH, STRONG, ONLY_SAY, APPLY, CLOSE = (240, 115), (230, 175), (35, 453), (585, 554), (495, 554)
-DIALOG, CANVAS, STATUS = (0, 0, 630, 574), (640, 140, 1370, 900), (450, 960, 1060, 1000)
+HOW_MUCH, STRONG, ONLY_SAY, APPLY, CLOSE = (240, 115), (230, 175), (35, 453), (585, 548), (495, 548)
+DIALOG, STATUS = (0, 0, 630, 560), (520, 970, 1060, 1000)
+# After any extension 1.4 paints the radial gradient around the pear in its last colour.
+CANVAS = (420, 570, 650, 720) if IS_1_4 else (640, 140, 1370, 900)
 TOLD = (560, 884, 840, 924)
 
 
@@ -104,9 +110,8 @@ def test_old_values_are_shown_and_run_as_usual(tmp_path, monkeypatch):
         with Inkscape({f"org.gradmesh.simplify.{name}": value for name, value in values.items()}) as inkscape:
             inkscape.install(installed)
             inkscape.set_key("F10", "app.org.gradmesh.simplify")
-            with inkscape.window(SAMPLES / "fruit.svg") as window:
+            with inkscape.window(SAMPLES / "fruit.svg", actions=["select-by-id:pear"]) as window:
                 window.key("5")
-                window.click(*PEAR)
                 window.key("F10")
                 with image.open(window.screenshot(tmp_path / "shot.png")) as shot:
                     dialogs.append(shot.convert("RGB").crop(DIALOG).tobytes())
@@ -135,6 +140,11 @@ def saved(extension, place, svg, installed):
     return files
 
 
+def all_but_the_view(text):
+    """The document without what Inkscape remembers of its window, where 1.4 does not undo which layer is current."""
+    return ET.canonicalize(text, exclude_tags=["{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}namedview"])
+
+
 def test_saved_undone_and_saved_as_with_an_extension_of_inkscapes_own(tmp_path):
     """Inkscape 1.2 has two faults here, with any edit. Undone as far as to the document that was
     opened it has nothing to save, whatever was saved between: so there is a first edit. And saving
@@ -146,10 +156,10 @@ def test_saved_undone_and_saved_as_with_an_extension_of_inkscapes_own(tmp_path):
         svg.write_bytes((SAMPLES / "fruit.svg").read_bytes())
         files = saved(extension, place, svg, installed)
         # Any extension, undone, leaves the attributes of the root in another order.
-        edited, changed = map(ET.canonicalize, files[:2])
+        edited, changed = map(all_but_the_view, files[:2])
         assert edited != changed
         undone, redone = files[2:4]
-        assert ET.canonicalize(undone) == edited
-        assert redone == files[1]
-        found.append([ET.canonicalize(file) == changed for file in files])
+        assert all_but_the_view(undone) == edited
+        assert all_but_the_view(redone) == changed
+        found.append([all_but_the_view(file) == changed for file in files])
     assert found[0] == found[1]

@@ -16,7 +16,6 @@ import gradmesh
 reason = inkscape_harness.missing("xdotool", "import")
 pytestmark = pytest.mark.skipif(bool(reason), reason=reason or "nothing is missing")
 
-PEAR = (750, 480)
 #: The picture, where the window is in the upper left corner of the display.
 PICTURE = (0, 0, 820, 860)
 #: The line from the stem down the pear's middle.
@@ -40,9 +39,8 @@ def by_eye(tmp_path, svg):
     with Inkscape() as inkscape:
         inkscape.install(install_extension(tmp_path / "installed"))
         inkscape.set_key("F10", "app.org.gradmesh.simplify-by-eye")
-        with inkscape.window(svg) as window:
+        with inkscape.window(svg, actions=["select-by-id:pear"]) as window:
             window.key("5")
-            window.click(*PEAR)
             window.xdotool("mousemove", *NOWHERE)
             window.open_window("F10", "Simplify by Eye")
             yield window

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import inkscape_harness
 from extension_runs import INKEX, SVG, by_id, extension, refused, run  # noqa: F401
 from in_inkscape import inkscape, needs  # noqa: F401
 from pictures import export
@@ -225,11 +226,14 @@ def test_inkscape_runs_it_and_writes_the_mesh(extension, inkscape, tmp_path):  #
     inkscape.set_values({"org.gradmesh.trace.handles": "40"})
     (tmp_path / "sub").mkdir()
     (tmp_path / "sub" / "soft.png").write_bytes(soft())
-    (tmp_path / "in.svg").write_text(page(image(link="sub/soft.png"), CIRCLE))
+    # After any extension, its own too, 1.4 tells in a dialog that it has found the file of a relative link again.
+    is_linked = inkscape_harness.is_older_than(1, 4)
+    picture = image(link="sub/soft.png") if is_linked else image()
+    (tmp_path / "in.svg").write_text(page(picture, CIRCLE))
     out = tmp_path / "out.svg"
     inkscape.run_extension("org.gradmesh.trace", tmp_path / "in.svg", out, select=["photo", "apple"])
     text = out.read_text()
     (mesh,) = gradmesh.loads(text).meshes
     assert mesh.id == "apple" and mesh.handles <= 40
     link = by_id(text)["photo"].get("{http://www.w3.org/1999/xlink}href")
-    assert link == "sub/soft.png"
+    assert link == "sub/soft.png" if is_linked else link.startswith("data:image/png;")

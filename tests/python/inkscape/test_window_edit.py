@@ -4,6 +4,7 @@ from collections import Counter
 
 import pytest
 
+import inkscape_harness
 from in_inkscape import needs
 from inkscape_harness import WINDOW_PROGRAMS, Inkscape
 
@@ -17,7 +18,7 @@ from pictures import gradmesh, info
 pytestmark = needs(*WINDOW_PROGRAMS)
 
 PAGE = 480 + 600j  # of the sample "fruit"
-MESH_TOOL = (16, 511)
+MESH_TOOL = (16, 511) if inkscape_harness.is_older_than(1, 4) else (13, 532)
 DRAG = 14 + 9j  # pixels on the screen
 ROUNDING = 1e-3  # Inkscape writes eight digits, relative to the point before
 
