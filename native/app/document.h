@@ -242,6 +242,9 @@ class Document {
   /// Returns the content of the document, never compressed: exactly the bytes that were read if
   /// nothing was changed.
   std::string bytes() const { return changed_ ? changed_bytes() : content_; }
+  /// Returns the content for a canvas that shows the document `shown` and takes over what differs
+  /// (formats/svg/gradient/user_units.h). Throws InputError if `shown` cannot be read.
+  virtual std::string bytes_over(std::string_view /*shown*/) const { return bytes(); }
   /// Returns what was found of a document of pages; null if this was none.
   virtual const FoundPages* pages() const { return nullptr; }
   /// Returns the document if it is one of SVG; else null.

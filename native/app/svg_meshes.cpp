@@ -10,6 +10,7 @@
 #include "form/handles.h"
 #include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/gradient/paint_shape.h"
+#include "formats/svg/gradient/user_units.h"
 #include "formats/svg/gradient/written_gradient.h"
 #include "formats/svg/group/memory.h"
 #include "formats/svg/group/mesh_group.h"
@@ -54,6 +55,12 @@ SvgTree& SvgMeshes::changing() {
 const std::string& SvgMeshes::text() const {
   if (!text_) text_ = svg_.serialize();
   return *text_;
+}
+
+std::string SvgMeshes::bytes_over(std::string_view shown) const {
+  const std::string content = bytes();
+  SvgTree tree = SvgTree::parse(content, name());
+  return use_user_units(tree, SvgTree::parse(shown, name())) ? tree.serialize() : content;
 }
 
 bool SvgMeshes::recognises(std::string_view bytes) { return trimmed(bytes).starts_with('<'); }

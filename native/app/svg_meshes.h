@@ -44,6 +44,7 @@ class SvgMeshes : public Document {
   void check_conversion(const Format& to) const override;
   SvgMeshes& as_svg(const Message&) override { return *this; }
   const SvgMeshes* svg() const override { return this; }
+  std::string bytes_over(std::string_view shown) const override;
 
   /// Returns where the shape with this id, or what is seen of the image with this id, and lines to
   /// follow lie on the picture of an image, whose file is `pixels` large (formats/svg/picture/

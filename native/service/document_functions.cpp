@@ -84,7 +84,9 @@ Json write_document(const Call& call) {
 }
 
 Json document_bytes(const Call& call) {
-  const std::string bytes = call.document().bytes();
+  const auto shown = call.get<std::optional<Bytes>>("over");
+  const std::string bytes =
+      shown ? call.document().bytes_over(shown->bytes) : call.document().bytes();
   return Json::binary({bytes.begin(), bytes.end()});
 }
 

@@ -9,7 +9,7 @@ namespace gradmesh {
 class Service {
  public:
   /// The version of the functions. A caller of another version must not call any.
-  static constexpr int version = 4;
+  static constexpr int version = 5;
 
   /// Returns {"result": R}, or {"error": "input", "message": [template, [arguments]]} for an
   /// InputError, or {"error": K, "text": T} where K is "value", "type", "memory", "given up" or

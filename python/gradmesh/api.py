@@ -104,9 +104,13 @@ class Document:
         """A sentence for all that was not read, or not all of it, where the document is the meshes of a PDF."""
         return [refusal(message) for message in self._core.call("left_out")]
 
-    def to_bytes(self) -> bytes:
-        """The document; the bytes that were read where nothing was changed."""
-        return self._core.call("bytes")
+    def to_bytes(self, over: Optional[bytes] = None) -> bytes:
+        """The document; the bytes that were read where nothing was changed.
+
+        over: the SVG document that a program shows, such as Inkscape, which takes over what differs from it: meshes
+        that Inkscape would lose from its canvas by that are in user units then.
+        """
+        return self._core.call("bytes", over=over)
 
     def save(self, path: Path) -> None:
         """Writes the document; the file is whole or as it was before."""

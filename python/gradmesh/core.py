@@ -17,7 +17,7 @@ from .errors import InputError, ended
 from .helper import Helper, find_program, no_program
 
 #: The version of the functions that this package calls.
-PROTOCOL = 4
+PROTOCOL = 5
 #: The name of the environment variable that says what computes: "module" or "helper"; without it,
 #: the module where it loads.
 CHOICE = "GRADMESH_CORE"

@@ -43,7 +43,7 @@ def fake(tmp_path, use):
     """Uses a program whose answers after the greeting are the result of a few lines of Python, in
     which say() and hear() send and read messages."""
 
-    def fake(lines, hello='{"result": {"protocol": 4, "version": "0"}}'):
+    def fake(lines, hello='{"result": {"protocol": 5, "version": "0"}}'):
         program = tmp_path / "program"
         program.write_text(
             f"#!{PYTHON}\n"
@@ -106,7 +106,7 @@ def test_numbers_and_bytes_arrive_as_they_are():
 
 def test_a_greeting_of_another_version(fake):
     fake("", hello='{"result": {"protocol": 99, "version": "9"}}')
-    assert "is of another version than the rest of gradmesh (99, not 4): install" in failure()
+    assert "is of another version than the rest of gradmesh (99, not 5): install" in failure()
 
 
 NO_SENSE, DIED = "answered what makes no sense.", "ended before its work was done."

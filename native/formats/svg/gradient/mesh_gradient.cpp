@@ -80,7 +80,16 @@ bool uses_bounding_box(const HrefChain& chain) {
   return true;
 }
 
-/// Returns the map from the gradient's coordinates to the object's user space.
+}  // namespace
+
+std::vector<const xmlNode*> gradient_chain(const SvgTree& tree, const xmlNode* gradient) {
+  return href_chain(tree, gradient).gradients;
+}
+
+bool uses_bounding_box(const SvgTree& tree, const xmlNode* gradient) {
+  return uses_bounding_box(href_chain(tree, gradient));
+}
+
 Affine gradient_to_user(const SvgTree& tree, const MeshObject& object) {
   Affine to_user;
   if (const auto text = attribute(object.gradient, "gradientTransform")) {
@@ -89,7 +98,7 @@ Affine gradient_to_user(const SvgTree& tree, const MeshObject& object) {
       fail(object.gradient, Message("its gradientTransform {0} is malformed", excerpt(*text)));
     to_user = *transform;
   }
-  if (uses_bounding_box(href_chain(tree, object.gradient))) {
+  if (uses_bounding_box(tree, object.gradient)) {
     const auto box = shape_box(object.node);
     if (!box)
       fail(object.node, Message("its mesh is placed by its bounding box (objectBoundingBox), "
@@ -106,6 +115,8 @@ Affine gradient_to_user(const SvgTree& tree, const MeshObject& object) {
   return to_user;
 }
 
+namespace {
+
 /// Adds a gradient beside the old one, equal to it but for its rows, which the old one may have by
 /// href.
 xmlNode* add_gradient(SvgTree& tree, const MeshObject& object) {
@@ -118,7 +129,7 @@ xmlNode* add_gradient(SvgTree& tree, const MeshObject& object) {
   remove_attribute(gradient, "href");
   remove_attribute(gradient, "href", xlink_namespace);
   set_attribute(gradient, "gradientUnits",
-                uses_bounding_box(href_chain(tree, old)) ? "objectBoundingBox" : "userSpaceOnUse");
+                uses_bounding_box(tree, old) ? "objectBoundingBox" : "userSpaceOnUse");
   return gradient;
 }
 
@@ -271,9 +282,15 @@ MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Me
   xmlNode* gradient = add_gradient(tree, object);
   write_grid(tree, gradient, mesh, coons_tolerance, mesh_to_gradient(tree, object), texts);
   forget_original(object);
-  const char* property = paint_name(object.role);
   const std::string old = attribute(object.gradient, "id").value_or("");
   if (by_origin) gradient = shared(gradient, (*by_origin)[old]);
+  paint_by_gradient(tree, object, gradient);
+  remove_if_unused(tree, old);
+  return {object.node, object.id, object.role, gradient, object.kept, object.left_alone};
+}
+
+void paint_by_gradient(const SvgTree& tree, const MeshObject& object, const xmlNode* gradient) {
+  const char* property = paint_name(object.role);
   const std::string fallback =
       fallback_color(tree.styles().inherited(object.node, property).value_or(""));
   const std::string paint = paint_by(attribute(gradient, "id").value_or(""), fallback);
@@ -281,8 +298,6 @@ MeshObject write_mesh_gradient(SvgTree& tree, const MeshObject& object, const Me
       tree.styles().declared(object.node, property).value_or("inherit") == "inherit";
   set_paint(tree.styles(), object.node, property, paint);
   if (is_inherited) hand_back_paint(tree.styles(), object.node, property, paint);
-  remove_if_unused(tree, old);
-  return {object.node, object.id, object.role, gradient, object.kept, object.left_alone};
 }
 
 }  // namespace gradmesh

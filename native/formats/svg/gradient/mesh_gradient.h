@@ -27,6 +27,11 @@ PatchGrid read_mesh_gradient(const SvgTree& tree, const xmlNode* gradient);
 /// if there is none.
 const xmlNode* rows_holder(const SvgTree& tree, const xmlNode* gradient);
 
+/// Returns the gradient and those that its href leads to, in this order.
+std::vector<const xmlNode*> gradient_chain(const SvgTree& tree, const xmlNode* gradient);
+/// Returns true if the gradient is placed by the bounding box of what it paints.
+bool uses_bounding_box(const SvgTree& tree, const xmlNode* gradient);
+
 /// Returns true if the meshgradient has smooth colours (type="bicubic").
 bool is_smooth(const xmlNode* gradient);
 
@@ -44,6 +49,9 @@ PatchGrid read_mesh_patches(const SvgTree& tree, const MeshObject& object);
 /// as read_mesh does.
 Affine mesh_to_user(const SvgTree& tree, const MeshObject& object);
 Affine mesh_to_gradient(const SvgTree& tree, const MeshObject& object);
+/// Returns the map from the gradient's coordinates to the object's user space. Throws as read_mesh
+/// does.
+Affine gradient_to_user(const SvgTree& tree, const MeshObject& object);
 
 /// Returns the mesh gradients with rows that paint none of the objects, no block and no part of a
 /// text, and that give their rows to no gradient that does. `objects` must be all objects of the
@@ -65,6 +73,10 @@ std::vector<UnusedGradient> unused_gradients(const SvgTree& tree,
 /// Colours that are among `texts` are written as they stand there.
 void write_grid(const SvgTree& tree, xmlNode* gradient, const Mesh& mesh, double coons_tolerance,
                 const Affine& to_gradient, const ColorTexts& texts = {});
+
+/// Lets another mesh gradient paint the object, as its own paint and with the colour for programs
+/// that know no meshes.
+void paint_by_gradient(const SvgTree& tree, const MeshObject& object, const xmlNode* gradient);
 
 /// The gradients that were written, by the id of the one that each was made of.
 using GradientsByOrigin = std::map<std::string, std::vector<xmlNode*>>;

@@ -67,7 +67,7 @@ void replace_paints_in_rules(SvgTree& tree, const std::string& id) {
 
 }  // namespace
 
-bool is_used(const SvgTree& tree, const std::string& id) {
+bool is_used(const SvgTree& tree, const std::string& id, const std::set<const xmlNode*>& except) {
   const StyleSheet& styles = tree.styles();
   const std::vector<std::string> properties =
       styles.properties([&](std::string_view value) { return names_id(value, id); });
@@ -76,6 +76,7 @@ bool is_used(const SvgTree& tree, const std::string& id) {
     const auto follows = [&](const std::string& property) {
       return names_id(styles.declared(node, property).value_or(""), id);
     };
+    if (except.contains(node)) return false;
     // What is not read here may be by another version of Inkscape.
     const bool is_unread = properties.empty() && svg_name(node) == "style" &&
                            refers_to(text_of(node->children, node), id);

@@ -2,6 +2,7 @@
 
 #include <libxml/tree.h>
 
+#include <set>
 #include <string>
 
 #include "formats/svg/tree/svg_tree.h"
@@ -9,7 +10,9 @@
 namespace gradmesh {
 
 /// Returns true if an attribute of the document names this id, or a rule that some element follows.
-bool is_used(const SvgTree& tree, const std::string& id);
+/// The elements of `except` do not count.
+bool is_used(const SvgTree& tree, const std::string& id,
+             const std::set<const xmlNode*>& except = {});
 
 /// Removes an element that no element uses. Rules that name it, which none follows, get the colour
 /// that stands in for it: nothing names what is gone.
