@@ -99,11 +99,14 @@ class Gradmesh:
 class _GradmeshDocument(Gradmesh):
     """Reads the document with gradmesh, too; its meshes are in `meshes`."""
 
+    #: The document as Inkscape has it on its canvas.
+    shown = None
     #: How many meshes were left out as they are locked or hidden.
     left_out = 0
 
     def load(self, stream):
         data = getattr(stream, "buffer", stream).read()
+        self.shown = data
         self.load_meshes(data)
         return super().load(io.BytesIO(data))
 
@@ -226,8 +229,8 @@ class GradmeshEffect(_GradmeshDocument, EffectExtension):
     """An effect on gradient meshes of the document."""
 
     def take_over(self):
-        """Makes what gradmesh made of the document the document."""
-        self.document = load_svg(self.meshes.to_bytes())
+        """Makes what gradmesh made of the document that Inkscape shows the document."""
+        self.document = load_svg(self.meshes.to_bytes(over=self.shown))
 
 
 class GradmeshOutput(_GradmeshDocument, OutputExtension):
