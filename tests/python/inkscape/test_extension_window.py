@@ -20,7 +20,8 @@ PEAR, STEM = ((502, 640), (520, 240)) if IS_1_4 else ((750, 480), (710, 210))
 SUBMENU, SIMPLIFY = ((440, 262), (779, 414)) if IS_1_4 else ((460, 238), (779, 390))
 SIMPLIFY_TAB, MORE_TAB = (58, 30), (134, 30)
 HOW_MUCH, STRONG, ONLY_SAY, APPLY, CLOSE = (240, 115), (230, 175), (35, 453), (585, 548), (495, 548)
-DIALOG, STATUS = (0, 0, 630, 560), (520, 970, 1060, 1000)
+# 1.4 paints the lowest row of the status line another way after an extension.
+DIALOG, STATUS = (0, 0, 630, 560), (520, 970, 1060, 988 if IS_1_4 else 1000)
 # After any extension 1.4 paints the radial gradient around the pear in its last colour.
 CANVAS = (420, 570, 650, 720) if IS_1_4 else (640, 140, 1370, 900)
 TOLD = (560, 884, 840, 924)
