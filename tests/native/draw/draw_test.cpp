@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string_view>
 
 #include "draw/backdrop.h"
 #include "draw/heat_scale.h"
@@ -29,14 +30,14 @@ Mesh mesh_with_junction() {
   return mesh;
 }
 
-const Layer& layer(const Drawing& drawing, const std::string& name) {
+const Layer& layer(const Drawing& drawing, std::string_view name) {
   const auto found = std::ranges::find(drawing.layers, name, &Layer::name);
   EXPECT_NE(found, drawing.layers.end()) << name;
   return *found;
 }
 
 /// It would not outlive the drawing.
-const Layer& layer(const Drawing&& drawing, const std::string& name) = delete;
+const Layer& layer(const Drawing&& drawing, std::string_view name) = delete;
 
 bool says(const Drawing& drawing, const std::string& text) {
   return std::ranges::any_of(layer(drawing, "Legend").labels,

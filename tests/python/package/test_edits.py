@@ -325,7 +325,7 @@ def test_one_color_for_all_patches_leaves_one_mesh_gradient():
     assert document.to_bytes().count(b"#102030") == 1
 
 
-@pytest.mark.parametrize("color", ["taste", "", "#12", "rgba(1, 2, 3, 1)"])
+@pytest.mark.parametrize("color", ["taste", "", "#12", "rgba(1, 2, 3, .5)"])
 def test_what_is_no_color_is_a_value_error(color):
     document = gradmesh.loads(grid(2, 2), "grid.hemesh")
     with pytest.raises(ValueError, match="is no colour"):
