@@ -19,7 +19,9 @@ struct Span {
   int parameters;
 };
 
-layout(std430, binding = 1) readonly buffer Patches { Patch patches[]; };
+// Not `readonly`: of such a buffer Mesa 25's llvmpipe takes what a loop has loaded again after it,
+// also for the threads that had left the loop before, which get 0.
+layout(std430, binding = 1) buffer Patches { Patch patches[]; };
 layout(std430, binding = 2) readonly buffer Spans { Span spans[]; };
 // Pairs of u and v, u below 0 where a pixel is not covered.
 layout(std430, binding = 3) readonly buffer Parameters { vec2 parameters[]; };
