@@ -25,9 +25,10 @@ std::unique_ptr<Editing> edit_by_eye(const Document& document, const MeshEntry& 
 MeshReport write_shown(Document& document, const Editing& editing, const WriteOptions& writing) {
   const Session& session = editing.session;
   Candidate shown = session.is_unchanged() ? session.problem().unchanged() : session.now();
-  return write_states(document,
-                      {{editing.entry, session.problem(), session.form(), std::move(shown)}},
-                      writing)
+  return write_states(
+             document,
+             {{editing.entry, session.problem_as_written(), session.form(), std::move(shown)}},
+             writing)
       .front();
 }
 

@@ -221,7 +221,7 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   options.analysis = nullptr;
   const Problem problem = document.naming(entry, [&] {
     Problem made = problem_of(mesh, options);
-    if (made.original()->mesh()) return made;
+    if (!made.original()->is_picture()) return made;
     const Bounds asked_for = made.bounds;
     // The bound of edits, which would be that of a mesh that is its own original.
     made.bounds.local.reset();

@@ -85,6 +85,16 @@ Problem Problem::with_mesh(std::shared_ptr<const Mesh> mesh) const {
   return copy;
 }
 
+Problem Problem::with_original(std::shared_ptr<const Original> original) const {
+  if (original == this->original()) return *this;
+  Problem copy = *this;
+  const Shared& s = *shared_;
+  copy.shared_ = std::make_shared<Shared>(
+      Shared{s.mesh, std::move(original), s.layout, s.resolution, s.metric, s.frame, {}, {}});
+  copy.own_local_bound_ = nullptr;
+  return copy;
+}
+
 Problem Problem::weighted(std::vector<WeightedArea> areas) const {
   Problem copy = *this;
   const Shared& s = *shared_;
@@ -105,12 +115,13 @@ Problem Problem::within(const Bounds& other) const {
   if (!other.local) return copy;
   const Plane& map = start().state()->map;
   copy.own_local_bound_ = std::make_shared<const LocalBound>(
-      original()->mesh() ? LocalBound(*other.local, map) : LocalBound::beyond(*other.local, map));
+      original()->is_picture() ? LocalBound::beyond(*other.local, map)
+                               : LocalBound(*other.local, map));
   return copy;
 }
 
 Bounds Problem::beyond_start(Bounds allowed) const {
-  if (original()->mesh()) return allowed;
+  if (!original()->is_picture()) return allowed;
   const bool masks = rules && rules->may_mask_opacity();
   const FrameError start =
       MeasuredSurface(*reference(), mesh(), masks, nullptr, allowed.detail.has_value()).error();

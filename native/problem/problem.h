@@ -105,6 +105,9 @@ class Problem {
   /// Returns a problem with another mesh in the place of the mesh, such as one that has come of it
   /// or differs in what is fixed. It has prices of its own.
   Problem with_mesh(std::shared_ptr<const Mesh> mesh) const;
+  /// Returns a problem with another picture that counts, in the same frame. It has prices of its
+  /// own.
+  Problem with_original(std::shared_ptr<const Original> original) const;
   /// Returns a problem in whose picture the errors of some places count more or less, as of
   /// Layout::weighted. It has prices of its own.
   Problem weighted(std::vector<WeightedArea> areas) const;

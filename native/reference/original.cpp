@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesh/mesh_hash.h"
+#include "raster/seen_areas.h"
 #include "reference/paint_picture.h"
 
 namespace gradmesh {
@@ -72,10 +73,56 @@ class OriginalPicture final : public Original {
       for (int i = 0; i < 2; ++i) hash.add(v[i]);
     return hash.value();
   }
+  bool is_picture() const override { return true; }
 
  private:
   const RgbaImage picture_;
   const Affine to_units_;
+};
+
+class OriginalWithAreas final : public Original {
+ public:
+  OriginalWithAreas(std::shared_ptr<const Original> base, std::shared_ptr<const Mesh> mesh,
+                    const std::vector<FilledOutline>& areas)
+      : base_(std::move(base)), mesh_(original_of(std::move(mesh))) {
+    for (const FilledOutline& area : areas) areas_.push_back({area, {}});
+  }
+
+  Frame frame(const Affine& view, int resolution, const FramePadding& padding) const override {
+    return base_->frame(view, resolution, padding);
+  }
+  void paint(const Frame& frame, Painting& painting) const override {
+    base_->paint(frame, painting);
+    Painting other(painting.window());
+    mesh_->paint(frame, other);
+    const std::vector<int> seen = seen_areas(areas_, frame);
+    const auto [x0, y0, x1, y1] = painting.window();
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x)
+        if (seen[std::size_t(y) * std::size_t(frame.width) + std::size_t(x)] >= 0)
+          copy(other, {x, y, x + 1, y + 1}, painting);
+  }
+  bool is_translucent() const override {
+    return base_->is_translucent() || mesh_->is_translucent();
+  }
+  /// A border that was edited lies elsewhere than that of the base; another one hardly does.
+  OutlinePoints outlines(const Frame& frame) const override { return mesh_->outlines(frame); }
+  std::uint64_t hash() const override {
+    Hash hash;
+    hash.add(base_->hash());
+    hash.add(mesh_->hash());
+    for (const FlatArea& area : areas_)
+      for (const std::vector<glm::dvec2>& polygon : area.area.outline)
+        for (const glm::dvec2 point : polygon)
+          for (int i = 0; i < 2; ++i) hash.add(point[i]);
+    return hash.value();
+  }
+  bool is_picture() const override { return base_->is_picture(); }
+
+ private:
+  const std::shared_ptr<const Original> base_, mesh_;
+  /// Without colours.
+  std::vector<FlatArea> areas_;
 };
 
 }  // namespace
@@ -92,6 +139,12 @@ std::shared_ptr<const Original> original_of(std::shared_ptr<const Mesh> mesh) {
 
 std::shared_ptr<const Original> original_of(RgbaImage picture, const Affine& to_units) {
   return std::make_shared<OriginalPicture>(std::move(picture), to_units);
+}
+
+std::shared_ptr<const Original> with_areas(std::shared_ptr<const Original> base,
+                                           std::shared_ptr<const Mesh> mesh,
+                                           const std::vector<FilledOutline>& areas) {
+  return std::make_shared<OriginalWithAreas>(std::move(base), std::move(mesh), areas);
 }
 
 }  // namespace gradmesh

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
+#include "geom/outline.h"
 #include "mesh/mesh.h"
 #include "raster/frame.h"
 #include "raster/painting.h"
@@ -31,6 +33,8 @@ class Original {
   virtual std::uint64_t hash() const = 0;
   /// Returns the mesh whose picture the original is; null if it is no mesh.
   virtual std::shared_ptr<const Mesh> mesh() const { return nullptr; }
+  /// Returns true if the original is a picture, from which a mesh differs at first.
+  virtual bool is_picture() const { return false; }
 
   /// Paints the whole frame.
   Painting painted(const Frame& frame) const;
@@ -43,5 +47,11 @@ std::shared_ptr<const Original> original_of(std::shared_ptr<const Mesh> mesh);
 /// `to_units` maps its pixels, of which (x, y) has its centre at (x + 0.5, y + 0.5), to the units
 /// of the meshes. Throws std::invalid_argument if the picture has no pixels or the map no inverse.
 std::shared_ptr<const Original> original_of(RgbaImage picture, const Affine& to_units);
+
+/// Returns the original that is another one, but has the picture of a mesh in some areas, which are
+/// in the units of the meshes.
+std::shared_ptr<const Original> with_areas(std::shared_ptr<const Original> base,
+                                           std::shared_ptr<const Mesh> mesh,
+                                           const std::vector<FilledOutline>& areas);
 
 }  // namespace gradmesh

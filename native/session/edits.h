@@ -22,6 +22,8 @@ struct MadeEdit {
   std::vector<Halfedge> gone = {}, come = {};
   /// The patch that others were merged to; invalid if there is none.
   Face merged = {};
+  /// True if the picture is to be another one.
+  bool redraws = false;
 };
 
 /// Throws InputError if the mesh is smooth: the colours of its patches follow from those around.

@@ -1,11 +1,14 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "form/blocks.h"
+#include "form/smooth_colors.h"
 #include "mesh/face_outline.h"
 #include "mesh/faces_under.h"
 #include "mesh/rectangle.h"
@@ -49,6 +52,34 @@ std::vector<Face> faces_there(const Mesh& mesh, const std::vector<Face>& faces, 
   return all;
 }
 
+/// Returns a mesh as it is painted.
+Mesh with_own_colors(const Mesh& mesh) { return mesh.is_smooth() ? painted_mesh(mesh) : mesh; }
+
+/// Returns the outlines of the patches of each of two meshes that the other one has not.
+std::vector<FilledOutline> where_they_differ(const Mesh& one, const Mesh& other) {
+  const auto bytes_of = [](const Patch& patch) {
+    return std::string(reinterpret_cast<const char*>(&patch), sizeof patch);
+  };
+  std::vector<FilledOutline> areas;
+  const auto add_those_without = [&](const Mesh& mesh, const Mesh& there) {
+    std::set<std::string> known;
+    for (const Face face : there.faces()) known.insert(bytes_of(there.patch(face)));
+    for (const Face face : mesh.faces())
+      if (!known.contains(bytes_of(mesh.patch(face)))) areas.push_back(face_outline(mesh, face));
+  };
+  add_those_without(one, other);
+  add_those_without(other, one);
+  return areas;
+}
+
+/// Returns the mesh of a problem, measured as it is, since it need not be written anew.
+Candidate as_it_is(const Problem& problem) {
+  Candidate found = problem.unchanged();
+  found.measured =
+      std::make_shared<MeasuredSurface>(*problem.reference(), found.mesh, false, nullptr);
+  return found;
+}
+
 /// Ends a search, which is kept among others until it has ended.
 template <class Search>
 void retire(std::unique_ptr<Search>& search, std::vector<std::unique_ptr<Search>>& old) {
@@ -61,18 +92,21 @@ void retire(std::unique_ptr<Search>& search, std::vector<std::unique_ptr<Search>
 }  // namespace
 
 Session::Session(const Problem& problem)
-    : problem_(prepared(problem)),
+    : document_(prepared(problem)),
+      problem_(document_),
       kinds_(curve_kinds(problem_)),
       curves_(std::make_unique<CurveSearch>(problem_)) {
   const CurveKind otherwise =
       problem_.mesh().is_smooth() ? CurveKind::one_gradient : CurveKind::blocks;
-  const CurveKind form = kinds_.empty() ? otherwise : kinds_.front();
-  start_ = now_ = measured(problem_.mesh(), form);
+  form_in_document_ = kinds_.empty() ? otherwise : kinds_.front();
+  start_ = now_ = as_it_is(document_);
+  const auto basis = std::make_shared<const Basis>(
+      Basis{std::make_shared<const Mesh>(problem_.mesh()), problem_.original()});
   place_ =
-      kept_place_ = {form, 0, std::make_shared<const Mesh>(problem_.mesh()),
+      kept_place_ = {form_in_document_, 0, basis, basis,
                      std::make_shared<const std::vector<WeightedArea>>(problem_.layout().weighted)};
   kept_ = now_.mesh;
-  if (!kinds_.empty()) curves_->want(form);
+  if (!kinds_.empty()) curves_->want(form_in_document_);
 }
 
 Session::~Session() {
@@ -83,20 +117,14 @@ Session::~Session() {
 
 bool Session::is_as_it_is(const Mesh& mesh, CurveKind form) const {
   // In another form it would be written as something else.
-  return mesh == problem_.mesh() && (kinds_.empty() || form == kinds_.front());
+  return problem_.original() == document_.original() && mesh == problem_.mesh() &&
+         form == form_in_document_;
 }
 
 bool Session::is_unchanged() const { return is_as_it_is(now_.mesh, place_.form); }
 
-Candidate Session::as_it_is() const {
-  Candidate found = problem_.unchanged();
-  found.measured =
-      std::make_shared<MeasuredSurface>(*problem_.reference(), found.mesh, false, nullptr);
-  return found;
-}
-
 Candidate Session::measured(const Mesh& mesh, CurveKind form) const {
-  if (is_as_it_is(mesh, form)) return as_it_is();
+  if (is_as_it_is(mesh, form)) return as_it_is(problem_);
   const bool is_near = now_.measured && place_.form == form;
   Candidate found = problem_as(form).measure(mesh, is_near ? &now_ : nullptr);
   check_sizes(found.surface());
@@ -130,10 +158,12 @@ void Session::show(CurveKind kind, int state, bool moves_on) {
   const auto found = curves_->found(kind);
   if (!found || state < 0 || std::size_t(state) >= found->curve.states.size())
     throw std::invalid_argument("the curve has no state " + std::to_string(state) + " yet.");
-  const Mesh& mesh = *found->curve.states[std::size_t(state)].mesh;
+  const Mesh mesh = *found->curve.states[std::size_t(state)].mesh;
+  Place place = place_as(kind, state);
+  place.basis = place.next;
+  start_from(place);
   set_now(measured(mesh, kind));
-  place_.form = kind;
-  place_.state = state;
+  place_ = place;
   if (!moves_on) take_down(Message("Move along the curve"));
 }
 
@@ -145,7 +175,7 @@ void Session::set_form(CurveKind form) {
         "the mesh is no grid of whole rows and columns, so it cannot be one gradient.");
   if (form == CurveKind::one_gradient && !has_one_color_at_each_point(now_.mesh))
     throw InputError("colours are sharp at a point, so the mesh cannot be one gradient.");
-  become(measured(now_.mesh, form), place_as(form, now_.mesh == *place_.start ? 0 : -1),
+  become(measured(now_.mesh, form), place_as(form, is_start_of_curve(now_.mesh) ? 0 : -1),
          form == CurveKind::blocks ? Message("Make it blocks") : Message("Make it one gradient"));
 }
 
@@ -204,7 +234,9 @@ bool Session::make() {
     Candidate better = measured(fitted(written.mesh, false, {made.merged}, problem_), form);
     if (better.error < written.error) written = std::move(better);
   }
-  become(std::move(written), place_as(form, -1), made.name);
+  const Place place = place_after(written.mesh, form, made.redraws);
+  start_from(place);
+  become(std::move(written), place, made.name);
   return true;
 }
 
@@ -212,8 +244,22 @@ void Session::fit() {
   std::vector<Face> faces;
   for (const Face face : now_.mesh.faces()) faces.push_back(face);
   Candidate found = measured(fitted(now_.mesh, is_gradient(), faces, problem_), place_.form);
-  if (found.error < now_.error)
-    become(std::move(found), place_as(place_.form, -1), Message("Fit to the picture"));
+  if (!(found.error < now_.error)) return;
+  const Place place = place_after(found.mesh, place_.form, false);
+  start_from(place);
+  become(std::move(found), place, Message("Fit to the picture"));
+}
+
+Session::Place Session::place_after(const Mesh& edited, CurveKind form, bool is_redrawn) const {
+  Basis next = *place_.next;
+  next.start = std::make_shared<const Mesh>(edited);
+  for (FilledOutline& area : where_they_differ(with_own_colors(now_.mesh), with_own_colors(edited)))
+    next.by_hand.push_back(std::move(area));
+  next.original = with_areas(document_.original(), next.start, next.by_hand);
+  next.is_redrawn = next.is_redrawn || is_redrawn;
+  Place place = place_as(form, -1);
+  place.next = std::make_shared<const Basis>(std::move(next));
+  return place;
 }
 
 void Session::become(Candidate written, Place place, const Message& name) {
@@ -223,8 +269,8 @@ void Session::become(Candidate written, Place place, const Message& name) {
 }
 
 void Session::take_down(const Message& name) {
-  if (kept_ == now_.mesh && kept_place_.form == place_.form && kept_place_.start == place_.start &&
-      kept_place_.weighted == place_.weighted) {
+  if (kept_ == now_.mesh && kept_place_.form == place_.form && kept_place_.basis == place_.basis &&
+      kept_place_.next == place_.next && kept_place_.weighted == place_.weighted) {
     kept_place_ = place_;
     return;
   }
@@ -259,17 +305,29 @@ void Session::show_kept() {
 
 void Session::start_from(const Place& place) {
   const bool has_other_weights = place.weighted != place_.weighted;
-  if (*place.start == problem_.mesh() && !has_other_weights) return;
+  if (has_other_weights) {
+    problem_ = document_ = prepared(document_.weighted(*place.weighted));
+    start_ = as_it_is(document_);
+  }
+  if (has_other_weights || place.basis != place_.basis) {
+    // What was measured against another picture, or by other weights, helps no more.
+    if (has_other_weights || place.basis->original != place_.basis->original)
+      now_.measured = nullptr;
+    problem_ = prepared(problem_on(*place.basis));
+  }
+  if (!has_other_weights && place.next == place_.next) return;
   retire(curves_, old_curves_);
-  if (has_other_weights) problem_ = problem_.weighted(*place.weighted);
-  problem_ = prepared(problem_.with_mesh(place.start));
-  kinds_ = curve_kinds(problem_);
-  curves_ = std::make_unique<CurveSearch>(problem_);
-  if (std::ranges::find(kinds_, place_.form) != kinds_.end()) curves_->want(place_.form);
-  if (!has_other_weights) return;
-  start_ = as_it_is();
-  // It was measured by other weights.
-  now_.measured = nullptr;
+  // Its own where it is another one, which is then painted in the background.
+  const Problem next = place.next == place.basis ? problem_ : problem_on(*place.next);
+  kinds_ = curve_kinds(next);
+  curves_ = std::make_unique<CurveSearch>(next);
+  if (std::ranges::find(kinds_, place.form) != kinds_.end()) curves_->want(place.form);
+}
+
+Problem Session::problem_on(const Basis& basis) const {
+  const bool has_its_picture = basis.original == problem_.original();
+  return (has_its_picture ? problem_ : document_.with_original(basis.original))
+      .with_mesh(basis.start);
 }
 
 void Session::protect(const std::vector<Face>& faces, bool is_protected) {
@@ -288,7 +346,7 @@ void Session::protect_others(const std::vector<Face>& faces) {
 
 void Session::set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released,
                             const Message& name) {
-  Mesh mesh = now_.mesh, start = *place_.start;
+  Mesh mesh = now_.mesh, start = *place_.next->start;
   const std::vector<Face> fixed_there = faces_there(mesh, fixed, start);
   const std::vector<Face> released_there = faces_there(mesh, released, start);
   Journal journal(mesh), journal_there(start);
@@ -297,9 +355,12 @@ void Session::set_protected(const std::vector<Face>& fixed, const std::vector<Fa
   // What lies under both stays as it is.
   set_fixed(journal_there, released_there, false);
   set_fixed(journal_there, fixed_there, true);
-  const bool was_start = now_.mesh == *place_.start;
-  Place place = place_as(place_.form, was_start ? 0 : -1);
-  place.start = std::make_shared<const Mesh>(std::move(start));
+  Place place = place_as(place_.form, is_start_of_curve(now_.mesh) ? 0 : -1);
+  Basis next = *place.next;
+  next.start = std::make_shared<const Mesh>(std::move(start));
+  const bool is_one = place.basis == place.next;
+  place.next = std::make_shared<const Basis>(std::move(next));
+  if (is_one) place.basis = place.next;
   start_from(place);
   become(measured(mesh, place.form), place, name);
 }
@@ -313,7 +374,7 @@ void Session::weigh(const std::vector<Face>& faces, double factor) {
   areas.push_back({{}, factor});
   for (const Face face : faces) areas.back().shapes.push_back(face_outline(now_.mesh, face));
   // States of the curve by these weights have other meshes.
-  Place place = place_as(place_.form, now_.mesh == *place_.start ? 0 : -1);
+  Place place = place_as(place_.form, is_start_of_curve(now_.mesh) ? 0 : -1);
   place.weighted = std::make_shared<const std::vector<WeightedArea>>(std::move(areas));
   start_from(place);
   become(measured(now_.mesh, place.form), place, Message("Let errors count otherwise"));

@@ -28,8 +28,14 @@ class Session {
   /// Waits until all searches have ended.
   ~Session();
 
-  /// Returns the problem, whose mesh has what is protected.
+  /// Returns the problem by which the mesh that is shown is measured.
   const Problem& problem() const { return problem_; }
+  /// Returns the problem as whose outcome the mesh is written: of the mesh as its document has it,
+  /// whose picture counts later, too, unless a person has drawn something else.
+  Problem problem_as_written() const {
+    return document_.with_original(place_.next->is_redrawn ? place_.next->original
+                                                           : document_.original());
+  }
   /// Returns the kinds of curves that the mesh has.
   const std::vector<CurveKind>& kinds() const { return kinds_; }
   CurveSearch& curves() { return *curves_; }
@@ -45,6 +51,8 @@ class Session {
   /// Returns the mesh as its document has it now.
   const Candidate& start() const { return start_; }
   bool is_unchanged() const;
+  /// Returns true if what is shown has come of edits by hand, of whatever states since.
+  bool is_made_by_hand() const { return !place_.next->by_hand.empty(); }
   /// Returns at most that many places where details differ most, in mesh units (worst_places).
   std::vector<WorstPlace> worst_places(int most) const;
   /// Returns the patches of the mesh that is shown with these numbers. Throws InputError if one has
@@ -60,8 +68,9 @@ class Session {
   }
 
   // --- the curve ---
-  /// Shows a state of a curve. As long as `moves_on` is true, nothing of it is taken down to be
-  /// taken back. Throws std::invalid_argument if there is no such state.
+  /// Shows a state of a curve, which is that of the mesh as it was edited by hand last: what was
+  /// made there is from then on what counts. As long as `moves_on` is true, nothing of it is taken
+  /// down to be taken back. Throws std::invalid_argument if there is no such state.
   void show(CurveKind kind, int state, bool moves_on);
 
   // --- by hand ---
@@ -125,12 +134,23 @@ class Session {
   std::size_t history_bytes() const;
 
  private:
+  /// What states are made of, and measured against.
+  struct Basis {
+    /// The mesh as it was at first or as it was edited by hand last, with what is protected of it.
+    std::shared_ptr<const Mesh> start;
+    /// The picture at first, but as it was edited in the areas that were.
+    std::shared_ptr<const Original> original;
+    std::vector<FilledOutline> by_hand = {};
+    /// True if an edit was there to change the picture.
+    bool is_redrawn = false;
+  };
   /// What is shown beside the mesh itself.
   struct Place {
     CurveKind form;
     int state;
-    /// The mesh as it was at first, with what is protected of it.
-    std::shared_ptr<const Mesh> start;
+    /// By what the mesh is measured, and of what the curve is. What is edited by hand is measured
+    /// against the picture as it was, until a state of its curve is shown.
+    std::shared_ptr<const Basis> basis, next;
     /// Where errors count more or less.
     std::shared_ptr<const std::vector<WeightedArea>> weighted;
   };
@@ -144,11 +164,12 @@ class Session {
     return form == CurveKind::blocks ? problem_ : problem_.as_gradient();
   }
   Place place_as(CurveKind form, int state) const {
-    return {form, state, place_.start, place_.weighted};
+    return {form, state, place_.basis, place_.next, place_.weighted};
   }
+  bool is_start_of_curve(const Mesh& mesh) const { return mesh == *place_.next->start; }
+  /// Returns the place after an edit by hand, which has made a mesh of the one that is shown.
+  Place place_after(const Mesh& edited, CurveKind form, bool is_redrawn) const;
   Candidate measured(const Mesh& mesh, CurveKind form) const;
-  /// Returns the mesh as it is in its document, which need not be written anew.
-  Candidate as_it_is() const;
   bool is_as_it_is(const Mesh& mesh, CurveKind form) const;
   void set_now(Candidate written);
   bool is_gradient() const { return place_.form == CurveKind::one_gradient; }
@@ -161,10 +182,16 @@ class Session {
   void show_kept();
   void set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released,
                      const Message& name);
-  /// Looks for curves of the mesh and by the weights of that place from now on.
+  /// Measures and looks for curves as that place says from now on.
   void start_from(const Place& place);
+  /// Returns the problem of a basis, with the weights of `document_`.
+  Problem problem_on(const Basis& basis) const;
 
+  /// Of the mesh as its document has it.
+  Problem document_;
   Problem problem_;
+  /// What the mesh is in its document.
+  CurveKind form_in_document_;
   std::vector<CurveKind> kinds_;
   std::unique_ptr<CurveSearch> curves_;
   Candidate start_, now_;

@@ -111,6 +111,7 @@ MadeEdit moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem&
       is_point ? plain.curves_at(grip.point) : std::vector{grip.curve};
   MadeEdit made{mesh, is_point ? Message("Move a point") : Message("Move a handle"), curves,
                 curves};
+  made.redraws = true;
   Journal journal(made.mesh);
   journal.begin();
   if (is_point) {
@@ -133,6 +134,7 @@ MadeEdit recolored(const Mesh& mesh, const Pointed& pointed, const glm::dvec3& c
   check_can_recolor(mesh, corners);
   MadeEdit made{mesh, is_sharp ? Message("Set the colour of a corner")
                                : Message("Set the colour of a point")};
+  made.redraws = true;
   Journal journal(made.mesh);
   for (const Halfedge corner : corners) recolor(journal, corner, {color, mesh[corner].color.a});
   return made;
@@ -142,6 +144,7 @@ MadeEdit joined(const Mesh& mesh, const Pointed& pointed) {
   const std::vector<Halfedge> corners = corners_of(mesh, pointed, false);
   check_can_recolor(mesh, corners);
   MadeEdit made{mesh, Message("Join the colours of a point")};
+  made.redraws = true;
   Journal journal(made.mesh);
   join_colors(journal, mesh.origin(pointed.corner));
   if (made.mesh == mesh) throw InputError("this point has one colour already.");

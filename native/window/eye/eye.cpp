@@ -46,7 +46,7 @@ bool Eye::has_hand_work() const {
   return std::ranges::any_of(open_ones_, [](const auto& one) {
     if (!one) return false;
     const Session& session = one->session;
-    return session.state() < 0 || session.problem().frame().weights ||
+    return session.state() < 0 || session.is_made_by_hand() || session.problem().frame().weights ||
            session.now().mesh.has_fixed_faces();
   });
 }
@@ -134,6 +134,8 @@ void Eye::step(int by) {
   const auto found = curve();
   if (!found) return;
   const std::vector<CurveState>& states = found->curve.states;
+  // What was made by hand is where its own curve begins.
+  if (session().now().mesh == *states.front().mesh) return slide(by);
   const int handles = session().now().counts().handles;
   const auto closest = std::ranges::min_element(states, {}, [&](const CurveState& state) {
     return std::abs(state.counts.handles - handles);

@@ -75,7 +75,9 @@ void show_slider(const Panel& panel) {
     const std::string words = panel.ui.said(
         found && found->failure       ? *found->failure
         : found && found->is_complete ? Message("There is nothing that could be taken out.")
-                                      : Message("Simpler meshes are looked for …"));
+        : eye.session().is_made_by_hand()
+            ? Message("Simpler meshes are looked for, of the mesh as you made it …")
+            : Message("Simpler meshes are looked for …"));
     list.AddText(ImGui::GetFont(), em, low, color(ImGuiCol_TextDisabled), words.c_str(), nullptr,
                  size.x - 2 * margin);
     return;
@@ -117,6 +119,8 @@ void show_curve(const Panel& panel) {
   show_forms(panel);
   show_slider(panel);
   show_amounts(panel);
+  if (panel.eye.session().is_made_by_hand())
+    panel.ui.text(panel.ui.said(Message("What was made by hand stays.")));
   panel.ui.check(Message("By patches"), Message("Draw the curve by patches, not by handles"),
                  panel.eye.looks.by_patches);
 }

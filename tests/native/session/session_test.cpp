@@ -4,14 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <random>
 
 #include "any_deeds.h"
 #include "base/error.h"
 #include "mesh/rectangle.h"
 #include "mesh/validate.h"
+#include "raster/painter.h"
 #include "sessions.h"
 #include "simplify/curve.h"
+#include "trial/measured_surface.h"
 
 namespace gradmesh {
 namespace {
@@ -174,6 +178,102 @@ TEST(Session, any_sequence_ends_in_sound_meshes_and_can_be_taken_back) {
     }
     ASSERT_EQ(deeds.broken_by_going_back(), "") << "seed " << seed;
   }
+}
+
+/// Returns the state of the curve that is that of an amount.
+int state_of(Session& session, const std::string& amount) {
+  const Curve& curve = found(session, session.form());
+  for (const Curve::Mark& mark : curve.marks)
+    if (mark.amount == amount) return mark.state;
+  ADD_FAILURE() << "there is no mark for " << amount;
+  return 0;
+}
+
+/// Returns the colour of the mesh that is shown at the pixel of the problem's frame.
+std::array<std::uint8_t, 3> shown_at(const Session& session, glm::dvec2 place) {
+  const Frame& frame = session.problem().frame();
+  const glm::dvec2 pixel = frame.to_pixels.point(place);
+  return paint_whole(session.now().surface(), frame).image.pixel(int(pixel.x), int(pixel.y));
+}
+
+int levels_apart(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 3>& b) {
+  int most = 0;
+  for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(int(a[c]) - int(b[c])));
+  return most;
+}
+
+TEST(Session, a_state_keeps_a_colour_that_was_set_by_hand) {
+  for (const CurveKind form : {CurveKind::one_gradient, CurveKind::blocks})
+    for (const bool is_simple_before : {false, true}) {
+      Session session(problem_for(mesh_for(2)));
+      session.set_form(form);
+      if (is_simple_before) session.show(form, state_of(session, "balanced"), false);
+      const Mesh& mesh = session.now().mesh;
+      const Halfedge corner = mesh.sides(Face{0})[2];
+      const glm::dvec2 place = mesh[mesh.origin(corner)].position;
+      const auto before = shown_at(session, place);
+      session.propose_color(Pointed{.face = Face{0}, .corner = corner}, {0, 1, 0}, false);
+      ASSERT_TRUE(session.make());
+      const auto green = shown_at(session, place);
+      ASSERT_GT(levels_apart(before, green), 60);
+      const double error = session.now().error;
+      EXPECT_GT(error, 0) << "it is measured against the picture as it was";
+      session.show(form, state_of(session, "balanced"), false);
+      EXPECT_LT(levels_apart(shown_at(session, place), green), 12);
+      EXPECT_LT(session.now().error, error) << "what was set by hand is what counts";
+      session.undo();
+      EXPECT_EQ(shown_at(session, place), green);
+      EXPECT_EQ(session.now().error, error);
+      session.undo();
+      EXPECT_EQ(shown_at(session, place), before);
+      EXPECT_FALSE(session.is_made_by_hand());
+    }
+}
+
+TEST(Session, a_state_keeps_a_point_that_was_moved_by_hand) {
+  Session session(problem_for(mesh_for(2)));
+  const Mesh& mesh = session.now().mesh;
+  const Halfedge corner = mesh.sides(Face{6})[2];
+  const Point point = mesh.origin(corner);
+  const glm::dvec2 place = mesh[point].position;
+  session.propose_move(Grip{.point = point},
+                       place + 0.3 * (mesh.curve_of(corner).at(1).position - place));
+  ASSERT_TRUE(session.make());
+  const Mesh edited = session.now().mesh;
+  session.show(session.form(), state_of(session, "strong"), false);
+  EXPECT_LT(session.now().counts().handles, counts_of(edited).handles);
+  // Against the mesh as it was edited, not against that with the point where it was.
+  const auto away_from = [&](const Mesh& original) {
+    const Reference reference(original, session.problem().frame(), MetricKind::flip);
+    return MeasuredSurface(reference, session.now().surface(), false, nullptr).error().mean;
+  };
+  EXPECT_LT(away_from(edited), away_from(session.start().mesh));
+  EXPECT_NEAR(away_from(edited), session.now().error, 0.01);
+}
+
+TEST(Session, a_state_is_made_of_the_mesh_without_the_line_that_was_taken_out) {
+  Session session(problem_for(mesh_for(3)));
+  session.propose(*point(session, middle, anywhere), HandEdit::merge);
+  session.make();
+  const Mesh edited = session.now().mesh;
+  const Curve& curve = found(session, CurveKind::one_gradient);
+  EXPECT_EQ(*curve.states.front().mesh, edited);
+  session.show(CurveKind::one_gradient, 0, false);
+  EXPECT_EQ(session.now().mesh, edited);
+  EXPECT_FALSE(session.is_unchanged());
+  EXPECT_TRUE(session.problem_as_written().original()->mesh()) << "nothing was drawn anew";
+}
+
+TEST(Session, what_is_drawn_anew_is_the_original_of_later_runs) {
+  Session session(problem_for(mesh_for(2)));
+  const Mesh& mesh = session.now().mesh;
+  const Halfedge side = mesh.sides(Face{6})[2];
+  session.propose_move(Grip{.point = mesh.origin(side)}, mesh.curve_of(side).at(0.3).position);
+  session.make();
+  EXPECT_FALSE(session.problem_as_written().original()->mesh());
+  EXPECT_EQ(session.problem_as_written().mesh(), session.start().mesh);
+  session.undo();
+  EXPECT_TRUE(session.problem_as_written().original()->mesh());
 }
 
 TEST(Session, errors_count_more_where_a_person_says_so) {
