@@ -36,6 +36,8 @@ def simplify_by_eye(document, name, ids, folders):
         (before / name).write_bytes(document)
         options = ["--output", str(after), "--report", str(report), *looks(), *(f"--id={each}" for each in ids)]
         options += [f"--folder={each}" for each in folders]
+        # Inkscape waits for what it has started: its window would only cover this one.
+        options += ["--above= - Inkscape"]
         run([program(), "eye", *options, "--", name], before)
         if not after.exists():
             return None

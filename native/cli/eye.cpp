@@ -24,7 +24,7 @@ struct EyeArguments {
   std::filesystem::path in, out, report;
   std::vector<std::string> ids;
   std::vector<std::string> folders;
-  std::string theme, language;
+  std::string theme, language, above;
 };
 
 #ifdef GRADMESH_WINDOW
@@ -33,6 +33,8 @@ WindowChoices choices(const EyeArguments& a) {
   WindowChoices choices;
   if (!a.theme.empty()) choices.is_dark = a.theme == "dark";
   if (!a.language.empty()) choices.language = a.language;
+  choices.document = a.in.filename().string();
+  choices.above = a.above;
   return choices;
 }
 
@@ -134,6 +136,8 @@ void add_eye(CLI::App& program) {
       ->check(CLI::IsMember({"dark", "light"}));
   command.add_option("--language", a->language,
                      "Of the window, such as de; the desktop's if not given");
+  command.add_option("--above", a->above,
+                     "Stay in front of the foremost window whose title ends so, as Inkscape's");
   add_path(command, "--report", a->report, "Write a report of what was applied as JSON");
   command.callback([a] { run(*a); });
 }

@@ -45,7 +45,8 @@ std::pair<int, int> room_on_the_screen() {
 }
 
 /// Opens a window, and finds the density of its screen; null where that fails.
-SDL_Window* open_window(const std::string& title, int width, int height, float& density) {
+SDL_Window* open_window(const std::string& title, int width, int height, const OwnerTitle& owner,
+                        float& density) {
   // It is seen once it has its size, for which the screen has to be known.
   SDL_Window* const window =
       SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
@@ -56,6 +57,7 @@ SDL_Window* open_window(const std::string& title, int width, int height, float& 
   SDL_SetWindowSize(window, std::min(int(std::lround(float(width) * density)), most_width),
                     std::min(int(std::lround(float(height) * density)), most_height));
   SDL_SetWindowPosition(window, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
+  give_to(window, owner);
   SDL_ShowWindow(window);
   return window;
 }
@@ -103,14 +105,14 @@ void pass_on(const SDL_Event& event) {
   }
 }
 
-SdlWindow::SdlWindow(const std::string& title, int width, int height) {
+SdlWindow::SdlWindow(const std::string& title, int width, int height, const OwnerTitle& owner) {
   SDL_SetMainReady();
   // Software drawing through a graphics library takes longer than without one.
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   SDL_SetHint(SDL_HINT_WINDOWS_DPI_AWARENESS, "permonitorv2");
   // A window of a document is no video: the screen may go dark meanwhile.
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-  if (SDL_Init(SDL_INIT_VIDEO) == 0) window_ = open_window(title, width, height, density_);
+  if (SDL_Init(SDL_INIT_VIDEO) == 0) window_ = open_window(title, width, height, owner, density_);
   const SDL_Surface* const pixels = window_ ? SDL_GetWindowSurface(window_) : nullptr;
   const bool is_usual = pixels && pixels->format->BytesPerPixel == 4 &&
                         pixels->format->Rmask == 0xff0000 && pixels->format->Bmask == 0xff;

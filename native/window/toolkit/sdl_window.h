@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "window/toolkit/draw_lists.h"
+#include "window/toolkit/owner.h"
 
 struct ImGuiContext;
 struct SDL_Window;
@@ -39,8 +40,9 @@ struct Happened {
 class SdlWindow {
  public:
   /// Opens a window of a size in pixels of an ordinary screen, or one that is as large as the
-  /// screen allows. Throws InputError where there is no display.
-  SdlWindow(const std::string& title, int width, int height);
+  /// screen allows; in front of the window of another program that is named
+  /// (give_to). Throws InputError where there is no display.
+  SdlWindow(const std::string& title, int width, int height, const OwnerTitle& owner = {});
   SdlWindow(const SdlWindow&) = delete;
   ~SdlWindow();
 

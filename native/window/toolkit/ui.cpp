@@ -1,6 +1,7 @@
 #include "window/toolkit/ui.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace gradmesh {
 
@@ -62,6 +63,12 @@ float Ui::share(int count) {
 }
 
 void Ui::beside() { ImGui::SameLine(); }
+
+bool Ui::close_popup() {
+  const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+  if (open > 0) ImGui::ClosePopupToLevel(open - 1, true);
+  return open > 0;
+}
 
 void Ui::note(const std::string& name) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();

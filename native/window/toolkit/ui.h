@@ -43,6 +43,9 @@ class Ui {
   /// Lets what follows be to the right of what was drawn last.
   static void beside();
 
+  /// Closes the list or the picker of colours that was opened last. Returns false if none is open.
+  static bool close_popup();
+
   /// Takes down where what was drawn last is.
   void note(const std::string& name);
   /// Returns the middle of what has this name, its English label, in pixels of the window; nothing

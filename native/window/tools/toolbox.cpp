@@ -21,6 +21,12 @@ void Toolbox::take(std::size_t which, Eye& eye) {
   chosen_ = which;
 }
 
+bool Toolbox::take_first(Eye& eye) {
+  if (chosen_ == first) return false;
+  take(first, eye);
+  return true;
+}
+
 bool Toolbox::take(const std::string& key, Eye& eye) {
   for (std::size_t i = 0; i < tools_.size(); ++i)
     if (key == tools_[i]->key()) {

@@ -19,11 +19,14 @@ class Toolbox {
   void take(std::size_t which, Eye& eye);
   /// Takes the tool of a key. Returns false if there is none.
   bool take(const std::string& key, Eye& eye);
+  /// Takes the tool that is in the hand at first. Returns false if it is.
+  bool take_first(Eye& eye);
 
  private:
   std::vector<std::unique_ptr<Tool>> tools_;
   /// The line that a click takes out is what a person looks for first.
-  std::size_t chosen_ = 1;
+  static constexpr std::size_t first = 1;
+  std::size_t chosen_ = first;
 };
 
 }  // namespace gradmesh

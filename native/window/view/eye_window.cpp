@@ -44,6 +44,7 @@ void EyeWindow::take_keys(const Happened& happened) {
       answer(key);
       continue;
     }
+    if (key.is_down && key.name == "Escape" && Ui::close_popup()) continue;
     const WindowKey meant = press(key, eye_, toolbox_);
     if (meant == WindowKey::apply && !eye_.changed().empty()) end_ = End::apply;
     if (meant == WindowKey::escape) ask_to_close();

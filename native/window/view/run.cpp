@@ -22,8 +22,9 @@ bool simplify_by_eye(Eye& eye, const WindowChoices& choices) {
   eye.looks.handles = settings.handles;
   eye.looks.by_patches = settings.by_patches;
   const Translation translation = translation_for(choices);
-  const std::string title = Message("Simplify by Eye").in(translation);
-  SdlWindow screen(title, settings.width, settings.height);
+  const std::string title = choices.document + " - " + Message("Simplify by Eye").in(translation);
+  SdlWindow screen(title, settings.width, settings.height,
+                   OwnerTitle{choices.above, choices.document});
   eye.density = double(screen.density());
   const bool was_dark = choices.is_dark.value_or(settings.is_dark.value_or(prefers_dark()));
   EyeWindow window(eye, translation, was_dark);

@@ -13,6 +13,11 @@ struct WindowChoices {
   std::optional<bool> is_dark = std::nullopt;
   /// Such as "de"; nothing for what the desktop has.
   std::optional<std::string> language = std::nullopt;
+  /// What the document is called in the title.
+  std::string document = {};
+  /// What the titles of another program's windows end with, in front of which it stays; empty for
+  /// none.
+  std::string above = {};
 };
 
 /// Returns the translation into the language of a window.

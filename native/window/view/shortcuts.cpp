@@ -75,6 +75,15 @@ WindowKey press_with_control(const std::string& name, bool has_shift, Eye& eye) 
   return WindowKey::none;
 }
 
+/// Lets go of what was taken last: marks, a tool; or else of the window.
+WindowKey let_go(Eye& eye, Toolbox& toolbox) {
+  if (!eye.marked().empty())
+    eye.unmark();
+  else if (!toolbox.take_first(eye))
+    return WindowKey::escape;
+  return WindowKey::none;
+}
+
 }  // namespace
 
 WindowKey press(const Key& key, Eye& eye, Toolbox& toolbox) {
@@ -85,8 +94,7 @@ WindowKey press(const Key& key, Eye& eye, Toolbox& toolbox) {
   if (name == "F") eye.looks.flickers = key.is_down;
   if (!key.is_down) return WindowKey::none;
   if (key.held.control) return press_with_control(name, key.held.shift, eye);
-  if (name == "Escape" && eye.marked().empty()) return WindowKey::escape;
-  if (name == "Escape") eye.unmark();
+  if (name == "Escape") return let_go(eye, toolbox);
   if (toolbox.take(name, eye)) return WindowKey::none;
   if (const auto found = actions().find(name); found != actions().end()) found->second(eye);
   return WindowKey::none;

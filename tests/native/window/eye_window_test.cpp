@@ -73,6 +73,48 @@ TEST_F(EyeWindows, pointing_at_a_line_shows_what_it_costs_and_a_click_takes_it_o
   EXPECT_EQ(session().undo_name()->english(), "Take out a line");
 }
 
+TEST_F(EyeWindows, escape_lets_go_of_one_thing_after_another) {
+  open("ellipse");
+  const auto is_list_open = [&] {
+    return screen_->window().ui().place_of("What lines cost").has_value();
+  };
+  screen_->key("K");
+  screen_->click(middle_of(*session().now().mesh.faces().begin()));
+  screen_->click("known");
+  EXPECT_TRUE(is_list_open());
+  screen_->key("Escape");
+  EXPECT_FALSE(is_list_open());
+  EXPECT_EQ(eye_->marked().size(), 1u);
+  screen_->key("Escape");
+  EXPECT_TRUE(eye_->marked().empty());
+  screen_->move(on_a_line());
+  EXPECT_FALSE(session().proposal()) << "the tool is still that for marks";
+  screen_->key("Escape");
+  screen_->move(middle_of(*session().now().mesh.faces().begin()));
+  screen_->move(on_a_line());
+  EXPECT_TRUE(session().proposal()) << "a click takes a line out again";
+  EXPECT_TRUE(screen_->frame());
+  screen_->key("Escape");
+  EXPECT_FALSE(screen_->frame());
+}
+
+TEST_F(EyeWindows, escape_closes_the_picker_of_colours_alone) {
+  open("ellipse");
+  screen_->click("Look");
+  screen_->click(seen_at(session().now().mesh.patch(Face{0}).at(1, 1).position));
+  ASSERT_TRUE(eye_->element.point.valid());
+  screen_->settle();
+  const auto colour = screen_->window().ui().place_of("colour");
+  ASSERT_TRUE(colour);
+  const auto is_picker_open = [] { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); };
+  // The field with the colour itself is right of those with numbers.
+  for (int x = 0; x < 200 && !is_picker_open(); x += 8) screen_->click(*colour + glm::dvec2(x, 0));
+  ASSERT_TRUE(is_picker_open());
+  screen_->key("Escape");
+  EXPECT_FALSE(is_picker_open());
+  EXPECT_TRUE(screen_->is_open());
+}
+
 TEST_F(EyeWindows, a_new_cross_goes_where_the_pointer_is) {
   open("ellipse");
   const int before = handles();

@@ -450,6 +450,12 @@ class Started:
         windows = self.xdotool("search", "--onlyvisible", "--name", ".").split()
         return [self.xdotool("getwindowname", window).strip() for window in windows]
 
+    def property(self, window: str, name: str) -> str:
+        """The value of a window's property as X11 has it; of the display's, if `window` is "root"."""
+        which = ["-root"] if window == "root" else ["-id", window]
+        said = run(["xprop", *which, name], self._env, 20).stdout
+        return said.replace("=", "#").rpartition("#")[2].strip()
+
     def wait(self) -> None:
         """Waits until the program has ended by itself."""
         self._process.wait(self._timeout)

@@ -9,7 +9,7 @@ import pytest
 import inkscape_harness
 from built import SAMPLES, install_extension
 from extension_runs import extension, refused, run  # noqa: F401
-from inkscape_harness import Inkscape
+from inkscape_harness import Inkscape, Started
 
 import gradmesh
 
@@ -57,6 +57,10 @@ def pear(svg):
     return found
 
 
+def rectangles(svg):
+    return len([element for element in ET.parse(svg).iter() if element.tag.endswith("}rect")])
+
+
 def test_what_is_chosen_is_written_in_one_step_of_undo(by_eye, svg, tmp_path):
     before, handles = svg.read_bytes(), pear(svg).handles
     seen = [picture_of(by_eye, tmp_path)]
@@ -83,7 +87,33 @@ def test_what_is_chosen_is_written_in_one_step_of_undo(by_eye, svg, tmp_path):
 
 def test_inkscape_puts_no_box_of_its_own_above_the_window(by_eye):
     by_eye.key("End")
-    assert sorted(title.partition(" - ")[0] for title in by_eye.titles()) == ["Simplify by Eye", "fruit.svg"]
+    assert sorted(by_eye.titles()) == sorted(["fruit.svg - Simplify by Eye", "fruit.svg - Inkscape"])
+
+
+def test_clicks_on_the_waiting_inkscape_neither_cover_the_window_nor_are_answered_later(tmp_path, svg):
+    reason = inkscape_harness.missing("openbox", "xprop")
+    if reason:
+        pytest.skip(reason)
+    rectangle_tool, page, before = (13, 217), (1300, 700), rectangles(svg)
+    with Inkscape() as inkscape, Started(["openbox"], inkscape.env, 60):
+        inkscape.install(install_extension(tmp_path / "installed"))
+        inkscape.set_key("F10", "app.org.gradmesh.simplify-by-eye")
+        with inkscape.window(svg, actions=["select-by-id:pear"]) as window:
+            window.open_window("F10", "Simplify by Eye")
+            window.xdotool("windowmove", window.find_window("Simplify by Eye"), "100", "60")
+            own, waiting = (window.find_window(title) for title in ("Simplify by Eye", "Inkscape"))
+            assert int(window.property(own, "WM_TRANSIENT_FOR"), 16) == int(waiting)
+            assert "SKIP_TASKBAR" in window.property(own, "_NET_WM_STATE")
+            window.click(*rectangle_tool)
+            in_front = window.property("root", "_NET_CLIENT_LIST_STACKING").split(", ")[-1]
+            assert int(in_front, 16) == int(own)
+            window.xdotool("windowfocus", own)
+            window.key("End", "ctrl+Return")
+            window.close_window()
+            window.drag(*page, *(each + 60 for each in page))
+            window.key("ctrl+s")
+    assert pear(svg).handles < 660, "what was made in the window is written"
+    assert rectangles(svg) == before, "the tool is the one that it was"
 
 
 def test_a_line_is_taken_out_by_a_click_and_what_is_protected_stays(by_eye, svg, tmp_path):
