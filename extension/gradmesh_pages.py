@@ -4,13 +4,13 @@
 
 import os
 
-from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences
+from gradmesh_effect import GradmeshEffect, News, NothingToDo, gradmesh, refusals_as_sentences
 from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
 from gradmesh_text import _, first_of
-from gradmesh_toast import toast
 from gradmesh_window import LongWork
 
+NOT_IN_THE_FILE = ("{0}: there is no gradient mesh on its pages.", "{0}: there is no page {1}; it has {2}.")
 CURRENT_LAYER = "{http://www.inkscape.org/namespaces/inkscape}current-layer"
 NAMED_VIEW = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}namedview"
 
@@ -30,15 +30,15 @@ class Pages(GradmeshEffect):
         path = self.options.file.strip()
         # Of a field that nobody has filled Inkscape makes the folder of its copy of the document.
         if not path or os.path.isdir(path):
-            raise AbortExtension(_("Choose a PDF, or a file of Illustrator, whose meshes are to be put here."))
+            raise News(_("Choose a PDF, or a file of Illustrator, whose meshes are to be put here."))
         title = _("Reading {file}").format(file=os.path.basename(path))
-        with refusals_as_sentences():
+        with refusals_as_sentences(AbortExtension, NOT_IN_THE_FILE):
             inserted = LongWork([title], lambda tell: self.insert(path, tell)).run()
         if inserted.stopped and not inserted.meshes:
             raise NothingToDo(_("It was stopped before a mesh was read; the document stays as it was."))
         report.meshes = inserted.meshes
         self.take_over()
-        toast(" ".join(self.what_became(inserted)))
+        self.became = self.what_became(inserted)
 
     def insert(self, path, tell):
         return gradmesh.insert_pages(
