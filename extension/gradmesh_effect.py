@@ -19,7 +19,7 @@ from functools import cached_property
 from gradmesh_log import log
 from gradmesh_report import report
 from gradmesh_needs import why_it_does_not_load
-from gradmesh_text import _, sentence, translated
+from gradmesh_text import _, in_all_languages, sentence, translated
 from gradmesh_toast import is_seen, toast
 
 # Drivers of graphics processors that gradmesh looks at would otherwise warn on stderr.
@@ -45,6 +45,8 @@ etree.register_namespace("gradmesh", NAMESPACE)
 #: Of elements that Show Analysis has added.
 MARK = f"{{{NAMESPACE}}}analysis"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+#: The same where gradmesh wrote it.
+WRITTEN_LABEL = f"{{{NAMESPACE}}}label"
 LOCKED = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}insensitive"
 HREF = "{http://www.w3.org/1999/xlink}href"
 #: What covers something.
@@ -230,18 +232,25 @@ class _GradmeshDocument(Gradmesh):
         return [elements[name] for name in self.options.ids]
 
     def called(self, name):
-        """What a person calls a mesh: its label, or else its id."""
+        """What a person calls an object: its label, or else its id."""
         return self._labels.get(name) or name
 
     @cached_property
     def _labels(self):
-        """Of the meshes as they came, but those labels that gradmesh wrote."""
-        elements = self.elements_by_id()
-        ids = [mesh.id for mesh in self.meshes.meshes if not mesh.simplified]
-        return {name: elements[name].get(LABEL) for name in ids if name in elements}
+        """Of the objects as they came, but those labels that gradmesh wrote."""
+        return {e.get("id"): e.get(LABEL) for e in self.svg.iter("*") if e.get(LABEL) and not has_written_label(e)}
 
     def elements_by_id(self):
         return {element.get("id"): element for element in self.svg.iter("*")}
+
+
+def has_written_label(element):
+    """Whether gradmesh wrote the label of an element, such as "Gradient mesh: 140 handles, 80 patches"."""
+    label = element.get(LABEL)
+    if label == element.get(WRITTEN_LABEL):
+        return True
+    beginnings = (text.partition("{")[0] for text in in_all_languages("Gradient mesh: {0} handles, {1} patches"))
+    return any(words and label.startswith(words) for words in beginnings)
 
 
 def original_of(name, elements):
@@ -267,6 +276,7 @@ class GradmeshEffect(_GradmeshDocument, EffectExtension):
 
     def take_over(self):
         """Makes what gradmesh made of the document that Inkscape shows the document."""
+        self.called("")  # as the objects came
         self.document = load_svg(self.meshes.to_bytes(over=self.shown))
 
 

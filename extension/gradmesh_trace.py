@@ -5,7 +5,6 @@
 from functools import cached_property
 
 from gradmesh_effect import (
-    LABEL,
     SHAPES,
     GradmeshEffect,
     News,
@@ -109,14 +108,6 @@ class Trace(GradmeshEffect):
             return [_("Tracing {id}").format(id=self.called(ids[0]))]
         text = _("Tracing {id}, {number} of {count}")
         return [text.format(id=self.called(name), number=n, count=len(ids)) for n, name in enumerate(ids, 1)]
-
-    def called(self, name):
-        """What a person calls an object: its label, or else its id."""
-        return self._elements[name].get(LABEL) or name
-
-    @cached_property
-    def _elements(self):
-        return self.elements_by_id()
 
     def trace(self, ids, image, guides, tell, show):
         options = self.options
