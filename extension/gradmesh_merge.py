@@ -30,7 +30,10 @@ class Merge(GradmeshEffect):
         options = self.options
         if not options.ids:
             raise News(
-                _("Select two or more blocks of a simplified mesh: double-click it, then Shift+click.")
+                _(
+                    "Select two or more blocks of a simplified mesh: double-click it, then Shift+click. Simplify by "
+                    "Eye merges patches of any mesh, and shows before what that costs."
+                )
             )
         self.chosen_elements()
         with refusals_as_sentences():
@@ -55,7 +58,7 @@ class Merge(GradmeshEffect):
         yield _(
             "{id}: these patches are one now. The error is FLIP {error:.4f}, and {handles} handles and {patches} "
             "patches are left."
-        ).format(id=edit.id, error=edit.error, handles=edit.handles_after, patches=edit.patches_after)
+        ).format(id=self.called(edit.id), error=edit.error, handles=edit.handles_after, patches=edit.patches_after)
         if edit.error > STRONG["flip"]:
             yield MORE_THAN_STRONG
 

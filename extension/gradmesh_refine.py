@@ -39,6 +39,14 @@ class Refine(GradmeshEffect):
             )
         report.meshes = [edit]
         self.take_over()
+        self.became = [
+            _("{id}: {more} more patches; now it has {handles} handles and {patches} patches.").format(
+                id=self.called(edit.id),
+                more=edit.patches_after - edit.patches_before,
+                handles=edit.handles_after,
+                patches=edit.patches_after,
+            )
+        ]
 
 
 if __name__ == "__main__":

@@ -238,7 +238,7 @@ class Simplify(GradmeshEffect):
             "{id}: {handles} of {handles_before} handles and {after} of {before} patches would be left, "
             "with an error of {metric} {error:.4f}."
         ).format(
-            id=result.id,
+            id=self.called(result.id),
             handles=result.handles_after,
             handles_before=result.handles_before,
             after=result.patches_after,
