@@ -7,11 +7,11 @@ from gradmesh_effect import (
     MORE_THAN_STRONG,
     STRONG,
     GradmeshEffect,
+    News,
     gradmesh,
     refusals_as_sentences,
-    say,
 )
-from gradmesh_inkex import AbortExtension, Boolean
+from gradmesh_inkex import Boolean
 from gradmesh_report import report
 from gradmesh_text import _
 
@@ -29,8 +29,11 @@ class Merge(GradmeshEffect):
     def effect(self):
         options = self.options
         if not options.ids:
-            raise AbortExtension(
-                _("Select two or more blocks of a simplified mesh: double-click it, then Shift+click.")
+            raise News(
+                _(
+                    "Select two or more blocks of a simplified mesh: double-click it, then Shift+click. Simplify by "
+                    "Eye merges patches of any mesh, and shows before what that costs."
+                )
             )
         self.chosen_elements()
         with refusals_as_sentences():
@@ -38,7 +41,7 @@ class Merge(GradmeshEffect):
         report.meshes = [edit]
         self.take_over()
         if ATTENDED and options.tell:
-            say(self.what_became(edit))
+            self.tell(" ".join(self.what_became(edit)))
 
     def part(self):
         """The rows and columns of the one block that is selected; all where there are several."""
@@ -52,11 +55,12 @@ class Merge(GradmeshEffect):
         return {lines: (first, last) for lines, (first, last) in ends.items() if first}
 
     def what_became(self, edit):
-        text = _(
+        yield _(
             "{id}: these patches are one now. The error is FLIP {error:.4f}, and {handles} handles and {patches} "
             "patches are left."
-        ).format(id=edit.id, error=edit.error, handles=edit.handles_after, patches=edit.patches_after)
-        return f"{text} {MORE_THAN_STRONG}" if edit.error > STRONG["flip"] else text
+        ).format(id=self.called(edit.id), error=edit.error, handles=edit.handles_after, patches=edit.patches_after)
+        if edit.error > STRONG["flip"]:
+            yield MORE_THAN_STRONG
 
 
 if __name__ == "__main__":

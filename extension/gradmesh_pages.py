@@ -3,15 +3,18 @@
 """Extensions > Gradient Mesh > Meshes of a PDF: puts the meshes of a PDF or of Illustrator's file into the document."""
 
 import os
+from pathlib import Path
 
-from gradmesh_effect import GradmeshEffect, NothingToDo, gradmesh, refusals_as_sentences
+from gradmesh_effect import GradmeshEffect, News, NothingToDo, gradmesh, refusals_as_sentences
 from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
 from gradmesh_text import _, first_of
-from gradmesh_toast import toast
 from gradmesh_window import LongWork
 
+NOT_IN_THE_FILE = ("{0}: there is no gradient mesh on its pages.", "{0}: there is no page {1}; it has {2}.")
 CURRENT_LAYER = "{http://www.inkscape.org/namespaces/inkscape}current-layer"
+EXPORT_NAME = "{http://www.inkscape.org/namespaces/inkscape}export-filename"
+DOCNAME = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}docname"
 NAMED_VIEW = "{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}namedview"
 
 
@@ -29,16 +32,36 @@ class Pages(GradmeshEffect):
     def effect(self):
         path = self.options.file.strip()
         # Of a field that nobody has filled Inkscape makes the folder of its copy of the document.
-        if not path or os.path.isdir(path):
-            raise AbortExtension(_("Choose a PDF, or a file of Illustrator, whose meshes are to be put here."))
+        is_chosen = path and not os.path.isdir(path)
+        path = path if is_chosen else self.original()
+        if not path:
+            raise News(
+                _(
+                    "Choose a PDF, or a file of Illustrator, whose meshes are to be put here; none of the document’s "
+                    "name lies beside it."
+                )
+            )
         title = _("Reading {file}").format(file=os.path.basename(path))
-        with refusals_as_sentences():
+        with refusals_as_sentences(AbortExtension, NOT_IN_THE_FILE):
             inserted = LongWork([title], lambda tell: self.insert(path, tell)).run()
         if inserted.stopped and not inserted.meshes:
             raise NothingToDo(_("It was stopped before a mesh was read; the document stays as it was."))
         report.meshes = inserted.meshes
         self.take_over()
-        toast(" ".join(self.what_became(inserted)))
+        self.became = list(self.what_became(inserted))
+        if not is_chosen:
+            self.became.append(_("No file was chosen, so it was {file}.").format(file=os.path.basename(path)))
+
+    def original(self):
+        """The file from which the document was probably made: Inkscape tells the name of a PDF that it has opened,
+        and what is saved of it mostly lies beside it."""
+        document = Path(os.environ.get("DOCUMENT_PATH") or "")
+        names = (document.name, self.svg.get(DOCNAME), self.svg.get(EXPORT_NAME))
+        for file in [document.parent / name for name in names if name]:
+            for each in (file, file.with_suffix(""), file.with_suffix(".pdf"), file.with_suffix(".ai")):
+                if each.suffix.lower() in (".pdf", ".ai") and each.is_file():
+                    return str(each)
+        return None
 
     def insert(self, path, tell):
         return gradmesh.insert_pages(

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Extensions > Gradient Mesh > Refine Here: splits patches, to add detail in one place."""
 
-from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
-from gradmesh_inkex import AbortExtension, Boolean
+from gradmesh_effect import GradmeshEffect, News, gradmesh, refusals_as_sentences
+from gradmesh_inkex import Boolean
 from gradmesh_report import report
 from gradmesh_text import _
 
@@ -23,7 +23,7 @@ class Refine(GradmeshEffect):
     def effect(self):
         options = self.options
         if len(options.ids) != 1:
-            raise AbortExtension(
+            raise News(
                 _("Select one block of a simplified mesh, or one object painted by a gradient mesh.")
             )
         self.chosen_elements()
@@ -39,6 +39,14 @@ class Refine(GradmeshEffect):
             )
         report.meshes = [edit]
         self.take_over()
+        self.became = [
+            _("{id}: {more} more patches; now it has {handles} handles and {patches} patches.").format(
+                id=self.called(edit.id),
+                more=edit.patches_after - edit.patches_before,
+                handles=edit.handles_after,
+                patches=edit.patches_after,
+            )
+        ]
 
 
 if __name__ == "__main__":

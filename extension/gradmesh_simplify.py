@@ -11,14 +11,12 @@ from gradmesh_effect import (
     etree,
     gradmesh,
     refusals_as_sentences,
-    say,
 )
 from gradmesh_cache import analysis_cache
 from gradmesh_inkex import Boolean
 from gradmesh_log import log
 from gradmesh_report import report
 from gradmesh_text import _
-from gradmesh_toast import is_seen, toast
 from gradmesh_window import LongWork
 
 #: The method by which a mesh becomes what the dialog offers.
@@ -108,20 +106,11 @@ class Simplify(GradmeshEffect):
         if not any(result.changed for result in results):
             raise NothingToDo(self.why_nothing_changed(results))
         if self.options.preview:
-            self.tell_only("\n".join(map(self.what_would_change, results)))
+            self.tell("\n".join(map(self.what_would_change, results)))
+            report.outcome = "unchanged"
         else:
             self.take_over()
-            toast(" ".join(self.what_became(results)))
-
-    def tell_only(self, text):
-        """Without a dialog where that can be seen: with a live preview there is one at every change."""
-        if is_seen():
-            toast(text)
-            report.messages.append(text)
-        else:
-            log(text)
-            say(text)
-        report.outcome = "unchanged"
+            self.became = self.what_became(results)
 
     def titles(self, ids):
         """What the progress window says while each of the meshes is at work."""
@@ -249,7 +238,7 @@ class Simplify(GradmeshEffect):
             "{id}: {handles} of {handles_before} handles and {after} of {before} patches would be left, "
             "with an error of {metric} {error:.4f}."
         ).format(
-            id=result.id,
+            id=self.called(result.id),
             handles=result.handles_after,
             handles_before=result.handles_before,
             after=result.patches_after,

@@ -6,7 +6,7 @@ import io
 import sys
 from contextlib import contextmanager, redirect_stderr
 
-from gradmesh_effect import GradmeshEffect, refusals_as_sentences
+from gradmesh_effect import GradmeshEffect, News, refusals_as_sentences
 from gradmesh_attended import ATTENDED
 from gradmesh_eye import NoWindow, simplify_by_eye
 from gradmesh_inkex import AbortExtension
@@ -27,7 +27,7 @@ class SimplifyByEye(GradmeshEffect):
         ids = self.selected_or_all()
         with only_window() as is_alone, refusals_as_sentences():
             if not is_alone:
-                raise AbortExtension(_("Simplify by Eye is open on this document already."))
+                raise News(_("Simplify by Eye is open on this document already."))
             applied = self.show(ids)
             if applied is None:
                 report.outcome = "unchanged"
@@ -48,7 +48,8 @@ class SimplifyByEye(GradmeshEffect):
 
 @contextmanager
 def said_by_the_line():
-    """Shows what is written to stderr as the line at the lower end of the screen, where that can be seen."""
+    """Shows what is written to stderr, so faults too, as the line at the lower end of the screen, where that can be
+    seen: Inkscape 1.3 passes over it."""
     said = io.StringIO()
     try:
         with redirect_stderr(said):

@@ -6,14 +6,19 @@ import os
 from pathlib import Path
 
 # Inkscape says where the catalogue is that it found for the dialog.
-_catalogue = gettext.translation(
-    os.environ.get("INKEX_GETTEXT_DOMAIN") or "gradmesh",
-    os.environ.get("INKEX_GETTEXT_DIRECTORY") or Path(__file__).parent / "locale",
-    fallback=True,
-)
+_folder = Path(os.environ.get("INKEX_GETTEXT_DIRECTORY") or Path(__file__).parent / "locale")
+_catalogue = gettext.translation(os.environ.get("INKEX_GETTEXT_DOMAIN") or "gradmesh", _folder, fallback=True)
 _ = _catalogue.gettext
 #: Of what is said, such as "de".
 LANGUAGE = _catalogue.info().get("language") or "en"
+
+
+def in_all_languages(text):
+    """The text, and what it is in each language that is installed."""
+    yield text
+    for file in _folder.glob("*/LC_MESSAGES/gradmesh.mo"):
+        with open(file, "rb") as stream:
+            yield gettext.GNUTranslations(stream).gettext(text)
 
 
 def sentence(message):

@@ -5,7 +5,6 @@
 from gradmesh_effect import GradmeshEffect, gradmesh, refusals_as_sentences
 from gradmesh_report import report
 from gradmesh_text import _
-from gradmesh_toast import toast
 
 
 class ToOneMesh(GradmeshEffect):
@@ -17,7 +16,7 @@ class ToOneMesh(GradmeshEffect):
             report.meshes = gradmesh.to_one_mesh(self.meshes, ids)
         self.take_over()
         text = _("{id}: one mesh of {handles} handles; Simplify takes out those that nobody needs.")
-        toast(" ".join(text.format(id=mesh.id, handles=mesh.handles_after) for mesh in report.meshes))
+        self.became = [text.format(id=self.called(mesh.id), handles=mesh.handles_after) for mesh in report.meshes]
 
 
 if __name__ == "__main__":

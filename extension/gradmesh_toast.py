@@ -1,27 +1,41 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Says what became of a mesh for some seconds, in a window that takes neither a click nor the focus.
+"""Says what became of a mesh in a line at the lower end of the screen, which does not take the focus.
 
 By design the picture looks as before, and Inkscape gives an extension no other place to say that something
-happened. The window is a program of its own, since Inkscape waits until the extension has ended.
+happened. The window is a program of its own, since Inkscape waits until the extension has ended. It stays until it
+has been read, and until a click where that is more than a sentence; a click always closes it, and so does the next.
 """
 
+import os
+import re
 import subprocess
 import sys
 
 from gradmesh_attended import ATTENDED
-from gradmesh_log import log, send_stderr_to_the_log
+from gradmesh_log import cache_folder, log, send_stderr_to_the_log
 from gradmesh_window import stderr_in_the_log, toolkit
 
-SECONDS, SECONDS_PER_LETTER = 3, 0.03
+SECONDS_TO_NOTICE, WORDS_PER_SECOND = 2, 3
 MARGIN = 72  # pixels to the lower end of the screen
+POLL = 200  # milliseconds
 
 
-def toast(text):
-    """Says it where somebody is, and in the log."""
+def toast(text, document=None):
+    """Says it where somebody is, and in the log. Inkscape keeps the copy of the document that an extension reads for
+    as long as it shows a live preview; the line stays as long."""
     log(text)
     if ATTENDED:
-        start([__file__, text])
+        start([__file__, text, str(document or "")])
+
+
+def seconds_to_read(text):
+    return SECONDS_TO_NOTICE + len(text.split()) / WORDS_PER_SECOND
+
+
+def stays_until_clicked(text):
+    """Whether it is more than a sentence. What one letter stands before, as in "z. B.", ends none."""
+    return re.search(r"\S{2}[.!?]\S?\s+\S", text) is not None
 
 
 def is_seen():
@@ -44,7 +58,24 @@ def start(arguments, **how):
     return child
 
 
-def show(text):
+class Latest:
+    """Tells the line that was begun last from those before, which go then."""
+
+    def __init__(self):
+        self._file = cache_folder() / "line"
+        try:
+            self._file.write_text(str(os.getpid()))
+        except OSError:
+            pass  # each stays as long as it would alone
+
+    def is_another(self):
+        try:
+            return self._file.read_text() not in ("", str(os.getpid()))
+        except OSError:
+            return False
+
+
+def show(text, document=""):
     gtk, glib = toolkit()
     if gtk is None:
         return
@@ -58,17 +89,33 @@ def show(text):
     window.set_resizable(False)
     window.get_style_context().add_class("osd")
     label = gtk.Label(label=text, wrap=True, max_width_chars=64, margin=16)
-    window.add(label)
-    label.show()
+    row = gtk.Box(spacing=16)
+    row.add(label)
+    if stays_until_clicked(text):
+        label.set_margin_end(0)
+        row.add(gtk.Label(label="✕", margin_end=16))
+    window.add(row)
+    window.add_events(Gdk.EventMask.BUTTON_PRESS_MASK)
+    window.connect("button-press-event", gtk.main_quit)
+    row.show_all()
     monitor = Gdk.Display.get_default()
     monitor = monitor.get_primary_monitor() or monitor.get_monitor(0)
     room, size = monitor.get_workarea(), window.get_preferred_size()[1]
     window.move(room.x + (room.width - size.width) // 2, room.y + room.height - size.height - MARGIN)
     window.show()
-    glib.timeout_add(round(1000 * (SECONDS + SECONDS_PER_LETTER * len(text))), gtk.main_quit)
+    latest, left = Latest(), [1000 * seconds_to_read(text)]
+
+    def wait():
+        if latest.is_another() or left[0] <= 0:
+            gtk.main_quit()
+        elif not stays_until_clicked(text) and not os.path.exists(document):
+            left[0] -= POLL
+        return True
+
+    glib.timeout_add(POLL, wait)
     gtk.main()
 
 
 if __name__ == "__main__":
     send_stderr_to_the_log()
-    show(sys.argv[1])
+    show(*sys.argv[1:])

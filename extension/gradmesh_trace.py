@@ -5,9 +5,9 @@
 from functools import cached_property
 
 from gradmesh_effect import (
-    LABEL,
     SHAPES,
     GradmeshEffect,
+    News,
     etree,
     gradmesh,
     refusals_as_sentences,
@@ -15,11 +15,11 @@ from gradmesh_effect import (
 from gradmesh_inkex import AbortExtension, Boolean
 from gradmesh_report import report
 from gradmesh_text import _
-from gradmesh_toast import toast
 from gradmesh_window import LongWork
 
 #: Of a mesh that takes as many handles as it needs.
 MOST_HANDLES = 1000
+BESIDE_THE_PICTURE = ("{0}: {1} does not lie on the picture.",)
 WHAT_HELPS = _(
     "That is seen. More handles help, a path around something with soft colours, or to ignore what is larger; sharp "
     "shapes, text and leaves are better made by Path > Trace Bitmap."
@@ -42,11 +42,11 @@ class Trace(GradmeshEffect):
     def effect(self):
         images, shapes, guides = self.chosen_images(), self.chosen_shapes(), self.chosen_guides()
         if not shapes and not self.selects_pictures():
-            raise AbortExtension(self.nothing_to_trace(guides))
+            raise News(self.nothing_to_trace(guides))
         ids = shapes or images
         # Of several pictures each path has the one below it.
         image = images[0] if shapes and len(images) == 1 else None
-        with refusals_as_sentences():
+        with refusals_as_sentences(AbortExtension, BESIDE_THE_PICTURE):
             work = LongWork(self.titles(ids), lambda tell: self.trace(ids, image, guides, tell, work.show))
             tracings = work.run()
         report.meshes = [told(tracing) for tracing in tracings]
@@ -54,7 +54,7 @@ class Trace(GradmeshEffect):
         self.take_over()
         if self.options.hide_picture:
             self.hide({tracing.image for tracing in tracings})
-        toast(" ".join(self.what_became(tracings, ids)))
+        self.became = self.what_became(tracings, ids)
 
     def chosen_images(self):
         """Ids of the selected pictures, or, where paths alone are selected, of the one in the document."""
@@ -63,11 +63,11 @@ class Trace(GradmeshEffect):
             return images
         all_images = [each.get("id") for each in self.svg.iter("{*}image")]
         if not all_images:
-            raise AbortExtension(
+            raise News(
                 _("There is no picture in the document; File > Import brings a photograph into it.")
             )
         if not self.options.ids:
-            raise AbortExtension(
+            raise News(
                 _("Select a picture, or a picture and a closed path around something in it.")
             )
         return all_images if len(all_images) == 1 else []
@@ -108,14 +108,6 @@ class Trace(GradmeshEffect):
             return [_("Tracing {id}").format(id=self.called(ids[0]))]
         text = _("Tracing {id}, {number} of {count}")
         return [text.format(id=self.called(name), number=n, count=len(ids)) for n, name in enumerate(ids, 1)]
-
-    def called(self, name):
-        """What a person calls an object: its label, or else its id."""
-        return self._elements[name].get(LABEL) or name
-
-    @cached_property
-    def _elements(self):
-        return self.elements_by_id()
 
     def trace(self, ids, image, guides, tell, show):
         options = self.options

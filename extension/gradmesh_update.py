@@ -18,10 +18,16 @@ class Update(GradmeshEffect):
         if not any(result.changed for result in results):
             raise NothingToDo(
                 _("{meshes}: all blocks fit together, so there was nothing to do.").format(
-                    meshes=", ".join(result.id for result in results)
+                    meshes=", ".join(self.called(result.id) for result in results)
                 )
             )
         self.take_over()
+        text = _("{id}: its {objects} blocks fit together again; they have {handles} handles.")
+        self.became = [
+            text.format(id=self.called(result.id), objects=result.objects, handles=result.handles)
+            for result in results
+            if result.changed
+        ]
 
 
 if __name__ == "__main__":

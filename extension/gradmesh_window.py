@@ -9,6 +9,7 @@ alone, as long as it is allowed to take.
 import os
 import sys
 import threading
+import warnings
 from contextlib import contextmanager
 
 from gradmesh_attended import ATTENDED
@@ -167,6 +168,8 @@ def small(width, height, pixels):
 def toolkit():
     """The modules Gtk and GLib, or nothing where they or a display are missing."""
     try:
+        # inkex has Python show all warnings, and of how Python loads it gi is warned with every module.
+        warnings.filterwarnings("ignore", category=ImportWarning)
         import gi
 
         gi.require_version("Gtk", "3.0")

@@ -23,4 +23,13 @@ Message mesh_label(const MeshCounts& now, const MeshCounts& before, MetricKind m
   return Message("{0}, {1} {2}", mesh_label(now, before), label(metric), digits);
 }
 
+bool is_mesh_label(std::string_view text, const Translation& language) {
+  const Message any = mesh_label({});
+  for (const std::string& label : {any.english(), any.in(language)}) {
+    const std::string words = label.substr(0, label.find('0'));
+    if (!words.empty() && text.starts_with(words)) return true;
+  }
+  return false;
+}
+
 }  // namespace gradmesh

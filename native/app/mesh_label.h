@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "base/message.h"
 #include "form/counts.h"
 #include "metric/metric.h"
@@ -14,5 +16,8 @@ Message mesh_label(const MeshCounts& now, const MeshCounts& before);
 /// Returns "Gradient mesh: 140 of 660 handles, 80 of 132 patches, FLIP 0.0098".
 Message mesh_label(const MeshCounts& now, const MeshCounts& before, MetricKind metric,
                    double error);
+
+/// Returns whether a text begins as such labels do, in English or in another language.
+bool is_mesh_label(std::string_view text, const Translation& language);
 
 }  // namespace gradmesh

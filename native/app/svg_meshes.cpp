@@ -17,6 +17,7 @@
 #include "formats/svg/group/new_svg.h"
 #include "formats/svg/group/shape.h"
 #include "formats/svg/group/write_group.h"
+#include "formats/svg/group/written_label.h"
 #include "formats/svg/picture/image_cover.h"
 #include "formats/svg/picture/remove_meshes.h"
 #include "formats/svg/tree/kept.h"
@@ -301,12 +302,14 @@ void SvgMeshes::replace(const std::vector<ChangedMesh>& meshes, MetricKind metri
   for (const ChangedMesh& m : meshes) {
     const auto& [entry, written, counts, frame, measured] = m;
     const std::string original = writing.remember_original ? new_memory(m) : "";
-    if (!written.form.blocks) {
-      replace_gradient(m, original, by_origin);
-      continue;
-    }
     const MeshObject& o = object(entry);
     const MeshCounts now{written.counts().handles, written.mesh.face_count()};
+    const bool had_label = take_label(o);
+    if (!written.form.blocks) {
+      replace_gradient(m, original, by_origin);
+      if (had_label) give_written_label(o.node, mesh_label(now).in(translation()));
+      continue;
+    }
     const MeshCounts before = entry.simplified ? counts_before(o) : counts;
     const std::string label = mesh_label(now, before, metric, written.error).in(translation());
     write_group(changing(), o, {written.mesh, *written.form.blocks, label, before, original});
@@ -314,6 +317,12 @@ void SvgMeshes::replace(const std::vector<ChangedMesh>& meshes, MetricKind metri
   std::vector<MeshEntry> written;
   for (const ChangedMesh& m : meshes) written.push_back(m.entry);
   list_meshes(written);
+}
+
+bool SvgMeshes::take_label(const MeshObject& object) {
+  changing();
+  return take_written_label(
+      object, [&](const std::string& label) { return is_mesh_label(label, translation()); });
 }
 
 std::string SvgMeshes::new_memory(const ChangedMesh& m) const {
@@ -480,6 +489,7 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
 
   std::vector<MeshEntry> written;
   for (const Edited& e : edited) {
+    take_label(object(e.entry));
     write_group(changing(), object(e.entry),
                 {e.mesh, *e.form.blocks, e.label, e.before, e.original, true});
     written.push_back(e.entry);

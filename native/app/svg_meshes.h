@@ -155,6 +155,8 @@ class SvgMeshes : public Document {
   /// document becomes no larger by that.
   void replace_gradient(const ChangedMesh& mesh, const std::string& original,
                         GradientsByOrigin& by_origin);
+  /// Takes the label that tells of its mesh from an object. Returns whether there was one.
+  bool take_label(const MeshObject& object);
   /// Returns the label of a group that was edited: how far the mesh, as it will be written, is from
   /// the one that the group remembers.
   Message updated_label(const MeshEntry& group, const WrittenForm& form) const;

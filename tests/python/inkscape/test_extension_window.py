@@ -68,6 +68,7 @@ def test_say_apply_and_undo(tmp_path):
             assert seen(window, DIALOG) != more
             window.click(*APPLY)
             until(lambda: seen(window, TOLD) != nothing_told, "nothing is said")
+            window.click(700, 904)  # it is more than a sentence
             until(lambda: seen(window, TOLD) == nothing_told, "what is said does not go")
             assert (seen(window, CANVAS), seen(window, STATUS)) == at_first[1:]
 

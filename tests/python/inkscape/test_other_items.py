@@ -29,10 +29,12 @@ def patches(text):
     return mesh.patches
 
 
-def test_refine_and_update_and_one_mesh(run, simplified):
+def test_refine_and_update_and_one_mesh(run, simplified, tmp_path):
     block = block_ids(simplified)[0]
     refined = run(simplified, f"--id={block}", "--row=1", "--column=1", item="refine")
     assert refined.stderr == "" and patches(refined.stdout) == patches(simplified) + 3
+    log = (tmp_path / "cache" / "gradmesh" / "extension.log").read_text()
+    assert "pear: 3 more patches; now it has" in log and f"{patches(refined.stdout)} patches.\n" in log
     assert "fit together" in refused(run(simplified, "--id=pear", item="update"))
     one = run(simplified, f"--id={block}", item="to_one_mesh")
     assert one.stderr == "" and by_id(one.stdout)["pear"].tag == SVG + "path"

@@ -79,6 +79,15 @@ def test_the_current_layer_takes_them(run, file):
     assert [each.get("id") for each in ET.fromstring(text)][-1] == "page-1-mesh-1"
 
 
+@pytest.mark.parametrize("name", ["drawing.svg", "drawing.pdf", "drawing.pdf.svg"])
+def test_where_no_file_is_chosen_it_is_that_of_the_document(run, file, name):
+    document = file("/sh sh").with_name(name)
+    done = run(DOCUMENT, "--file=", item="pages", path=str(document))
+    assert layers(done.stdout)[1:] == [("drawing.pdf", ["page-1-mesh-1"])]
+    log = (document.parent / "cache" / "gradmesh" / "extension.log").read_text()
+    assert "No file was chosen, so it was drawing.pdf." in log
+
+
 def test_what_cannot_be_read_is_one_sentence(run, file, tmp_path):
     path = file("n")
     assert "there is no gradient mesh" in refused(run(DOCUMENT, f"--file={path}", item="pages"))

@@ -9,6 +9,7 @@
 #include "formats/svg/group/memory.h"
 #include "formats/svg/group/mesh_group.h"
 #include "formats/svg/group/shape.h"
+#include "formats/svg/group/written_label.h"
 #include "formats/svg/tree/own.h"
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/tree/unused.h"
@@ -123,10 +124,7 @@ class GroupWriter {
     set_own_attribute(group, "original", written_.original);
     set_own_attribute(group, "colors", written_.original.empty() ? "" : texts_.list());
     set_own_attribute(group, "written", remember_blocks(mesh_, written_.form));
-    set_own_attribute(group, "label", written_.label);
-    // The group around it, where there is one, is what the person sees first.
-    for (xmlNode* outer : with_outer(group))
-      set_attribute(outer, "label", written_.label, inkscape_namespace, "inkscape");
+    give_written_label(group, written_.label);
   }
 
   /// Adds the blocks to `parent`, the largest below, before the node `before` or at the end.

@@ -15,7 +15,8 @@ struct WrittenMesh {
   /// The mesh in the object's user space, colour model `bilinear`.
   const Mesh& mesh;
   const BlockForm& form;
-  /// The label that the person sees, such as "Gradient mesh: 140 of 660 handles, ...".
+  /// The label that the person sees where there is none of theirs, such as "Gradient mesh: 140 of
+  /// 660 handles, ...".
   std::string label;
   /// The counts before the mesh was first simplified, as of counts_before.
   MeshCounts before;
