@@ -117,7 +117,12 @@ def test_too_little_memory_ends_in_a_sentence(tmp_path):
     for megabytes in (*range(20, 120, 4), 4096):
         little = limited(resource.RLIMIT_AS, megabytes << 20)
         options = ("-o", tmp_path / "out.svg", *QUICK, "--threads", 1)
-        done = gradmesh("simplify", document, *options, preexec_fn=little)
+        try:
+            done = gradmesh("simplify", document, *options, preexec_fn=little)
+        except subprocess.TimeoutExpired:
+            # oneTBB of 2022 waits for itself where it has no memory for what it would throw.
+            assert megabytes < 64
+            continue
         if "error while loading shared libraries" in done.stderr or done.returncode == 127:
             continue  # too little to start at all
         if done.returncode < 0 and gradmesh("--version", preexec_fn=little).returncode < 0:

@@ -114,7 +114,7 @@ def scale_about(group, block, factor):
     """Scales a block as the selector does, by its path's transform."""
     center = group.blocks[block].mean()
     x, y = ((1 - factor) * part for part in (center.real, center.imag))
-    matrix = f"matrix({factor} 0 0 {factor} {x!r} {y!r})"
+    matrix = f"matrix({factor} 0 0 {factor} {float(x)!r} {float(y)!r})"
     group.document.by_id[block].set("transform", matrix)
     group.save()
 

@@ -23,7 +23,7 @@ HOW_MUCH, STRONG, ONLY_SAY, APPLY, CLOSE = (240, 115), (230, 175), (35, 453), (5
 # 1.4 paints the lowest row of the status line another way after an extension.
 DIALOG, STATUS = (0, 0, 630, 560), (520, 970, 1060, 988 if IS_1_4 else 1000)
 # After any extension 1.4 paints the radial gradient around the pear in its last colour.
-CANVAS = (420, 570, 650, 720) if IS_1_4 else (640, 140, 1370, 900)
+CANVAS = (420, 570, 650, 720) if IS_1_4 else (660, 140, 1370, 900)
 TOLD = (560, 884, 840, 924)
 
 

@@ -249,8 +249,9 @@ def test_the_debian_package_runs_from_any_root(debian_package, tmp_path):
 def test_the_debian_package_names_what_it_needs(debian_package):
     depends = run("dpkg-deb", "--field", debian_package, "Depends")
     names = set(re.findall(r"(?:^|, )([\w.+-]+)", depends))
-    assert {"libc6", "libepoxy0", "libglpk40", "libhwy1", "libtbb12", "libxml2", "libopenimageio2.4"} <= names
-    assert {"python3", "python3-numpy"} <= names
+    assert {"libc6", "libepoxy0", "libglpk40", "libtbb12", "python3", "python3-numpy"} <= names
+    for library in ("libhwy1", "libxml2", "libopenimageio2"):  # Debian 13 has others of a longer name
+        assert any(name.startswith(library) for name in names), (library, names)
     assert f"python3 (>= 3.{MINOR}), python3 (<< 3.{MINOR + 1})" in depends
     assert run("dpkg-deb", "--field", debian_package, "Package").strip() == "gradmesh"
     assert "inkscape" in run("dpkg-deb", "--field", debian_package, "Recommends")

@@ -18,6 +18,9 @@ def is_python(path):
 
 @pytest.mark.skipif(shutil.which("clang-format") is None, reason="clang-format is not installed")
 def test_the_core_is_formatted():
+    said = subprocess.run(["clang-format", "--version"], capture_output=True, text=True, check=True).stdout
+    if " version 14." not in said:
+        pytest.skip("clang-format is not that of Debian 12, and no two agree on all")
     sources = [p for p in CORE if p.suffix in {".h", ".cpp"}]
     assert len(sources) > 200
     done = subprocess.run(
