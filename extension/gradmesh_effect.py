@@ -297,7 +297,7 @@ def refusals_as_sentences(kind=News, news=()):
             _("There is not enough memory for this, so the document stays as it was.")
         ) from error
     except ValueError as error:
-        raise kind(settings_do_not_work(error)) from error
+        raise AbortExtension(settings_do_not_work(error)) from error
 
 
 def settings_do_not_work(why):

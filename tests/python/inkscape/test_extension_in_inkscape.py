@@ -386,28 +386,28 @@ def test_blocks_with_their_settings(inkscape, tmp_path, values, options):
     assert info(tmp_path / "after.svg")["stalk"]["patches"] == int(left)
 
 
+def test_a_fault_changes_nothing(inkscape, untouched, tmp_path):
+    set_values(inkscape, resolution=100, result="magic")
+    after = tmp_path / "after.svg"
+    said = inkscape.said_by_extension(RAW_ID, SAMPLES / "two.svg", after, select=["stalk"])
+    assert "'magic'" in said and said.count("\n") == 1 and said.endswith(".\n")
+    assert all_but_the_view(after) == all_but_the_view(untouched)
+
+
 @pytest.mark.parametrize(
     "values, words",
     [
         (NO_ERROR, "no handle can be taken out within an error of 0"),
-        ({"result": "magic"}, "'magic'"),
+        ({"preview": "true"}, "patches would be left, with an error of FLIP 0."),
     ],
 )
 def test_what_is_only_said_changes_nothing(inkscape, untouched, tmp_path, values, words):
+    """It is said in a dialog only where Python has no GTK 3, and always in the log."""
     set_values(inkscape, **{"resolution": 100, **values})
     after = tmp_path / "after.svg"
     said = inkscape.said_by_extension(RAW_ID, SAMPLES / "two.svg", after, select=["stalk"])
-    assert words in said and said.count("\n") == 1 and said.endswith(".\n")
-    assert all_but_the_view(after) == all_but_the_view(untouched)
-
-
-def test_what_would_be_left_changes_nothing(inkscape, untouched, tmp_path):
-    """It is said in a dialog only where Python has no GTK 3, and always in the log."""
-    set_values(inkscape, resolution=100, preview="true")
-    after = tmp_path / "after.svg"
-    said = inkscape.said_by_extension(RAW_ID, SAMPLES / "two.svg", after, select=["stalk"])
     log = (inkscape.home / "cache" / "gradmesh" / "extension.log").read_text()
-    assert "patches would be left, with an error of FLIP 0." in log
+    assert words in log
     assert said in ("", log.splitlines()[-1] + "\n")
     assert all_but_the_view(after) == all_but_the_view(untouched)
 

@@ -28,8 +28,8 @@ namespace gradmesh {
 ///                   (formats/svg/gradient/color_texts.h); may be absent
 ///   written         on the group: its blocks as they were last written, which tells what a person
 ///                   has moved; may be absent
-///   label           on the group, or on an object with one mesh gradient: its inkscape:label as
-///                   it was written
+///   label           on the group: its inkscape:label as it was written; on an object that was
+///                   one, too
 ///   face            on a block's path: number of its first face; the others follow row by row
 /// formats/svg/tree/own.h has the others.
 

@@ -1,6 +1,5 @@
 #include "formats/svg/group/new_object.h"
 
-#include "formats/svg/group/written_label.h"
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/values/reference.h"
@@ -69,7 +68,7 @@ xmlNode* add_object(SvgTree& tree, xmlNode* group, const NewMesh& mesh) {
   if (written.mesh.is_smooth()) set_attribute(object.gradient, "type", "bicubic");
   set_attribute(object.node, "style", style_of(stroke, gradient));
   if (is_rectangle(written.mesh, written.form.blocks))
-    give_written_label(object.node, written.label);
+    set_attribute(object.node, "label", written.label, inkscape_namespace, "inkscape");
   else
     write_group(tree, object, written);
   xmlNode* outermost = tree.find(id);
