@@ -303,6 +303,15 @@ TEST(SvgPath, box_of_arcs_against_dense_sampling) {
       }
 }
 
+TEST(SvgPath, a_large_arc_with_hardly_a_chord_is_the_ellipse) {
+  for (const char* end : {"1e-7", "1e-150", "1e-196", "1e-300"}) {
+    const auto box = path_box("M0 0a2 1 0 1 1 0 " + std::string(end));
+    ASSERT_TRUE(box) << end;
+    EXPECT_NEAR(box->size().x, 4, 1e-6) << end;
+    EXPECT_NEAR(box->size().y, 2, 1e-6) << end;
+  }
+}
+
 TEST(SvgPath, arcs_that_are_none) {
   // Radii too small are stretched to a half circle; none at all make a line; flags may stick.
   expect_box("M 0 0 A 1 1 0 0 1 10 0", {0, -5}, {10, 0});

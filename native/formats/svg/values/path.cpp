@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "formats/text/scanner.h"
@@ -56,7 +57,11 @@ std::optional<CenterArc> center_arc(const EndArc& arc) {
   // In the unit circle's coordinates: the chord's half is `unit`, the centre lies off its middle.
   const glm::dvec2 unit = start / r;
   const double square = glm::dot(unit, unit);
-  double off = std::sqrt(std::max(0.0, 1 / square - 1));
+  // The square of a chord that is hardly there may have no digits, or be 0.
+  const bool has_digits = square >= std::numeric_limits<double>::min();
+  double off =
+      has_digits ? std::sqrt(std::max(0.0, 1 / square - 1)) : 1 / std::hypot(unit.x, unit.y);
+  if (!std::isfinite(off)) return std::nullopt;
   if (arc.large == arc.sweep) off = -off;
   const glm::dvec2 center = off * glm::dvec2(unit.y, -unit.x);
   const glm::dvec2 first = unit - center, last = -unit - center;
