@@ -220,12 +220,8 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   if (document.is_one_gradient(entry)) options.gradient_rules = document.rules(entry, true);
   options.analysis = nullptr;
   const Problem problem = document.naming(entry, [&] {
-    Problem made = problem_of(mesh, options);
-    if (!made.original()->is_picture()) return made;
-    const Bounds asked_for = made.bounds;
-    // The bound of edits, which would be that of a mesh that is its own original.
-    made.bounds.local.reset();
-    return made.within(made.beyond_start(asked_for));
+    const Problem made = problem_of(mesh, options);
+    return made.within(made.beyond_start(made.bounds));
   });
   problem.price_with({&files.start(problem.price_key(), *mesh),
                       [=] { return device_for(*mesh, options); }, asked.device_lost});

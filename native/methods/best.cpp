@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "methods/edges.h"
@@ -12,6 +13,7 @@
 #include "methods/merging.h"
 #include "methods/packing.h"
 #include "methods/patch_set.h"
+#include "metric/detail_errors.h"
 #include "pricing/parallel_trials.h"
 
 namespace gradmesh {
@@ -75,13 +77,26 @@ std::vector<Face> all_faces(const Mesh& mesh) {
   return faces;
 }
 
+/// Adds to `spared` the faces that are seen in the windows whose errors of details are above the
+/// bound, as they are painted in `seen`. Returns true if there are any that were not spared yet.
+bool spare_harmed(const Plane& details, double bound, const Raster<std::uint32_t, 1>& seen,
+                  std::set<Face>& spared) {
+  const std::size_t before = spared.size();
+  for (int y = 0; y < details.height; ++y)
+    for (int x = 0; x < details.width; ++x)
+      if (*details.at(x, y) > bound)
+        for_each_run(seen, detail_window(x, y).clipped(seen.window()),
+                     [&](Window, TopFace top) { spared.insert(top.face()); });
+  return spared.size() > before;
+}
+
 /// Prices of regions, fitted, of a mesh of which parts change.
 class FittedPrices {
  public:
   /// Returns the regions of two patches that cost at most `limit`, the cheapest first. A price is
   /// kept until one of the patches changes; one above the limit at which it was found only until
-  /// the limit rises.
-  std::vector<Choice> up_to(double limit, FitTrial& trial,
+  /// the limit rises. Those with a patch that is spared are left out.
+  std::vector<Choice> up_to(double limit, FitTrial& trial, const std::set<Face>& spared,
                             const std::function<bool()>& should_stop) {
     const Mesh& mesh = trial.mesh();
     std::vector<Choice> choices;
@@ -90,6 +105,7 @@ class FittedPrices {
       if (!mesh.is_leaf(edge) || !leaf_across(mesh, edge).valid()) continue;
       const Region region = region_of_edge(mesh, edge);
       const std::vector<Face> patches{mesh.face(edge), mesh.face(mesh[edge].twin)};
+      if (spared.contains(patches[0]) || spared.contains(patches[1])) continue;
       const Known* known = still_known(region, patches, limit, trial);
       if (!known) unknown.push_back(choices.size());
       choices.push_back(choice_of(mesh, {region, patches, known ? known->price : 2 * limit}));
@@ -167,15 +183,16 @@ class Rounds {
 
   void fit(int steps) { fork_->trial.improve(all_faces(mesh()), steps); }
 
+  /// Returns the mesh of now if it breaks the bounds as written, else null.
+  const Candidate* broke() const { return broke_ ? &*broke_ : nullptr; }
+
   /// Runs rounds until nothing more helps. Returns the best mesh that keeps to the bounds as
   /// written.
   std::optional<Candidate> run() {
-    keep();
-    if (!best_) {
+    if (!keep()) {
       // What merging has lost of small parts and details no rounds bring back, if a fit does not.
       fit(steps_at_rest);
-      keep();
-      if (!best_) return std::nullopt;
+      if (!keep()) return std::nullopt;
     }
     for (bool at_rest = false; !should_stop();) {
       if (round()) {
@@ -185,11 +202,14 @@ class Rounds {
         fit(steps_at_rest);
         prices_.forget();
         at_rest = true;
-      } else {
+      } else if (!go_back_and_spare()) {
         break;
+      } else {
+        at_rest = false;
       }
       keep();
     }
+    go_back();
     if (goal_.count == Count::handles) drop_handles();
     return std::move(best_);
   }
@@ -207,7 +227,7 @@ class Rounds {
     // Prices are of fits of single patches; together with their neighbours they can do better.
     constexpr double most = 2, too_much = 3, too_little = 0.1, shrink = 0.4;
     const std::vector<Choice> choices =
-        prices_.up_to(most * room, trial, [&] { return should_stop(); });
+        prices_.up_to(most * room, trial, spared_, [&] { return should_stop(); });
     std::size_t last_size = 0;
     for (double share = too_much; share > too_little && !should_stop(); share *= shrink) {
       const auto chosen = best_regions(choices, mesh().face_slots(), share * room);
@@ -226,16 +246,38 @@ class Rounds {
     while (drops.drop_some(limit_)) keep();
   }
 
-  /// Remembers the mesh if it keeps to the bounds as it will be written. The error that writing
-  /// adds is kept free below epsilon from now on.
-  void keep() {
+  /// Goes back to the best mesh that keeps to the bounds if later rounds have broken them for good.
+  void go_back() {
+    if (broke_) fork_->trial.go_back(kept_);
+    prices_.forget();
+  }
+
+  /// Goes back, and leaves alone from then on what broke the bound of details, which no price
+  /// knows. Returns false if that is nothing new.
+  bool go_back_and_spare() {
+    if (!broke_ || !problem_.bounds.detail) return false;
+    const bool spares = spare_harmed(broke_->measured->details(), *problem_.bounds.detail,
+                                     kept_.error->painting.top, spared_);
+    go_back();
+    return spares;
+  }
+
+  /// Remembers the mesh if it keeps to the bounds as it will be written, and returns true then. The
+  /// error that writing adds is kept free below epsilon from now on.
+  bool keep() {
     Candidate written = problem_.measure(mesh());
     limit_ = problem_.bounds.epsilon - std::max(0.0, written.error - error());
-    if (!written.keeps) return;
+    if (!written.keeps) {
+      broke_ = std::move(written);
+      return false;
+    }
     patches_ = mesh().face_count();
     error_ = written.error;
     best_ = std::move(written);
     best_->error_added_up = error();
+    broke_.reset();
+    kept_ = fork_->trial.state();
+    return true;
   }
 
   const Problem& problem_;
@@ -245,6 +287,11 @@ class Rounds {
   std::unique_ptr<FitTrial::Fork> fork_;
   FittedPrices prices_;
   std::optional<Candidate> best_;
+  /// The state of the trial with that mesh, and the mesh of now if it breaks the bounds.
+  FitTrial::State kept_;
+  std::optional<Candidate> broke_;
+  /// Patches that are not merged, as their details were harmed.
+  std::set<Face> spared_;
   std::size_t rounds_ = 0;
   /// Patches and error of the best mesh so far, for `watch_`.
   int patches_ = fork_->mesh.face_count();
@@ -265,13 +312,13 @@ class Best {
   Candidate fewest_patches() {
     MergeTrial& trial = merged_->trial;
     select_gqe(trial, regions_, {omega(), false}, watch_);
-    std::optional<Candidate> best = fitted(trial, {});
+    std::optional<Candidate> best = rounds_from(trial, regions_, {})->run();
     if (best && best->mesh.face_count() == problem_.mesh().face_count()) best.reset();
     Candidate merged = merge_what_fits(problem_, trial, [&](MergeTrial& t, PriceTable& prices) {
       merge_by_gqe(t, prices, {omega(), false}, watch_);
     });
     const int fewest = merged.mesh.face_count();
-    if (best && best->mesh.face_count() > fewest) best = fitted_from(trial, {});
+    if (best && best->mesh.face_count() > fewest) best = rounds_at(trial, {})->run();
     if (!best || best->mesh.face_count() > fewest) return merged;
     const bool as_many = best->mesh.face_count() == fewest;
     return as_many && merged.error <= best->error ? merged : *std::move(best);
@@ -283,10 +330,7 @@ class Best {
     std::optional<Candidate> best;
     const int before = problem_.measure(problem_.mesh()).counts().handles;
     for (const double share : {1.0, 0.5}) {
-      const auto merged = start_->trial.fork();
-      merged->trial.lower_epsilon(share * problem_.bounds.epsilon);
-      select_gqe(merged->trial, regions_, {omega(), false}, watch_);
-      std::optional<Candidate> found = fitted(merged->trial, {Count::handles, share});
+      std::optional<Candidate> found = least_effort_with({Count::handles, share});
       if (!found || found->counts().handles >= before) continue;
       if (!best || found->effort() < best->effort()) best = std::move(found);
     }
@@ -296,23 +340,50 @@ class Best {
  private:
   double omega() const { return problem_.options.omega; }
 
-  /// Runs rounds from where gqe ends, or from beyond if that leaves no more patches. `merged` is
-  /// the mesh that gqe merged.
-  std::optional<Candidate> fitted(MergeTrial& merged, Goal goal) {
-    const std::unique_ptr<Rounds> rounds = beyond_epsilon(goal);
-    const bool goes_on = rounds && rounds->mesh().face_count() <= merged.mesh().face_count();
-    return goes_on ? rounds->run() : fitted_from(merged, goal);
+  /// Returns the best blocks of one share. Prices do not know the bound of details, least of all
+  /// where a person's weights raise them: where that leaves nothing, it is tried again without the
+  /// regions of the patches whose details were harmed.
+  std::optional<Candidate> least_effort_with(Goal goal) {
+    constexpr int tries = 6;
+    const auto start = start_->trial.state().error;
+    std::set<Face> spared;
+    std::vector<RegionPrice> regions = regions_;
+    for (int i = 0; i < tries; ++i) {
+      const auto merged = start_->trial.fork();
+      merged->trial.lower_epsilon(goal.share * problem_.bounds.epsilon);
+      select_gqe(merged->trial, regions, {omega(), false}, watch_);
+      const std::unique_ptr<Rounds> rounds = rounds_from(merged->trial, regions, goal);
+      if (std::optional<Candidate> found = rounds->run()) return found;
+      const Candidate* const broke = rounds->broke();
+      if (!broke || !problem_.bounds.detail ||
+          !spare_harmed(broke->measured->details(), *problem_.bounds.detail, start->painting.top,
+                        spared))
+        break;
+      std::erase_if(regions, [&](const RegionPrice& r) {
+        return std::ranges::any_of(r.patches, [&](Face f) { return spared.contains(f); });
+      });
+    }
+    return std::nullopt;
   }
 
-  std::optional<Candidate> fitted_from(MergeTrial& merged, Goal goal) {
-    Rounds rounds(merged, problem_, goal, watch_);
-    rounds.fit(steps_for_set);
-    return rounds.run();
+  /// Returns rounds from where gqe ends, or from beyond if that leaves no more patches. `merged` is
+  /// the mesh that gqe merged of these regions.
+  std::unique_ptr<Rounds> rounds_from(MergeTrial& merged, const std::vector<RegionPrice>& regions,
+                                      Goal goal) {
+    std::unique_ptr<Rounds> rounds = beyond_epsilon(regions, goal);
+    const bool goes_on = rounds && rounds->mesh().face_count() <= merged.mesh().face_count();
+    return goes_on ? std::move(rounds) : rounds_at(merged, goal);
+  }
+
+  std::unique_ptr<Rounds> rounds_at(MergeTrial& merged, Goal goal) {
+    auto rounds = std::make_unique<Rounds>(merged, problem_, goal, watch_);
+    rounds->fit(steps_for_set);
+    return rounds;
   }
 
   /// Returns the mesh with the most regions merged, by the sum of their prices, that keeps to
   /// epsilon once fitted.
-  std::unique_ptr<Rounds> beyond_epsilon(Goal goal) {
+  std::unique_ptr<Rounds> beyond_epsilon(const std::vector<RegionPrice>& regions, Goal goal) {
     constexpr int tries = 4;
     MergeTrial& start = start_->trial;
     std::unique_ptr<Rounds> best;
@@ -322,7 +393,7 @@ class Best {
         break;
       const double gamma = too_much == 0 ? 2 * enough : std::sqrt(enough * too_much);
       auto next = std::make_unique<Rounds>(start, problem_, goal, watch_);
-      if (next->begin(regions_, gamma)) {
+      if (next->begin(regions, gamma)) {
         enough = gamma;
         if (!best || next->mesh().face_count() <= best->mesh().face_count()) best = std::move(next);
       } else {

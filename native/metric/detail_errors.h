@@ -12,9 +12,14 @@ namespace gradmesh {
 /// do not.
 inline constexpr int detail_side = 4;
 
-/// Brings a map of the means of `errors` in the windows around each pixel up to date, where
-/// `errors` has changed at most inside `changed`. The window of a pixel begins two pixels above and
-/// to the left of it. Pixels beyond the frame, and those for which `counts` is 0, have no error.
+/// Returns the window of a pixel, which begins two pixels above and to the left of it.
+constexpr Window detail_window(int x, int y) {
+  constexpr int before = detail_side / 2;
+  return {x - before, y - before, x - before + detail_side, y - before + detail_side};
+}
+
+/// Brings a map of the means of `errors` in the windows (detail_window) of each pixel up to
+/// date, where `errors` has changed at most inside `changed`. Pixels beyond the frame, and those for which `counts` is 0, have no error.
 /// All three maps are of the size of the frame.
 void update_detail_errors(const Plane& errors, const Raster<std::uint8_t, 1>& counts,
                           Window changed, Plane& means);

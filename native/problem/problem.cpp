@@ -72,6 +72,7 @@ std::string Problem::renderer() const {
 Problem Problem::as_gradient() const {
   Problem copy = *this;
   copy.rules = gradient_rules ? gradient_rules : rules;
+  copy.local_bound_ = nullptr;
   return copy;
 }
 
@@ -81,7 +82,7 @@ Problem Problem::with_mesh(std::shared_ptr<const Mesh> mesh) const {
   copy.shared_ =
       std::make_shared<Shared>(Shared{std::move(mesh), s.original, s.layout, s.resolution, s.metric,
                                       s.frame, s.reference, s.coarse});
-  copy.own_local_bound_ = nullptr;
+  copy.local_bound_ = nullptr;
   return copy;
 }
 
@@ -91,7 +92,7 @@ Problem Problem::with_original(std::shared_ptr<const Original> original) const {
   const Shared& s = *shared_;
   copy.shared_ = std::make_shared<Shared>(
       Shared{s.mesh, std::move(original), s.layout, s.resolution, s.metric, s.frame, {}, {}});
-  copy.own_local_bound_ = nullptr;
+  copy.local_bound_ = nullptr;
   return copy;
 }
 
@@ -104,19 +105,14 @@ Problem Problem::weighted(std::vector<WeightedArea> areas) const {
   frame.weights = weights_in(frame, layout.weighted);
   copy.shared_ = std::make_shared<Shared>(Shared{s.mesh, s.original, std::move(layout),
                                                  s.resolution, s.metric, frame, nullptr, nullptr});
-  copy.own_local_bound_ = nullptr;
+  copy.local_bound_ = nullptr;
   return copy;
 }
 
 Problem Problem::within(const Bounds& other) const {
   Problem copy = *this;
   copy.bounds = other;
-  copy.own_local_bound_ = nullptr;
-  if (!other.local) return copy;
-  const Plane& map = start().state()->map;
-  copy.own_local_bound_ = std::make_shared<const LocalBound>(
-      original()->is_picture() ? LocalBound::beyond(*other.local, map)
-                               : LocalBound(*other.local, map));
+  copy.local_bound_ = nullptr;
   return copy;
 }
 
@@ -134,14 +130,16 @@ EditError& Problem::start() const {
   const bool masks = rules && rules->may_mask_opacity();
   std::optional<EditError>& start = shared_->starts[masks];
   if (!start) {
-    start.emplace(reference(), mesh(), masks, bounds.local, is_of_itself());
+    start.emplace(reference(), mesh(), masks, is_of_itself());
     if (is_blank(start->state()->painting)) check_painted(mesh(), frame(), shared_->resolution);
   }
   return *start;
 }
 
 std::unique_ptr<MergeTrial::Fork> Problem::trial() const {
-  return std::make_unique<MergeTrial::Fork>(mesh(), start().fork(), bounds.epsilon);
+  EditError error = start().fork();
+  error.keep_to(local_bound());
+  return std::make_unique<MergeTrial::Fork>(mesh(), std::move(error), bounds.epsilon);
 }
 
 std::unique_ptr<MergeTrial::Fork> Problem::pricing_trial() const {
@@ -159,9 +157,14 @@ std::unique_ptr<MergeTrial::Fork> Problem::pricing_trial() const {
   return fork;
 }
 
-const LocalBound* Problem::local_bound() const {
-  if (own_local_bound_ || !bounds.local) return own_local_bound_.get();
-  return start().local_bound();
+const std::shared_ptr<const LocalBound>& Problem::local_bound() const {
+  if (bounds.local && !local_bound_) {
+    const Plane& map = start().state()->map;
+    local_bound_ = std::make_shared<const LocalBound>(original()->is_picture()
+                                                          ? LocalBound::beyond(*bounds.local, map)
+                                                          : LocalBound(*bounds.local, map));
+  }
+  return local_bound_;
 }
 
 void Problem::take(const FrameError& error, Candidate& found) const {
@@ -175,7 +178,7 @@ void Problem::take(const FrameError& error, Candidate& found) const {
 Candidate Problem::measure(Mesh mesh, const Candidate* near, double limit) const {
   Candidate found{.mesh = std::move(mesh), .changed = true};
   if (rules) found.form = rules->form(found.mesh, frame());
-  const LocalBound* const bound = local_bound();
+  const LocalBound* const bound = local_bound().get();
   const Mesh& surface = found.surface();
   if (near && near->measured && near->form.masks_opacity() == found.form.masks_opacity())
     found.measured =
@@ -191,7 +194,9 @@ Candidate Problem::unchanged() const {
   Candidate found{.mesh = mesh(), .error_added_up = start().error()};
   const std::shared_ptr<const Mesh> same = original()->mesh();
   if (is_of_itself() || (same && are_same_but_for_fixed(*same, mesh()))) return found;
-  take(start().whole_frame(mesh()), found);
+  EditError error = start().fork();
+  error.keep_to(local_bound());
+  take(error.whole_frame(mesh()), found);
   return found;
 }
 

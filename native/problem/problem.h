@@ -167,12 +167,13 @@ class Problem {
   EditError& start() const;
   /// Gives a candidate its errors, and finds out whether it keeps to the bounds.
   void take(const FrameError& error, Candidate& found) const;
-  /// Returns the bound of the error of small parts; null if there is none.
-  const LocalBound* local_bound() const;
+  /// Returns the bound of the error of small parts; null if there is none. The first call may not
+  /// be concurrent.
+  const std::shared_ptr<const LocalBound>& local_bound() const;
 
   std::shared_ptr<Shared> shared_;
-  /// The bound of small parts where it is another than that of `start()`.
-  std::shared_ptr<const LocalBound> own_local_bound_;
+  /// Made of `bounds` and of the map of `start()` when it is first needed.
+  mutable std::shared_ptr<const LocalBound> local_bound_;
 };
 
 }  // namespace gradmesh

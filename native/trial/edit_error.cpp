@@ -21,7 +21,7 @@ bool overlaps(const Painting& painting, Window window) {
 }  // namespace
 
 EditError::EditError(std::shared_ptr<const Reference> reference, const Mesh& start,
-                     bool masks_opacity, std::optional<double> max_local_error, bool is_original) {
+                     bool masks_opacity, bool is_original) {
   const auto fixed = std::make_shared<Fixed>();
   fixed->frame = reference->frame();
   fixed->frame.masked_opacity = masks_opacity && !start.is_smooth() &&
@@ -40,13 +40,12 @@ EditError::EditError(std::shared_ptr<const Reference> reference, const Mesh& sta
   for (const Face f : start.faces())
     state->bounds[f.value] = pixel_bounds(start.patch(f), fixed->frame);
   state->overlaps = overlaps(state->painting, state->painting.window());
-  if (max_local_error) fixed->local_bound.emplace(*max_local_error, state->map);
   fixed->reference = std::move(reference);
   fixed_ = fixed;
   state_ = state;
 }
 
-EditError EditError::fork() { return {fixed_, state()}; }
+EditError EditError::fork() { return {fixed_, local_bound_, state()}; }
 
 std::shared_ptr<const EditError::State> EditError::state() {
   own_state_.reset();
@@ -109,13 +108,13 @@ std::vector<double> EditError::change_by_face(std::size_t face_slots) const {
 }
 
 bool EditError::keeps_local_bound() {
-  if (!fixed_->local_bound || trial_.measured.empty()) return true;
+  if (!local_bound_ || trial_.measured.empty()) return true;
   // All windows with a pixel that was measured.
   const Window around = trial_.measured.grown(local_side - 1).clipped(fixed_->frame.window());
   trial_.map_around.reset(around);
   copy(state_->map, around, trial_.map_around);
   copy(trial_.map, trial_.measured, trial_.map_around);
-  return fixed_->local_bound->holds(trial_.map_around);
+  return local_bound_->holds(trial_.map_around);
 }
 
 void EditError::accept(const Journal& journal) {

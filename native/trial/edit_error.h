@@ -3,7 +3,7 @@
 #include <atomic>
 #include <limits>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/image.h"
@@ -25,11 +25,14 @@ class EditError {
   /// Paints `start`, the mesh that will be edited, as it will be written. The error may be above 0
   /// before anything is merged: `start` may hold less than the original, and a translucent mesh of
   /// the model `bilinear` has its opacities in a mask, unless `masks_opacity` is false.
-  /// `max_local_error` bounds the error of small parts (LocalBound). `is_original` is true if the
-  /// reference was painted of `start`, which then need not be painted again.
+  /// `is_original` is true if the reference was painted of `start`, which then need not be painted
+  /// again.
   EditError(std::shared_ptr<const Reference> reference, const Mesh& start,
-            bool masks_opacity = true, std::optional<double> max_local_error = std::nullopt,
-            bool is_original = false);
+            bool masks_opacity = true, bool is_original = false);
+
+  /// Sets the bound of the error of small parts, for this EditError and the forks made from now on;
+  /// null for none.
+  void keep_to(std::shared_ptr<const LocalBound> bound) { local_bound_ = std::move(bound); }
 
   /// Returns an EditError for another thread, with the same reference, that goes on from what this
   /// one has accepted. Neither sees what the other does.
@@ -51,15 +54,13 @@ class EditError {
   /// journal's mesh.
   std::vector<double> change_by_face(std::size_t face_slots) const;
   /// Returns the bound of the error of small parts; null if there is none.
-  const LocalBound* local_bound() const {
-    return fixed_->local_bound ? &*fixed_->local_bound : nullptr;
-  }
+  const LocalBound* local_bound() const { return local_bound_.get(); }
   /// Returns true if the mesh of the last after_edits, whose error must be at most its limit, keeps
   /// to the local bound.
   bool keeps_local_bound();
   /// Returns true if the accepted mesh keeps to the local bound.
   bool accepted_keeps_local_bound() const {
-    return !fixed_->local_bound || fixed_->local_bound->holds(state_->map);
+    return !local_bound_ || local_bound_->holds(state_->map);
   }
   /// Accepts the journal's mesh, which must be that of the last after_edits, with an error of at
   /// most its limit.
@@ -101,16 +102,17 @@ class EditError {
     std::shared_ptr<const Reference> reference;
     /// That of the reference, and whether opacities are in a mask.
     Frame frame;
-    std::optional<LocalBound> local_bound;
     mutable std::atomic<int> evaluations = 0;
   };
-  EditError(std::shared_ptr<const Fixed> fixed, std::shared_ptr<const State> state)
-      : fixed_(std::move(fixed)), state_(std::move(state)) {}
+  EditError(std::shared_ptr<const Fixed> fixed, std::shared_ptr<const LocalBound> bound,
+            std::shared_ptr<const State> state)
+      : fixed_(std::move(fixed)), local_bound_(std::move(bound)), state_(std::move(state)) {}
 
   /// Returns the pixels that the faces touched may change.
   Window changed_pixels(const Mesh& mesh, const std::vector<Face>& touched) const;
 
   std::shared_ptr<const Fixed> fixed_;
+  std::shared_ptr<const LocalBound> local_bound_;
   std::shared_ptr<const State> state_;
   /// The value of `state_` if no other object shares it, so that it may be changed; else null.
   std::shared_ptr<State> own_state_;

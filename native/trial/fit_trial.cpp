@@ -149,7 +149,7 @@ bool FitTrial::try_drops(const std::vector<HandleDrop>& drops, double limit, int
 
 bool FitTrial::keep_if_cheap(std::size_t depth, const std::vector<Face>& changed, double limit,
                              int steps, const std::function<bool(const Mesh&)>& is_kept) {
-  const auto start = error_.state();
+  const State start{depth, error_.state()};
   error_.after_edits(journal_, depth);
   error_.accept(journal_);
   fit(with_neighbours(mesh(), changed), steps, limit);
@@ -159,7 +159,7 @@ bool FitTrial::keep_if_cheap(std::size_t depth, const std::vector<Face>& changed
     for (const Face f : journal_.touched_since(depth)) last_change_[f.value] = changes_;
     return true;
   }
-  go_back(depth, start);
+  go_back(start);
   return false;
 }
 
@@ -172,11 +172,10 @@ void FitTrial::make(const HandleDrop& drop) {
 }
 
 void FitTrial::improve(const std::vector<Face>& faces, int steps) {
-  const std::size_t depth = journal_.depth();
-  const auto start = error_.state();
+  const State start = state();
   const bool kept = error_.accepted_keeps_local_bound();
   fit(faces, steps, 1);
-  if (kept && !error_.accepted_keeps_local_bound()) go_back(depth, start);
+  if (kept && !error_.accepted_keeps_local_bound()) go_back(start);
 }
 
 void FitTrial::fit(const std::vector<Face>& faces, int steps, double limit) {
@@ -209,9 +208,9 @@ std::vector<Face> FitTrial::merge_possible(const std::vector<Region>& regions) {
   return merged;
 }
 
-void FitTrial::go_back(std::size_t depth, std::shared_ptr<const EditError::State> state) {
-  journal_.undo_to(depth);
-  error_.restore(std::move(state));
+void FitTrial::go_back(const State& state) {
+  journal_.undo_to(state.depth);
+  error_.restore(state.error);
 }
 
 std::unique_ptr<FitTrial::Fork> FitTrial::fork() {

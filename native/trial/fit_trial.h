@@ -57,6 +57,15 @@ class FitTrial {
     return std::size_t(face.value) < last_change_.size() ? last_change_[face.value] : 0;
   }
 
+  /// A state of the trial, to go back to.
+  struct State {
+    std::size_t depth = 0;
+    std::shared_ptr<const EditError::State> error;
+  };
+  State state() { return {journal_.depth(), error_.state()}; }
+  /// Takes back what was merged and fitted since that state.
+  void go_back(const State& state);
+
   const Mesh& mesh() const { return journal_.mesh(); }
   const Reference& reference() const { return error_.reference(); }
   double error() const { return error_.error(); }
@@ -77,8 +86,6 @@ class FitTrial {
                      const std::function<bool(const Mesh&)>& is_kept = {});
   void make(const HandleDrop& drop);
   Plainness plainness() const { return keeps_plain_ ? Plainness(mesh()) : Plainness(); }
-  /// Goes back to an earlier depth, and to the error there.
-  void go_back(std::size_t depth, std::shared_ptr<const EditError::State> state);
   /// Fits the faces in at most `steps` steps. Gives up early if the error falls too slowly to come
   /// down to `limit` in that many steps.
   void fit(const std::vector<Face>& faces, int steps, double limit);

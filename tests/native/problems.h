@@ -16,7 +16,10 @@ inline std::shared_ptr<const Reference> reference(const Mesh& original, const Fr
 inline EditError edit_error(const Mesh& original, const Mesh& start, const Frame& frame,
                             MetricKind metric, bool masks_opacity = true,
                             std::optional<double> max_local_error = std::nullopt) {
-  return {reference(original, frame, metric), start, masks_opacity, max_local_error};
+  EditError error(reference(original, frame, metric), start, masks_opacity);
+  if (max_local_error)
+    error.keep_to(std::make_shared<const LocalBound>(*max_local_error, error.state()->map));
+  return error;
 }
 
 inline Problem problem(const Mesh& mesh, const RunOptions& options) {

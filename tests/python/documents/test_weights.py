@@ -108,6 +108,26 @@ def test_curves_and_sessions_are_weighted(svg, tmp_path):
     assert state.read_bytes() == by_python(svg, amount="balanced", weights={"eyes": 4})[1]
 
 
+def test_blocks_of_a_weighted_mesh_become_as_simple(svg, tmp_path):
+    """Weights raise the errors of details, which no price of a merge knows. What an amount leaves is the
+    curve's state of that amount, unless one with a smaller error has fewer handles already."""
+    weighted = ("--weigh", "eyes=4", "--resolution", 250, "--method", "best")
+    curve, state, out = tmp_path / "curve.json", tmp_path / "state.svg", tmp_path / "out.svg"
+    printed("simplify", svg, "--curve", curve, *weighted)
+    (found,) = json.loads(curve.read_text())["meshes"]
+    assert set(found["marks"]) == {"gentle", "balanced", "strong"}
+    for amount, marked in found["marks"].items():
+        (told,) = simplified(svg, out, *weighted, "--count", "handles", "--amount", amount)
+        assert told["handles_after"] < 0.7 * told["handles_before"]
+        handles = found["states"][marked]["handles"]
+        assert handles <= told["handles_after"]
+        if handles < told["handles_after"]:
+            assert found["states"][marked]["error"] < told["error"]
+            continue
+        printed("simplify", svg, "-o", state, "--state", marked, *weighted)
+        assert out.read_bytes() == state.read_bytes()
+
+
 def test_prices_are_of_their_weights_alone(svg, tmp_path):
     saved, out = tmp_path / "prices", tmp_path / "out.svg"
     priced = (*OPTIONS, "--method", "gqe", "--quiet")
