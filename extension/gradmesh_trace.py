@@ -104,10 +104,16 @@ class Trace(GradmeshEffect):
 
     def titles(self, ids):
         """What the progress window says while each of the meshes is at work."""
+        names = [self.called_or(_("the picture"), name) for name in ids]
         if len(ids) == 1:
-            return [_("Tracing {id}").format(id=self.called(ids[0]))]
+            return [_("Tracing {id}").format(id=names[0])]
         text = _("Tracing {id}, {number} of {count}")
-        return [text.format(id=self.called(name), number=n, count=len(ids)) for n, name in enumerate(ids, 1)]
+        return [text.format(id=name, number=n, count=len(ids)) for n, name in enumerate(names, 1)]
+
+    def called_or(self, words, name):
+        """What a person calls an object; these words for a picture without a label, whose id no person gave."""
+        is_image = is_called(self.elements_by_id()[name], "image")
+        return words if is_image and self.called(name) == name else self.called(name)
 
     def trace(self, ids, image, guides, tell, show):
         options = self.options

@@ -49,6 +49,16 @@ def page(*elements):
     )
 
 
+def labelled(element, label, own=False):
+    """With a label in Inkscape, which gradmesh wrote if it is its own."""
+    wrote = f'xmlns:gradmesh="urn:gradmesh" gradmesh:label="{label}"' if own else ""
+    return element.replace("/>", f' inkscape:label="{label}" xmlns:inkscape="{INKSCAPE}" {wrote}/>')
+
+
+FAR = '<circle id="far" cx="190" cy="150" r="9"/>'
+CUT_AWAY = '<clipPath id="cut"><circle cx="190" cy="150" r="9"/></clipPath>'
+
+
 def is_hidden(element):
     return "display:none" in (element.get("style") or "")
 
@@ -181,6 +191,9 @@ def most_points_below_each_other(text):
         ([image(), '<path id="line" d="M10,10 40,40 10,40"/>'], ["line"], "line is an open path"),
         ([image(), '<circle id="far" cx="190" cy="150" r="9"/>'], ["photo", "far"], '"far" does not lie on'),
         ([image(link="none.png"), CIRCLE], ["apple"], "none.png"),
+        ([image('clip-path="url(#cut)"'), CUT_AWAY], ["photo"], "nothing is seen of the picture."),
+        ([labelled(image('clip-path="url(#cut)"'), "Sea"), CUT_AWAY], ["photo"], 'nothing is seen of "Sea".'),
+        ([image().replace('"90"', '"0"')], ["photo"], "the picture has no size."),
         ([image(link="data:image/png;base64,aaaa"), CIRCLE], ["apple"], "picture"),
     ),
 )
@@ -209,7 +222,7 @@ def test_what_is_told_of_each_mesh(extension, run, tmp_path):  # noqa: F811
     Image.fromarray(noise).save(file, "PNG")
     link = "data:image/png;base64," + base64.b64encode(file.getvalue()).decode()
     log = tmp_path / "cache" / "gradmesh" / "extension.log"
-    spot = CIRCLE.replace("/>", f' inkscape:label="Spot" xmlns:inkscape="{INKSCAPE}"/>')
+    spot = labelled(CIRCLE, "Spot")
     run(page(image(link=link), spot), "--id=apple", "--handles=4", item="trace")
     assert re.search(r"Spot: 4 handles, \d+\.\d of 255 levels off the picture in the mean\. That is", log.read_text())
     log.unlink()

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/utf8_path.h"
 #include "files/base64.h"
+#include "formats/svg/group/written_label.h"
 #include "formats/svg/picture/image_room.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/visible.h"
@@ -67,8 +68,8 @@ const xmlNode* image_under(const SvgTree& tree, const std::string& shape,
     if (reaches && (is_below || !under)) under = node;
   }
   if (!under)
-    throw InputError("{0}: {1} lies on none of its {2} pictures.", tree.name(), excerpt(shape),
-                     count);
+    throw InputError("{0}: {1} lies on none of its {2} pictures.", tree.name(),
+                     called(tree.find(shape)), count);
   return under;
 }
 
