@@ -19,7 +19,7 @@ from gradmesh_window import LongWork
 
 #: Of a mesh that takes as many handles as it needs.
 MOST_HANDLES = 1000
-BESIDE_THE_PICTURE = ("{0}: {1} does not lie on the picture.",)
+BESIDE_THE_PICTURE = ("{0}: {1} does not lie on the picture.", "{0}: {1} lies on none of its {2} pictures.")
 WHAT_HELPS = _(
     "That is seen. More handles help, a path around something with soft colours, or to ignore what is larger; sharp "
     "shapes, text and leaves are better made by Path > Trace Bitmap."
