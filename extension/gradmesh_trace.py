@@ -134,8 +134,11 @@ class Trace(GradmeshEffect):
     def what_became(self, tracings, ids):
         """The sentences that a person is told after a run."""
         for name, tracing in zip(ids, tracings):
-            yield _("{id}: {handles} handles, {mean:.1f} of 255 levels off the picture in the mean.").format(
-                id=self.called(name), handles=tracing.handles, mean=tracing.errors.mean
+            percent, tenths = divmod(round(1000 * (1 - tracing.errors.mean / 255)), 10)
+            # The digits are apart, as not every language has a point between them.
+            # xgettext:no-python-format
+            yield _("{id}: {handles} handles, {percent}.{tenths} % like the picture.").format(
+                id=self.called_or(_("The picture"), name), handles=tracing.handles, percent=percent, tenths=tenths
             )
             if tracing.unused_guides and len(ids) == 1:
                 yield _("{count} of the open paths cannot be followed.").format(count=tracing.unused_guides)
