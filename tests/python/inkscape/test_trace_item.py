@@ -110,6 +110,16 @@ def test_a_linked_picture_is_found_beside_the_copy_or_the_document(run, tmp_path
     assert "soft.png" in refused(run(document, "--id=apple", FEW, item="trace"))
 
 
+@pytest.mark.parametrize("relative_to", ("copy", "document"))
+def test_a_missing_picture_is_named_where_a_person_knows_it(run, tmp_path, relative_to):
+    """Its folder may be gone too. Inkscape's copy of the document lies elsewhere than the document."""
+    home = tmp_path / "home" / "ann"
+    (home / "work").mkdir(parents=True)
+    link = "home/ann/old/soft.png" if relative_to == "copy" else "../old/soft.png"
+    done = run(page(image(link=link), CIRCLE), "--id=apple", FEW, item="trace", path=str(home / "work" / "a.svg"))
+    assert f"{home / 'old' / 'soft.png'} cannot be read" in refused(done)
+
+
 def test_a_mesh_for_each_of_several_paths_of_the_picture_below_it(run):
     other = image('transform="translate(100 0)"', link=embedded(60), name="other")
     spot = '<circle id="spot" cx="150" cy="40" r="20"/>'
