@@ -19,7 +19,7 @@ from gradmesh_window import LongWork
 
 #: Of a mesh that takes as many handles as it needs.
 MOST_HANDLES = 1000
-BESIDE_THE_PICTURE = ("{0}: {1} does not lie on the picture.",)
+BESIDE_THE_PICTURE = ("{0}: {1} does not lie on the picture.", "{0}: {1} lies on none of its {2} pictures.")
 WHAT_HELPS = _(
     "That is seen. More handles help, a path around something with soft colours, or to ignore what is larger; sharp "
     "shapes, text and leaves are better made by Path > Trace Bitmap."
@@ -104,10 +104,16 @@ class Trace(GradmeshEffect):
 
     def titles(self, ids):
         """What the progress window says while each of the meshes is at work."""
+        names = [self.called_or(_("the picture"), name) for name in ids]
         if len(ids) == 1:
-            return [_("Tracing {id}").format(id=self.called(ids[0]))]
+            return [_("Tracing {id}").format(id=names[0])]
         text = _("Tracing {id}, {number} of {count}")
-        return [text.format(id=self.called(name), number=n, count=len(ids)) for n, name in enumerate(ids, 1)]
+        return [text.format(id=name, number=n, count=len(ids)) for n, name in enumerate(names, 1)]
+
+    def called_or(self, words, name):
+        """What a person calls an object; these words for a picture without a label, whose id no person gave."""
+        is_image = is_called(self.elements_by_id()[name], "image")
+        return words if is_image and self.called(name) == name else self.called(name)
 
     def trace(self, ids, image, guides, tell, show):
         options = self.options
@@ -128,8 +134,11 @@ class Trace(GradmeshEffect):
     def what_became(self, tracings, ids):
         """The sentences that a person is told after a run."""
         for name, tracing in zip(ids, tracings):
-            yield _("{id}: {handles} handles, {mean:.1f} of 255 levels off the picture in the mean.").format(
-                id=self.called(name), handles=tracing.handles, mean=tracing.errors.mean
+            percent, tenths = divmod(round(1000 * (1 - tracing.errors.mean / 255)), 10)
+            # The digits are apart, as not every language has a point between them.
+            # xgettext:no-python-format
+            yield _("{id}: {handles} handles, {percent}.{tenths} % like the picture.").format(
+                id=self.called_or(_("The picture"), name), handles=tracing.handles, percent=percent, tenths=tenths
             )
             if tracing.unused_guides and len(ids) == 1:
                 yield _("{count} of the open paths cannot be followed.").format(count=tracing.unused_guides)

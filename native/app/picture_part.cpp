@@ -91,9 +91,11 @@ std::function<void(const LineGrid&)> PartTracer::shower(const Goal& goal) const 
   using Clock = std::chrono::steady_clock;
   // Not so often that the run would take longer for it.
   constexpr std::chrono::milliseconds pause(400);
-  return [this, pause, place = goal.place, next = Clock::now()](const LineGrid& grid) mutable {
-    if (Clock::now() < next) return;
+  return [this, pause, place = goal.place, next = Clock::now(),
+          shown = std::optional<LineGrid>()](const LineGrid& grid) mutable {
+    if (Clock::now() < next || shown == grid) return;
     options_.show(exact_->painted(mesh_of(grid, place)));
+    shown = grid;
     next = Clock::now() + pause;
   };
 }
@@ -107,7 +109,6 @@ PartTracer::Beginnings PartTracer::beginnings(const Goal& goal) const {
   for (Beginning& beginning : beginnings.grids) {
     GuidedGrid guided = guided_grid(beginning.grid, guides, options_.handles);
     beginning.grid = std::move(guided.grid);
-    beginning.tell = shower(goal);
     beginnings.unused_guides.push_back(std::move(guided.unused));
   }
   return beginnings;
@@ -139,7 +140,7 @@ FilledOutline PartTracer::shape_in_pixels() const {
 TracedPart PartTracer::run(StopWatch& watch) const {
   const Goal goal = this->goal();
   const Beginnings beginnings = this->beginnings(goal);
-  const TracedGrid traced = traced_grid(beginnings.grids, options_.handles, watch);
+  const TracedGrid traced = traced_grid(beginnings.grids, options_.handles, watch, shower(goal));
   const LineGrid& grid = traced.grid;
   TracedPart part{mesh_of(grid, goal.place), grid.rows(), grid.columns(),
                   beginnings.unused_guides[traced.beginning]};

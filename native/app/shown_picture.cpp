@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <ranges>
 #include <system_error>
 
 #include "base/clamped_int.h"
@@ -28,6 +29,26 @@ Window window_around(const Outline& shape, const Picture& picture) {
       .clipped(image.window());
 }
 
+/// Returns how many parts at the end of a path do not exist.
+int missing_parts(std::filesystem::path path) {
+  std::error_code error;
+  int count = 0;
+  for (; !std::filesystem::exists(path, error) && path.has_relative_path(); ++count)
+    path = path.parent_path();
+  return count;
+}
+
+/// Returns where a person knows a file that is in none of the folders. A link is relative to one of
+/// them; under the others most folders on its way are missing as well.
+std::filesystem::path likeliest_place(const std::filesystem::path& file,
+                                      const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::filesystem::path> places;
+  for (const std::filesystem::path& folder : std::views::reverse(folders))
+    places.push_back((folder / file).lexically_normal());
+  const auto least = std::ranges::min_element(places, {}, missing_parts);
+  return least == places.end() ? file : *least;
+}
+
 }  // namespace
 
 ShownPicture::ShownPicture(const SvgMeshes& svg, const std::string& id, const std::string& image)
@@ -40,7 +61,7 @@ ShownPicture::ShownPicture(const SvgMeshes& svg, const std::string& id, const st
     *place = folder / *place;
     return;
   }
-  if (!svg.folders().empty()) *place = svg.folders().back() / *place;
+  *place = likeliest_place(*place, svg.folders());
 }
 
 Picture ShownPicture::read(int longest) const {

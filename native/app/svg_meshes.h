@@ -6,6 +6,7 @@
 #include "app/document.h"
 #include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/group/pages_in_svg.h"
+#include "formats/svg/group/written_label.h"
 #include "formats/svg/picture/document_image.h"
 #include "formats/svg/picture/picture.h"
 #include "formats/svg/picture/remembered_picture.h"
@@ -55,6 +56,8 @@ class SvgMeshes : public Document {
   ImageFile image_file(const std::string& id, const std::string& image) const {
     return gradmesh::image_file(svg_, id, image);
   }
+  /// Returns what a sentence calls the element with this id (formats/svg/group/written_label.h).
+  Message called(const std::string& id) const { return gradmesh::called(svg_.find(id)); }
   /// Returns true if there is an <image> with this id.
   bool is_image(const std::string& id) const { return gradmesh::is_image(svg_, id); }
   /// Puts a rectangle above the image with this id and returns its id (formats/svg/picture/

@@ -18,7 +18,6 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "files/picture_file.h"
-#include "formats/text/excerpt.h"
 #include "mesh/build.h"
 #include "trace/traced_grid.h"
 
@@ -89,7 +88,7 @@ class ShapeTrace {
         tracer_(part_around(picture, svg.shape_on_picture(id, image, options.guides, size_)),
                 part_options(options)) {
     if (!tracer_.has_pixels())
-      throw InputError("{0}: {1} does not lie on the picture.", svg.name(), excerpt(id));
+      throw InputError("{0}: {1} does not lie on the picture.", svg.name(), svg.called(id));
   }
 
   /// Returns false if the caller has cancelled it.

@@ -16,6 +16,8 @@
 namespace gradmesh {
 namespace {
 
+using Tell = std::function<void(const LineGrid&)>;
+
 /// A target and smaller ones, each half as large as the one before.
 using Pyramid = std::vector<TargetPicture>;
 
@@ -33,27 +35,35 @@ double rmse(double squares, const TargetPicture& target) {
   return std::sqrt(squares / (channels(target) * std::max(1.0, target.counted())));
 }
 
-/// Returns whether the first of two results is better, where the squares of each count so many
-/// times.
-bool is_better(const TracedGrid& a, double a_counts, const TracedGrid& b, double b_counts) {
+/// Returns whether the first of two results is better.
+bool is_better(const TracedGrid& a, const TracedGrid& b) {
   if (a.is_enough != b.is_enough) return a.is_enough;
   if (a.is_enough && a.grid.points() != b.grid.points()) return a.grid.points() < b.grid.points();
-  return a_counts * a.squares < b_counts * b.squares;
+  return a.counts * a.squares < b.counts * b.squares;
 }
 
-/// Returns whether the first of two grown grids is likely to become the better one, where the
-/// squares of each count so many times.
-bool is_more_promising(const TracedGrid& a, double a_counts, const TracedGrid& b, double b_counts) {
+/// Returns whether the first of two grown grids is likely to become the better one.
+bool is_more_promising(const TracedGrid& a, const TracedGrid& b) {
   if (a.is_enough != b.is_enough) return a.is_enough;
-  if (!a.is_enough) return a_counts * a.squares < b_counts * b.squares;
+  if (!a.is_enough) return a.counts * a.squares < b.counts * b.squares;
   // Squares are about inverse to points: the product says how many are left where all but enough
   // were taken out.
   return a.squares * a.grid.points() < b.squares * b.grid.points();
 }
 
+/// Returns the best of the results but the one at `left_out`; null if there is no other.
+const TracedGrid* best_but(const std::vector<TracedGrid>& found, std::size_t left_out) {
+  const TracedGrid* best = nullptr;
+  for (std::size_t n = 0; n < found.size(); ++n)
+    if (n != left_out && (!best || is_better(found[n], *best))) best = &found[n];
+  return best;
+}
+
 /// A part of the work, and how many such parts there are: to grow or to finish one grid.
 struct Turn {
   std::size_t number, count;
+  /// The best that came of other beginnings so far; null if none has had a turn.
+  const TracedGrid* rival;
 };
 
 /// At most how many lines and points a grid may have for a target: a patch has two pixels each way.
@@ -64,10 +74,14 @@ MostLines most_lines(const TargetPicture& target, int points) {
 /// One beginning and what becomes of it: first it is grown, which is quick, then finished.
 class Tracer {
  public:
-  Tracer(const Beginning& beginning, const Pyramid& levels, int points, StopWatch& watch)
-      : levels_(levels),
+  /// `number` is that of the beginning.
+  Tracer(const Beginning& beginning, std::size_t number, const Pyramid& levels, int points,
+         StopWatch& watch, const Tell& tell)
+      : number_(number),
+        counts_(beginning.counts),
+        levels_(levels),
         is_enough_(beginning.is_enough),
-        tell_(beginning.tell),
+        tell_(tell),
         watch_(watch),
         most_(most_lines(*beginning.target, points)),
         grid_(beginning.grid),
@@ -77,8 +91,7 @@ class Tracer {
   void grow_up(Turn turn) {
     turn_ = turn;
     fit_unasked({15, 1e-3});
-    while (!is_over_at(std::size_t(grid_.points())) && !(is_to_ask() && find_enough()) && grow())
-      fit_unasked(shortly);
+    while (!is_growing_over() && !(is_to_ask() && find_enough()) && grow()) fit_unasked(shortly);
     find_enough();
   }
 
@@ -96,9 +109,8 @@ class Tracer {
   }
 
   /// Returns the grid so far, with its squares on the whole picture.
-  TracedGrid result(std::size_t beginning) {
-    const double squares = level_ > 0 ? squares_of(grid_, levels_.front()) : squares_;
-    return {grid_.in_whole_levels(), beginning, squares, is_enough()};
+  TracedGrid result() {
+    return {grid_.in_whole_levels(), number_, squares_on_whole(), is_enough(), counts_};
   }
 
  private:
@@ -114,20 +126,45 @@ class Tracer {
 
   void fit(FitLength length) { squares_ = fit_lines(grid_, target(), evenness_, length); }
 
-  /// Reports how far the turn has come, in points. Returns true if the run has to stop.
-  bool is_over_at(std::size_t done) {
-    if (tell_) tell_(grid_);
+  /// Reports how far the turn has come, in points, and the best grid so far. Returns true if the
+  /// run has to stop.
+  bool is_over_at(std::size_t done, const LineGrid& best, double error) {
+    if (tell_) tell_(best);
     const auto points = std::size_t(most_.points);
     return watch_.should_stop({turn_.number * points + done, turn_.count * points,
-                               grid_.rows() * grid_.columns(), rmse(squares_, target()) / 255,
-                               grid_.points()});
+                               best.rows() * best.columns(), error / 255, best.points()});
   }
 
-  /// The same while the grid is finished. How many steps that takes is not known: each goes an
+  bool is_over_at(std::size_t done, const TracedGrid& best) {
+    return is_over_at(done, best.grid, rmse(best.squares, levels_.front()));
+  }
+
+  /// Reports how far the grid has grown. It is worse than one that is grown, so that it does not
+  /// have to be measured on the whole picture as long as there is such a one.
+  bool is_growing_over() {
+    const auto done = std::size_t(grid_.points());
+    return turn_.rival ? is_over_at(done, *turn_.rival)
+                       : is_over_at(done, grid_, rmse(squares_, target()));
+  }
+
+  /// Reports how far the grid is finished. How many steps that takes is not known: each goes an
   /// eighth of the way that is left.
   bool is_over() {
     finished_ += (std::size_t(most_.points) - finished_) / 8;
-    return is_over_at(finished_);
+    const TracedGrid own{grid_.in_whole_levels(), number_, squares_on_whole(), false, counts_};
+    return is_over_at(finished_, is_behind(own) ? *turn_.rival : own);
+  }
+
+  /// Returns whether the rival is better. A grid of more squares counts as enough only if the rival
+  /// is: to ask each time would make a run a tenth longer.
+  bool is_behind(TracedGrid own) {
+    if (!turn_.rival) return false;
+    own.is_enough = turn_.rival->is_enough;
+    return is_better(*turn_.rival, own) || (own.is_enough && !is_enough());
+  }
+
+  double squares_on_whole() const {
+    return level_ > 0 ? squares_of(grid_, levels_.front()) : squares_;
   }
 
   bool is_enough() {
@@ -243,14 +280,16 @@ class Tracer {
     return false;
   }
 
+  const std::size_t number_;
+  const double counts_;
   const Pyramid& levels_;
   const std::function<bool(const LineGrid&)>& is_enough_;
-  const std::function<void(const LineGrid&)>& tell_;
+  const Tell& tell_;
   StopWatch& watch_;
   const MostLines most_;
   LineGrid grid_;
   std::size_t level_;
-  Turn turn_{0, 1};
+  Turn turn_{0, 1, nullptr};
   /// How far finishing has come, in points.
   std::size_t finished_ = 0;
   Evenness evenness_;
@@ -278,7 +317,8 @@ std::vector<LineGrid> even_grids(const TargetPicture& target, glm::dvec2 size, i
   return grids;
 }
 
-TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, StopWatch& watch) {
+TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, StopWatch& watch,
+                       const Tell& tell) {
   // To finish all of them takes twice as long, and the best one was among the first two.
   const std::size_t most_finished = std::min<std::size_t>(2, beginnings.size());
   const std::size_t turns = beginnings.size() + most_finished;
@@ -288,22 +328,17 @@ TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, Sto
   for (std::size_t n = 0; n < beginnings.size() && (n == 0 || !watch.is_over()); ++n) {
     const TargetPicture* target = beginnings[n].target;
     if (!pyramids.contains(target)) pyramids[target] = pyramid(*target);
-    tracers.emplace_back(beginnings[n], pyramids[target], points, watch);
-    tracers.back().grow_up({n, turns});
-    found.push_back(tracers.back().result(n));
+    tracers.emplace_back(beginnings[n], n, pyramids[target], points, watch, tell);
+    tracers.back().grow_up({n, turns, best_but(found, n)});
+    found.push_back(tracers.back().result());
   }
-  const auto by = [&](auto is_first) {
-    return [&beginnings, is_first](const TracedGrid& a, const TracedGrid& b) {
-      return is_first(a, beginnings[a.beginning].counts, b, beginnings[b.beginning].counts);
-    };
-  };
-  std::ranges::stable_sort(found, by(is_more_promising));
+  std::ranges::stable_sort(found, is_more_promising);
   for (std::size_t n = 0; n < most_finished && !watch.is_over(); ++n) {
     Tracer& tracer = tracers[found[n].beginning];
-    tracer.finish({beginnings.size() + n, turns});
-    found[n] = tracer.result(found[n].beginning);
+    tracer.finish({beginnings.size() + n, turns, best_but(found, n)});
+    found[n] = tracer.result();
   }
-  return *std::ranges::min_element(found, by(is_better));
+  return *best_but(found, found.size());
 }
 
 }  // namespace gradmesh

@@ -21,8 +21,6 @@ struct Beginning {
   /// How many times its squares count where it is compared with others: below 1 for a grid that is
   /// nicer to edit.
   double counts = 1;
-  /// Called with the grid so far, again and again as it changes; may be empty.
-  std::function<void(const LineGrid&)> tell = {};
 };
 
 /// Returns even grids for a target over (0, 0) to `size`, of few, about square patches and at most
@@ -37,6 +35,8 @@ struct TracedGrid {
   /// The sum of the squares that is left (patch_squares).
   double squares;
   bool is_enough;
+  /// As of its beginning.
+  double counts;
 };
 
 /// Returns the grid of at most `points` points, 4 or more, that came of the beginnings and is the
@@ -44,7 +44,9 @@ struct TracedGrid {
 /// whole levels. In every beginning lines are put in one after the other where they gain most, on
 /// smaller pictures; the two that are most promising then are finished: fitted on the whole
 /// picture, with lines exchanged and taken out. Where the watch stops it, returns the best grid so
-/// far.
-TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, StopWatch& watch);
+/// far. That grid is the one whose numbers the watch is told, and with which `tell` is called,
+/// again and again, unless it is empty: a person sees what a stop would keep, not what is tried.
+TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, StopWatch& watch,
+                       const std::function<void(const LineGrid&)>& tell = {});
 
 }  // namespace gradmesh

@@ -77,11 +77,12 @@ double rmse(const LineGrid& grid, const TargetPicture& target) {
 using IsEnough = std::function<bool(const LineGrid&)>;
 
 LineGrid traced(const TargetPicture& target, int points, StopWatch& watch,
-                const IsEnough& is_enough = {}) {
+                const IsEnough& is_enough = {},
+                const std::function<void(const LineGrid&)>& tell = {}) {
   std::vector<Beginning> beginnings;
   for (const LineGrid& grid : even_grids(target, {target.width, target.height}, points))
     beginnings.push_back({&target, grid, is_enough});
-  return traced_grid(beginnings, points, watch).grid;
+  return traced_grid(beginnings, points, watch, tell).grid;
 }
 
 LineGrid traced(const TargetPicture& target, int points, const IsEnough& is_enough = {}) {
@@ -307,6 +308,36 @@ TEST(TracedGrid, is_whole_wherever_it_is_stopped) {
     EXPECT_FALSE(grid.folds());
     EXPECT_LE(rmse(grid, target), 1.001 * before) << asked;
     before = rmse(grid, target);
+  }
+}
+
+TEST(TracedGrid, tells_of_the_best_so_far_alone) {
+  const TargetPicture target = picture_of(random_grid(6, 6, {100, 100}, 4), 100, 100);
+  std::vector<double> left;
+  std::vector<int> told;
+  StopWatch watch(0, [&](const Progress& progress) {
+    told.push_back(progress.handles);
+    return true;
+  });
+  const LineGrid grid = traced(target, 60, watch, {},
+                               [&](const LineGrid& best) { left.push_back(rmse(best, target)); });
+  for (std::size_t n = 1; n < left.size(); ++n) EXPECT_LE(left[n], 1.05 * left[n - 1]) << n;
+  EXPECT_EQ(told.back(), grid.points());
+}
+
+TEST(TracedGrid, tells_of_what_a_stop_would_keep) {
+  const TargetPicture target = picture_of(random_grid(6, 6, {100, 100}, 4), 100, 100);
+  const IsEnough is_enough = [&](const LineGrid& grid) { return rmse(grid, target) < 4; };
+  bool is_whole = false;
+  for (std::size_t asked = 1; !is_whole; asked += 3) {
+    std::size_t times = 0;
+    int told = 0;
+    StopWatch watch(0, [&](const Progress& progress) {
+      told = progress.handles;
+      return ++times < asked;
+    });
+    EXPECT_EQ(traced(target, 60, watch, is_enough).points(), told) << asked;
+    is_whole = times < asked;
   }
 }
 

@@ -166,3 +166,10 @@ def test_the_window_shows_the_mesh_so_far_of_a_picture(run, display, tmp_path):
     assert red > 150 > 100 > max(green, blue)
     (mesh,) = gradmesh.loads(done.stdout).meshes
     assert mesh.id == "apple" and 4 <= mesh.handles < 100
+
+
+def test_the_window_names_a_picture_without_a_label_by_no_id(run, display, tmp_path):
+    seen = tmp_path / "seen.json"
+    driver = (PYTHON, "-c", TRACE_DRIVER, str(seen))
+    run(SAMPLES / "photographs" / "apple.svg", "--id=photograph", python=driver, DISPLAY=display)
+    assert json.loads(seen.read_text())["title"] == "Tracing the picture"

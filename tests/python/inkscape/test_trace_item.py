@@ -49,6 +49,16 @@ def page(*elements):
     )
 
 
+def labelled(element, label, own=False):
+    """With a label in Inkscape, which gradmesh wrote if it is its own."""
+    wrote = f'xmlns:gradmesh="urn:gradmesh" gradmesh:label="{label}"' if own else ""
+    return element.replace("/>", f' inkscape:label="{label}" xmlns:inkscape="{INKSCAPE}" {wrote}/>')
+
+
+FAR = '<circle id="far" cx="190" cy="150" r="9"/>'
+CUT_AWAY = '<clipPath id="cut"><circle cx="190" cy="150" r="9"/></clipPath>'
+
+
 def is_hidden(element):
     return "display:none" in (element.get("style") or "")
 
@@ -98,6 +108,16 @@ def test_a_linked_picture_is_found_beside_the_copy_or_the_document(run, tmp_path
     traced(run(document, "--id=apple", FEW, item="trace", path=str(tmp_path / "home" / "a.svg")), "apple")
     (folder / "my pictures" / "soft.png").unlink()
     assert "soft.png" in refused(run(document, "--id=apple", FEW, item="trace"))
+
+
+@pytest.mark.parametrize("relative_to", ("copy", "document"))
+def test_a_missing_picture_is_named_where_a_person_knows_it(run, tmp_path, relative_to):
+    """Its folder may be gone too. Inkscape's copy of the document lies elsewhere than the document."""
+    home = tmp_path / "home" / "ann"
+    (home / "work").mkdir(parents=True)
+    link = "home/ann/old/soft.png" if relative_to == "copy" else "../old/soft.png"
+    done = run(page(image(link=link), CIRCLE), "--id=apple", FEW, item="trace", path=str(home / "work" / "a.svg"))
+    assert f"{home / 'old' / 'soft.png'} cannot be read" in refused(done)
 
 
 def test_a_mesh_for_each_of_several_paths_of_the_picture_below_it(run):
@@ -179,8 +199,15 @@ def most_points_below_each_other(text):
         ([image(), CIRCLE], [], "Select a picture"),
         ([image(), '<text id="words">a</text>'], ["words"], "None of the selected objects"),
         ([image(), '<path id="line" d="M10,10 40,40 10,40"/>'], ["line"], "line is an open path"),
-        ([image(), '<circle id="far" cx="190" cy="150" r="9"/>'], ["photo", "far"], '"far" does not lie on'),
+        ([image(), FAR], ["photo", "far"], '"far" does not lie on'),
+        ([image(), labelled(FAR, "Sun")], ["photo", "far"], '"Sun" does not lie on'),
+        ([image(), labelled(FAR, "Ours", own=True)], ["photo", "far"], '"far" does not lie on'),
+        ([image(link="none.png"), FAR], ["far"], '"far" does not lie on'),
+        ([image(link="none.png"), image('y="80"', link="none.png", name="other"), FAR], ["far"], "none of its 2 pic"),
         ([image(link="none.png"), CIRCLE], ["apple"], "none.png"),
+        ([image('clip-path="url(#cut)"'), CUT_AWAY], ["photo"], "nothing is seen of the picture."),
+        ([labelled(image('clip-path="url(#cut)"'), "Sea"), CUT_AWAY], ["photo"], 'nothing is seen of "Sea".'),
+        ([image().replace('"90"', '"0"')], ["photo"], "the picture has no size."),
         ([image(link="data:image/png;base64,aaaa"), CIRCLE], ["apple"], "picture"),
     ),
 )
@@ -209,12 +236,15 @@ def test_what_is_told_of_each_mesh(extension, run, tmp_path):  # noqa: F811
     Image.fromarray(noise).save(file, "PNG")
     link = "data:image/png;base64," + base64.b64encode(file.getvalue()).decode()
     log = tmp_path / "cache" / "gradmesh" / "extension.log"
-    spot = CIRCLE.replace("/>", f' inkscape:label="Spot" xmlns:inkscape="{INKSCAPE}"/>')
+    spot = labelled(CIRCLE, "Spot")
     run(page(image(link=link), spot), "--id=apple", "--handles=4", item="trace")
-    assert re.search(r"Spot: 4 handles, \d+\.\d of 255 levels off the picture in the mean\. That is", log.read_text())
+    assert re.search(r"Spot: 4 handles, 7\d\.\d % like the picture\. That is", log.read_text())
     log.unlink()
     run(page(image(), spot), "--id=apple", FEW, item="trace")
-    assert "Spot: " in log.read_text() and "That is seen" not in log.read_text()
+    assert re.search(r"Spot: \d+ handles, 99\.\d % like", log.read_text()) and "That is seen" not in log.read_text()
+    log.unlink()
+    run(page(image()), "--id=photo", FEW, item="trace", LANGUAGE="de")
+    assert re.search(r"Das Bild: \d+ Anfasser, zu 9\d,\d % wie das Bild\.", log.read_text())
     log.unlink()
     run(page(image(link=link), spot), "--id=apple", "--handles=1000", "--time_budget=1", item="trace")
     assert "The time that is allowed under More was over" in log.read_text()

@@ -2,6 +2,7 @@
 
 #include "formats/svg/tree/own.h"
 #include "formats/svg/xml/node.h"
+#include "formats/text/excerpt.h"
 
 namespace gradmesh {
 
@@ -25,6 +26,14 @@ void give_written_label(xmlNode* node, const std::string& label) {
   for (xmlNode* outer : with_outer(node))
     if (!attribute(outer, "label", inkscape_namespace))
       set_attribute(outer, "label", label, inkscape_namespace, "inkscape");
+}
+
+Message called(const xmlNode* node) {
+  const auto label = attribute(node, "label", inkscape_namespace);
+  if (label && !label->empty() && label != own_attribute(node, "label"))
+    return Message("{0}", excerpt(*label));
+  if (svg_name(node) == "image") return Message("the picture");
+  return Message("{0}", excerpt(attribute(node, "id").value_or("")));
 }
 
 }  // namespace gradmesh

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "base/message.h"
 #include "formats/svg/tree/objects.h"
 
 namespace gradmesh {
@@ -18,5 +19,9 @@ bool take_written_label(const MeshObject& object,
 /// Labels an element and the groups around it that belong to the same object, where a person has
 /// not.
 void give_written_label(xmlNode* node, const std::string& label);
+
+/// Returns what a sentence calls an element: its label, unless gradmesh wrote that; else its id, or
+/// "the picture" of an <image>, whose id no person has given.
+Message called(const xmlNode* node);
 
 }  // namespace gradmesh

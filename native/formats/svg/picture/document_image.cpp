@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/utf8_path.h"
 #include "files/base64.h"
+#include "formats/svg/group/written_label.h"
 #include "formats/svg/picture/image_room.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/visible.h"
@@ -25,6 +26,16 @@ std::optional<Box> image_box(const xmlNode* image) {
   if (!attribute(image, "width") || !attribute(image, "height")) return {};
   const ImageRoom room = image_room(image);
   return bounding_box(mapped(rectangle(room.corner, room.corner + room.size), to_document(image)));
+}
+
+/// Returns false if no picture of an <image> can lie in the box, in units of the outermost <svg>.
+bool reaches(const xmlNode* image, const Box& around) {
+  const std::optional<Box> box = image_box(image);
+  return !box || !overlap(*box, around).empty();
+}
+
+Box box_around(const SvgTree& tree, const std::string& shape) {
+  return bounding_box(covered_area(tree, shape).front().outline);
 }
 
 /// Returns the bytes of a `data:` reference in base64, in which lines may be broken; nothing if it
@@ -56,19 +67,17 @@ const xmlNode* image_under(const SvgTree& tree, const std::string& shape,
   const auto count = std::ranges::count_if(all, is_one);
   if (count == 0) return nullptr;
   if (count == 1) return *std::ranges::find_if(all, is_one);
-  const Box around = bounding_box(covered_area(tree, shape).front().outline);
+  const Box around = box_around(tree, shape);
   const xmlNode* under = nullptr;
   bool is_below = true;
   for (const xmlNode* node : all) {
     if (node == tree.find(shape)) is_below = false;
     if (!is_one(node)) continue;
-    const std::optional<Box> box = image_box(node);
-    const bool reaches = !box || !overlap(*box, around).empty();
-    if (reaches && (is_below || !under)) under = node;
+    if ((is_below || !under) && reaches(node, around)) under = node;
   }
   if (!under)
-    throw InputError("{0}: {1} lies on none of its {2} pictures.", tree.name(), excerpt(shape),
-                     count);
+    throw InputError("{0}: {1} lies on none of its {2} pictures.", tree.name(),
+                     called(tree.find(shape)), count);
   return under;
 }
 
@@ -84,6 +93,10 @@ ImageFile image_file(const SvgTree& tree, const std::string& shape, const std::s
   const xmlNode* const image = image_under(tree, shape, id);
   if (!image)
     throw InputError("{0}: it shows no picture, so that one has to be named.", tree.name());
+  // Before the file is looked for: where that is missing, to find it would not help such a shape.
+  if (!is_image(tree, shape) && !reaches(image, box_around(tree, shape)))
+    throw InputError("{0}: {1} does not lie on the picture.", tree.name(),
+                     called(tree.find(shape)));
   std::string reference = href(image);
   if (reference.empty()) reference = attribute(image, "href").value_or("");
   if (reference.starts_with("data:")) {

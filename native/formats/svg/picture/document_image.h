@@ -26,8 +26,9 @@ const xmlNode* image_under(const SvgTree& tree, const std::string& shape, const 
 /// does, and if there is none.
 std::string named_image(SvgTree& tree, const std::string& shape, const std::string& image);
 
-/// Returns the file of image_under(). Throws InputError as that does, if there is none, and if it
-/// shows something that is neither in the document nor a file of this machine.
+/// Returns the file of image_under(). Throws InputError as that and covered_area() do, if there is
+/// none, if the shape lies beside it, and if it shows something that is neither in the document nor
+/// a file of this machine.
 ImageFile image_file(const SvgTree& tree, const std::string& shape, const std::string& image);
 
 }  // namespace gradmesh

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "base/error.h"
+#include "formats/svg/group/written_label.h"
 #include "formats/svg/picture/image_room.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/paint.h"
@@ -29,14 +31,14 @@ Box box_of(const VisibleArea& area, Box box) {
 
 }  // namespace
 
-PictureInImage picture_in_image(const xmlNode* image, glm::dvec2 pixels) {
+PictureInImage picture_in_image(const SvgTree& tree, const xmlNode* image, glm::dvec2 pixels) {
   auto [corner, size] = image_room(image);
   // What is not said follows from the picture.
   if (!attribute(image, "width"))
     size.x = attribute(image, "height") ? size.y * pixels.x / pixels.y : pixels.x;
   if (!attribute(image, "height")) size.y = size.x * pixels.y / pixels.x;
   if (!(size.x > 0 && size.y > 0) || to_document(image).determinant() == 0)
-    fail(image, Message("its picture has no size"));
+    throw InputError("{0}: {1} has no size.", tree.name(), called(image));
   PictureInImage shown;
   shown.place = Affine::translation(corner) *
                 fitted(pixels, size, attribute(image, "preserveAspectRatio").value_or(""));
@@ -46,13 +48,13 @@ PictureInImage picture_in_image(const xmlNode* image, glm::dvec2 pixels) {
 }
 
 Box seen_of_image(const SvgTree& tree, const xmlNode* image, glm::dvec2 pixels) {
-  const PictureInImage shown = picture_in_image(image, pixels);
+  const PictureInImage shown = picture_in_image(tree, image, pixels);
   Box box = bounding_box(mapped(rectangle(glm::dvec2(0.0), pixels), shown.place));
   box = overlap(box, shown.room);
   MeshObject object;
   object.node = const_cast<xmlNode*>(image);
   if (const std::optional<VisibleArea> area = visible_area(tree, object)) box = box_of(*area, box);
-  if (box.empty()) fail(image, Message("nothing is seen of its picture"));
+  if (box.empty()) throw InputError("{0}: nothing is seen of {1}.", tree.name(), called(image));
   return box;
 }
 

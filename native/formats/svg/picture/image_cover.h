@@ -19,7 +19,7 @@ struct PictureInImage {
 
 /// Returns how an <image> shows a picture that is `pixels` large. Throws InputError if the image
 /// has no size.
-PictureInImage picture_in_image(const xmlNode* image, glm::dvec2 pixels);
+PictureInImage picture_in_image(const SvgTree& tree, const xmlNode* image, glm::dvec2 pixels);
 
 /// Returns the box around what is seen of an image's picture, which is `pixels` large, in the
 /// image's user space: in its room, and in the clip paths and masks around it that visible_area()

@@ -20,7 +20,7 @@ namespace {
 /// Returns the map from pixels of a picture, which is `size` large, to units of the outermost
 /// <svg>.
 Affine picture_place(const SvgTree& tree, const xmlNode* image, glm::dvec2 size) {
-  if (image) return to_document(image) * picture_in_image(image, size).place;
+  if (image) return to_document(image) * picture_in_image(tree, image, size).place;
   const std::optional<Box> page = page_box(tree.root());
   if (!page) throw InputError("{0}: it has neither a picture nor a page with a size.", tree.name());
   return Affine::translation(page->low()) * Affine::scaling(page->size() / size);
@@ -50,7 +50,7 @@ ShapeOnPicture without_guides(const SvgTree& tree, const std::string& id, const 
   if (is_image(tree, id)) {
     const xmlNode* const image = tree.find(id);
     const Box seen = seen_of_image(tree, image, pixels);
-    on.to_mesh = picture_in_image(image, pixels).place;
+    on.to_mesh = picture_in_image(tree, image, pixels).place;
     on.shape = {mapped(rectangle(seen.low(), seen.high()), on.to_mesh.inverse())};
   } else {
     on.to_mesh = user_to_document(tree, id).inverse() * place;
