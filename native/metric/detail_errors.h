@@ -19,8 +19,8 @@ constexpr Window detail_window(int x, int y) {
 }
 
 /// Brings a map of the means of `errors` in the windows (detail_window) of each pixel up to
-/// date, where `errors` has changed at most inside `changed`. Pixels beyond the frame, and those for which `counts` is 0, have no error.
-/// All three maps are of the size of the frame.
+/// date, where `errors` has changed at most inside `changed`. Pixels beyond the frame, and those
+/// for which `counts` is 0, have no error. All three maps are of the size of the frame.
 void update_detail_errors(const Plane& errors, const Raster<std::uint8_t, 1>& counts,
                           Window changed, Plane& means);
 

@@ -73,6 +73,7 @@ Problem Problem::as_gradient() const {
   Problem copy = *this;
   copy.rules = gradient_rules ? gradient_rules : rules;
   copy.local_bound_ = nullptr;
+  copy.local_bound();
   return copy;
 }
 
@@ -113,6 +114,7 @@ Problem Problem::within(const Bounds& other) const {
   Problem copy = *this;
   copy.bounds = other;
   copy.local_bound_ = nullptr;
+  copy.local_bound();
   return copy;
 }
 

@@ -167,8 +167,8 @@ class Problem {
   EditError& start() const;
   /// Gives a candidate its errors, and finds out whether it keeps to the bounds.
   void take(const FrameError& error, Candidate& found) const;
-  /// Returns the bound of the error of small parts; null if there is none. The first call may not
-  /// be concurrent.
+  /// Returns the bound of the error of small parts; null if there is none. The first call, which
+  /// within(), as_gradient() and trial() make, may not be concurrent.
   const std::shared_ptr<const LocalBound>& local_bound() const;
 
   std::shared_ptr<Shared> shared_;
