@@ -100,6 +100,14 @@ std::vector<Halfedge> new_curves(const Mesh& before, const Mesh& after) {
   return come;
 }
 
+/// Returns a protected patch beside one of the curves, if there is one.
+Face protected_beside(const Mesh& mesh, const std::vector<Halfedge>& curves) {
+  for (const Halfedge curve : curves)
+    for (const Halfedge side : {curve, mesh[curve].twin})
+      if (side.valid() && mesh.is_fixed(mesh.face(side))) return mesh.face(side);
+  return {};
+}
+
 /// A place too near to a side makes a sliver.
 double inner_place(double t) { return std::clamp(t, 0.05, 0.95); }
 
@@ -115,7 +123,7 @@ void check_has_own_colors(const Mesh& mesh) {
 void check_protected(const Mesh& before, const Mesh& after) {
   for (const Face face : before.faces())
     if (before.is_fixed(face) && before.patch(face) != after.patch(face))
-      throw InputError("a patch that would change is protected.");
+      throw PatchForbids(face, InputError("a patch that would change is protected."));
 }
 
 std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh) {
@@ -134,7 +142,8 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
     const Step step = step_without(mesh, grid, edge_of(pointed));
     PlainGrid plain = plain_grid(mesh);
     if (!plain.may_take_out(step.along, step.line))
-      throw InputError("a patch beside this line is protected.");
+      throw PatchForbids(protected_beside(mesh, curves_along(mesh, grid, step.along, step.line)),
+                         InputError("a patch beside this line is protected."));
     make(step, plain);
     if (fits) fit_grid_and_colors(plain, *problem.reference(), fit_steps, points_near(step, plain));
     return {build_derived_mesh(plain.parts()), Message("Take out a line"),
@@ -177,7 +186,8 @@ MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
     made.gone = {mesh.curve(side)};
     return made;
   }
-  if (mesh.is_fixed(pointed.face)) throw InputError("this patch is protected.");
+  if (mesh.is_fixed(pointed.face))
+    throw PatchForbids(pointed.face, InputError("this patch is protected."));
   MadeEdit made{mesh, Message("Split a patch")};
   Journal journal(made.mesh);
   std::optional<double> row, column;

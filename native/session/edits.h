@@ -2,12 +2,21 @@
 
 #include <vector>
 
+#include "base/error.h"
 #include "base/message.h"
 #include "mesh/mesh.h"
 #include "problem/problem.h"
 #include "session/pointing.h"
 
 namespace gradmesh {
+
+/// Thrown where a protected patch forbids an edit.
+class PatchForbids : public InputError {
+ public:
+  PatchForbids(Face forbidding, const InputError& why) : InputError(why), face(forbidding) {}
+
+  Face face;
+};
 
 /// What a person takes out of a mesh or puts into it by hand. In a mesh that is one gradient and
 /// stays one, whole lines go and come; otherwise single patches are merged and split.

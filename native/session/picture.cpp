@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <stdexcept>
 
 #include "base/clamped_int.h"
@@ -36,6 +37,7 @@ class PicturePainter {
   Image paint() {
     Image image = ground();
     veil_hidden(image);
+    const Image original = of_original(image);
     const std::shared_ptr<const Analysis> known = what_is_known();
     if (known) Overlay::fade(image);
     Canvas canvas(image, view_.density);
@@ -47,10 +49,23 @@ class PicturePainter {
     if (view_.proposal && session_.proposal()) draw_proposal(canvas, *session_.proposal());
     canvas.lines({view_.lasso}, below_lines);
     canvas.lines({view_.lasso}, come_ink);
+    copy(original, original.window(), image);
     return image;
   }
 
  private:
+  /// Returns where the line between original and result is.
+  int split_pixel() const {
+    return clamped_int(std::round(view_.split * view_.width), 0, view_.width);
+  }
+  /// Returns the part of the picture that shows the original, on which nothing is drawn; without
+  /// pixels where the result is not beside it.
+  Image of_original(const Image& image) const {
+    Image part(Window{0, 0, view_.ground == Ground::halves ? split_pixel() : 0, view_.height});
+    copy(image, part.window(), part);
+    return part;
+  }
+
   /// What of the mesh is not seen in the document is pale.
   void veil_hidden(Image& image) const {
     const std::optional<VisibleArea>& seen = session_.problem().layout().visible;
@@ -95,7 +110,7 @@ class PicturePainter {
         break;
     }
     Image image = painted(shown());
-    const int split = clamped_int(std::round(view_.split * view_.width), 0, view_.width);
+    const int split = split_pixel();
     Painting left(Window{0, 0, split, view_.height});
     session_.problem().original()->paint(frame_, left);
     copy(left.image, left.window(), image);
@@ -218,6 +233,16 @@ class PicturePainter {
 };
 
 }  // namespace
+
+glm::dvec3 color_at(const Session& session, const SessionView& view, glm::dvec2 pixel) {
+  const Frame frame{1, 1, Affine::translation(-glm::floor(pixel)) * view.to_pixels};
+  const bool is_original = view.ground == Ground::original ||
+                           (view.ground == Ground::halves && pixel.x < view.split * view.width);
+  const Image image = is_original ? session.problem().original()->painted(frame).image
+                                  : paint_whole(session.now().surface(), frame).image;
+  const auto [red, green, blue] = image.pixel(0, 0);
+  return glm::dvec3(red, green, blue) / 255.0;
+}
 
 SessionView::Ground ground_named(const std::string& name) {
   if (name == "result") return Ground::result;

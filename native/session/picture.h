@@ -46,6 +46,10 @@ struct SessionView {
 /// std::invalid_argument with all names if there is none.
 SessionView::Ground ground_named(const std::string& name);
 
+/// Returns the colour, in 0..1, that is seen at a pixel of the picture without all that is drawn
+/// over it: of the original, or of the result where its error is shown.
+glm::dvec3 color_at(const Session& session, const SessionView& view, glm::dvec2 pixel);
+
 /// Paints a part of what a session shows, at any scale. Throws InputError if the picture is beyond
 /// the limits on memory.
 Image paint(const Session& session, const SessionView& view);

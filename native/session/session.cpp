@@ -1,11 +1,13 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "base/clamped_int.h"
 #include "base/error.h"
 #include "form/blocks.h"
 #include "form/smooth_colors.h"
@@ -373,11 +375,26 @@ void Session::weigh(const std::vector<Face>& faces, double factor) {
   std::vector<WeightedArea> areas = *place_.weighted;
   areas.push_back({{}, factor});
   for (const Face face : faces) areas.back().shapes.push_back(face_outline(now_.mesh, face));
+  set_weights(std::move(areas), Message("Let errors count otherwise"));
+}
+
+void Session::weigh_alike() { set_weights({}, Message("Let errors count alike")); }
+
+void Session::set_weights(std::vector<WeightedArea> areas, const Message& name) {
   // States of the curve by these weights have other meshes.
   Place place = place_as(place_.form, is_start_of_curve(now_.mesh) ? 0 : -1);
   place.weighted = std::make_shared<const std::vector<WeightedArea>>(std::move(areas));
   start_from(place);
-  become(measured(now_.mesh, place.form), place, Message("Let errors count otherwise"));
+  become(measured(now_.mesh, place.form), place, name);
+}
+
+double Session::weight_at(Face face) const {
+  const Frame& frame = problem_.frame();
+  if (!frame.weights) return 1;
+  const glm::dvec2 at = frame.to_pixels.point(now_.mesh.patch(face).at(0.5, 0.5).position);
+  const int x = clamped_pixel(std::floor(at.x)), y = clamped_pixel(std::floor(at.y));
+  const bool is_inside = x >= 0 && y >= 0 && x < frame.width && y < frame.height;
+  return is_inside ? *frame.weights->at(x, y) : 1;
 }
 
 std::vector<Face> Session::protected_faces() const {

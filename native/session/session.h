@@ -120,6 +120,12 @@ class Session {
   /// Curves are then looked for anew. Throws InputError if the factor is not least_weight to
   /// most_weight, or there are no patches.
   void weigh(const std::vector<Face>& faces, double factor);
+  /// Lets errors count alike everywhere again.
+  void weigh_alike();
+  /// Returns true if errors count more or less anywhere.
+  bool is_weighted() const { return problem_.frame().weights != nullptr; }
+  /// Returns how many times errors count in the middle of a patch of the mesh that is shown.
+  double weight_at(Face face) const;
 
   // --- history ---
   bool can_undo() const { return done_ > 0; }
@@ -182,6 +188,7 @@ class Session {
   void show_kept();
   void set_protected(const std::vector<Face>& fixed, const std::vector<Face>& released,
                      const Message& name);
+  void set_weights(std::vector<WeightedArea> areas, const Message& name);
   /// Measures and looks for curves as that place says from now on.
   void start_from(const Place& place);
   /// Returns the problem of a basis, with the weights of `document_`.

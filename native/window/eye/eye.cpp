@@ -3,11 +3,19 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "ops/color.h"
+
 namespace gradmesh {
 namespace {
 
 /// Within how many pixels of the pointer a line is meant, on an ordinary screen.
 constexpr double reach = 8;
+
+/// Returns the patch that is the reason for an error; invalid if none is.
+Face forbidding(const InputError& error) {
+  const auto* const by_patch = dynamic_cast<const PatchForbids*>(&error);
+  return by_patch ? by_patch->face : Face();
+}
 
 }  // namespace
 
@@ -73,35 +81,45 @@ SessionView Eye::view() const {
   return view;
 }
 
-void Eye::look_at(const WorstPlace& place) { viewport_.look_at(editing().view.point(place.place)); }
+void Eye::look_at(const WorstPlace& place) {
+  viewport_.look_at(editing().view.point(place.place));
+  circles_worst = true;
+}
+
+void Eye::forget_reasons() {
+  refusal_.reset();
+  why_not_.reset();
+  forbids_ = {};
+}
 
 void Eye::attempt(const std::function<void(Session&)>& deed) {
-  refusal_.reset();
+  forget_reasons();
   try {
     session().set_fits(fits);
     deed(session());
     forget();
   } catch (const InputError& error) {
     refusal_ = error.message();
+    forbids_ = forbidding(error);
   }
   ++revision_;
 }
 
 void Eye::propose(const std::function<void(Session&)>& work_out) {
-  why_not_.reset();
-  refusal_.reset();
+  forget_reasons();
   try {
     session().set_fits(fits);
     work_out(session());
   } catch (const InputError& error) {
     session().forget_proposal();
     why_not_ = error.message();
+    forbids_ = forbidding(error);
   }
   ++revision_;
 }
 
 void Eye::forget_proposal() {
-  why_not_.reset();
+  if (!refusal_) forget_reasons();
   if (!session().proposal()) return;
   session().forget_proposal();
   ++revision_;
@@ -218,6 +236,31 @@ void Eye::step_region(int by) {
   looks.region = count ? (looks.region + by + count) % count : 0;
 }
 
+void Eye::propose_color(const glm::dvec3& color) {
+  const Mesh& mesh = session().now().mesh;
+  const std::vector<Halfedge> corners = corners_at(mesh, element.point);
+  if (corners.empty()) return;
+  chosen_color = color;
+  Pointed pointed;
+  pointed.face = mesh.face(corners.front());
+  pointed.corner = corners.front();
+  propose([&](Session& session) { session.propose_color(pointed, color, false); });
+}
+
+void Eye::make_color() {
+  // Who has chosen a colour may want another.
+  const Element kept = element;
+  make();
+  element = kept;
+  chosen_color.reset();
+}
+
+void Eye::pick_color(glm::dvec2 pixel) {
+  picks_color = false;
+  propose_color(color_at(session(), view(), pixel));
+  make_color();
+}
+
 void Eye::look_for_news(bool is_moving) {
   const auto found = curve();
   is_busy_ = found && !found->is_complete;
@@ -238,9 +281,11 @@ void Eye::forget() {
   patch_at_pointer = {};
   element = {};
   chosen_color.reset();
+  picks_color = false;
   looks.region = 0;
   was_known_ = false;
   worst_.reset();
+  circles_worst = false;
   ++revision_;
 }
 

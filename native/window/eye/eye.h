@@ -89,6 +89,8 @@ class Eye {
   const std::optional<Message>& refusal() const { return refusal_; }
   /// Returns why nothing is proposed where the pointer is.
   const std::optional<Message>& why_not() const { return why_not_; }
+  /// Returns the protected patch that is the reason; invalid where there is another, or none.
+  Face forbids() const { return forbids_; }
 
   /// Returns what lies at a pixel within reach of the pointer; nothing beside the mesh.
   std::optional<Pointed> pointed_at(glm::dvec2 pixel) const;
@@ -136,6 +138,8 @@ class Eye {
   static constexpr int worst_count = 5;
   /// Returns at most worst_count places where details of the mesh differ most.
   const std::vector<WorstPlace>& worst_places();
+  /// The worst places are circled, until another mesh is shown.
+  bool circles_worst = false;
   /// The patch that was pointed at last; invalid before that.
   Face patch_at_pointer = {};
   /// Returns the patch whose regions are looked at.
@@ -150,6 +154,13 @@ class Eye {
   Element element;
   /// The colour that is being chosen for the point that is looked at.
   std::optional<glm::dvec3> chosen_color = std::nullopt;
+  /// The next click on the picture gives that point the colour of the place.
+  bool picks_color = false;
+  /// Shows a colour of the point that is looked at before it is made, then makes it.
+  void propose_color(const glm::dvec3& color);
+  void make_color();
+  /// Gives that point the colour that is seen at a pixel.
+  void pick_color(glm::dvec2 pixel);
 
   /// Begins to find out what is to be shown, unless `is_moving`. Call this before each frame.
   void look_for_news(bool is_moving);
@@ -160,6 +171,7 @@ class Eye {
  private:
   void look_at_mesh(std::size_t which);
   void forget();
+  void forget_reasons();
 
   std::vector<std::string> ids_;
   Open open_;
@@ -168,6 +180,7 @@ class Eye {
   std::size_t chosen_ = 0;
   Viewport viewport_;
   std::optional<Message> refusal_, why_not_;
+  Face forbids_;
   std::vector<Face> marked_;
   std::optional<MarksPrice> marks_price_;
   /// Of the mesh that is shown; nothing if nobody has asked.

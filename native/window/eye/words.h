@@ -8,12 +8,18 @@
 
 namespace gradmesh {
 
-/// Returns a number with so many decimals.
-std::string fixed(double number, int decimals);
-/// Returns a change, with its sign.
-std::string signed_fixed(double number, int decimals);
-/// Returns an error with at most two digits that count, without powers of ten.
-std::string short_error(double error);
+/// Return numbers as a language writes them.
+
+/// A number with so many decimals.
+Message fixed(double number, int decimals);
+/// A change, with its sign, which one that is not seen in so many decimals has not.
+Message signed_fixed(double number, int decimals);
+/// An error with at most two digits that count, without powers of ten.
+Message short_error(double error);
+/// An error, which weights can bring above 1.
+Message error_of(double error, int decimals);
+/// The error that a mesh would have, and by how much that is another one.
+Message error_after(double error, double before);
 
 /// Return what a window says of the mesh that is looked at.
 

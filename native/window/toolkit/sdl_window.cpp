@@ -35,6 +35,9 @@ int button_of(Uint8 button) {
   return -1;
 }
 
+/// The least size, in pixels of an ordinary screen, in which all that is said can be read.
+constexpr double least_width = 720, least_height = 540;
+
 /// Returns the width and height that a window may have.
 std::pair<int, int> room_on_the_screen() {
   // What a window manager draws around a window.
@@ -56,6 +59,8 @@ SDL_Window* open_window(const std::string& title, int width, int height, const O
   const auto [most_width, most_height] = room_on_the_screen();
   SDL_SetWindowSize(window, std::min(int(std::lround(float(width) * density)), most_width),
                     std::min(int(std::lround(float(height) * density)), most_height));
+  SDL_SetWindowMinimumSize(window, std::min(int(std::lround(least_width * density)), most_width),
+                           std::min(int(std::lround(least_height * density)), most_height));
   SDL_SetWindowPosition(window, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
   give_to(window, owner);
   SDL_ShowWindow(window);

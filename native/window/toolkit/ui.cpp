@@ -3,11 +3,14 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+
 namespace gradmesh {
 
 void Ui::heading(const Message& words) {
   ImGui::Dummy({0, 0.2F * ImGui::GetFontSize()});
   ImGui::TextDisabled("%s", said(words).c_str());
+  note(words.english());
 }
 
 void Ui::text(const std::string& words) {
@@ -21,7 +24,7 @@ bool Ui::button(const Message& label, const Message& tip_words, bool is_enabled,
   ImGui::BeginDisabled(!is_enabled);
   const std::string words = said(label);
   const bool is_pressed = ImGui::Button(words.c_str(), {width, 0});
-  if (width > 0 && ImGui::CalcTextSize(words.c_str()).x > width) clipped_.insert(words);
+  if (width > 0) check_fits(words, width);
   ImGui::EndDisabled();
   ImGui::PopID();
   note(label.english());
@@ -57,6 +60,19 @@ void Ui::tip(const Message& words) {
   ImGui::EndTooltip();
 }
 
+int Ui::in_a_row(const std::vector<Message>& labels, int most) const {
+  float widest = 0;
+  for (const Message& label : labels)
+    widest = std::max(widest, ImGui::CalcTextSize(said(label).c_str()).x);
+  const float margin = ImGui::GetStyle().FramePadding.x;
+  while (most > 1 && widest + margin > share(most)) --most;
+  return most;
+}
+
+float Ui::width_of(const std::string& words) {
+  return ImGui::CalcTextSize(words.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 float Ui::share(int count) {
   const float between = ImGui::GetStyle().ItemSpacing.x * float(count - 1);
   return (ImGui::GetContentRegionAvail().x - between) / float(count);
@@ -73,6 +89,13 @@ bool Ui::close_popup() {
 void Ui::note(const std::string& name) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   places_[name] = {(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  // Widths are rounded to pixels.
+  if (high.x > end + 1) clipped_.insert(name);
+}
+
+void Ui::check_fits(const std::string& words, float width) {
+  if (ImGui::CalcTextSize(words.c_str()).x > width) clipped_.insert(words);
 }
 
 std::optional<glm::dvec2> Ui::place_of(const std::string& label) const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/message.h"
 
@@ -28,6 +29,9 @@ class Ui {
   /// Writes lines that break where the room ends.
   void text(const std::string& words);
 
+  /// Returns how many of the labels, at most `most`, fit into a row of buttons of the same width.
+  int in_a_row(const std::vector<Message>& labels, int most) const;
+
   /// A width of 0 is that of the label.
   bool button(const Message& label, const Message& tip, bool is_enabled = true, float width = 0);
   /// A button that shows whether it is chosen.
@@ -38,6 +42,8 @@ class Ui {
   /// Tells more of what was drawn last while a person points at it.
   void tip(const Message& words);
 
+  /// Returns how wide a button with these words has to be.
+  static float width_of(const std::string& words);
   /// Returns how wide each of some things in a row is that fill the room.
   static float share(int count);
   /// Lets what follows be to the right of what was drawn last.
@@ -46,12 +52,15 @@ class Ui {
   /// Closes the list or the picker of colours that was opened last. Returns false if none is open.
   static bool close_popup();
 
-  /// Takes down where what was drawn last is.
+  /// Takes down where what was drawn last is, and whether it is cut off.
   void note(const std::string& name);
+  /// Takes down words that are cut off if they do not fit into a width.
+  void check_fits(const std::string& words, float width);
   /// Returns the middle of what has this name, its English label, in pixels of the window; nothing
   /// if it is not there.
   std::optional<glm::dvec2> place_of(const std::string& label) const;
-  /// Returns the labels, in the language, that do not fit on their buttons.
+  /// Returns what was cut off: labels, in the language, on their buttons, and what goes beyond the
+  /// right side of its window, by its English label.
   const std::set<std::string>& clipped() const { return clipped_; }
 
  private:

@@ -27,12 +27,7 @@ void LookTool::draw(const Eye& eye, const Pen& pen) const {
   const Affine map = eye.to_pixels();
   const Element& picked = eye.element;
   if (picked.point.valid()) pen.dot(map.point(mesh.position(picked.point)), Pen::Ink::picked);
-  if (picked.face.valid()) {
-    std::vector<glm::dvec2> around;
-    for (const Halfedge side : mesh.sides(picked.face))
-      for (const glm::dvec2 p : points_along(mesh.side_of(side), map)) around.push_back(p);
-    pen.line(around, true, Pen::Ink::picked);
-  }
+  if (picked.face.valid()) pen.line(points_around(mesh, picked.face, map), true, Pen::Ink::picked);
   if (picked.halfedge.valid()) {
     const Halfedge h = picked.halfedge;
     const Cubic<Value> line = mesh.is_leaf(h) ? mesh.side_of(h) : mesh.curve_of(h);

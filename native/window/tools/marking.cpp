@@ -21,17 +21,21 @@ void Marking::drag(Eye& eye, glm::dvec2 from, glm::dvec2 to, const Held& held, b
   }
   if (way_.empty()) way_.push_back(from);
   way_.push_back(to);
+  inside_ = faces_covered(eye.session().now().mesh, eye.to_pixels(), outline());
 }
 
 void Marking::drop(Eye& eye, const Held&) {
-  if (way_.size() > 1)
-    eye.mark(faces_covered(eye.session().now().mesh, eye.to_pixels(), outline()), true);
+  if (way_.size() > 1) eye.mark(inside_, true);
   way_.clear();
   eye.price_marks();
 }
 
-void Marking::draw(const Eye&, const Pen& pen) const {
-  if (way_.size() > 1) pen.line(outline(), true, Pen::Ink::outline);
+void Marking::draw(const Eye& eye, const Pen& pen) const {
+  if (way_.size() < 2) return;
+  const Mesh& mesh = eye.session().now().mesh;
+  for (const Face face : inside_)
+    pen.line(points_around(mesh, face, eye.to_pixels()), true, Pen::Ink::picked);
+  pen.line(outline(), true, Pen::Ink::outline);
 }
 
 std::vector<glm::dvec2> Marking::outline() const {
@@ -56,9 +60,8 @@ std::optional<Message> Marking::hint(const Eye& eye) const {
   if (price->why_not)
     return Message("Marked patches: {0}. P protects them. Enter does nothing: {1}", count,
                    *price->why_not);
-  return Message("Marked patches: {0}. P protects them, Enter makes them one: error {1} ({2})",
-                 count, fixed(price->error, 4),
-                 signed_fixed(price->error - eye.session().now().error, 4));
+  return Message("Marked patches: {0}. P protects them, Enter makes them one: error {1}", count,
+                 error_after(price->error, eye.session().now().error));
 }
 
 }  // namespace gradmesh

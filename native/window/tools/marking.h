@@ -24,6 +24,8 @@ class Marking : public Tool {
   std::vector<glm::dvec2> outline() const;
 
   std::vector<glm::dvec2> way_;
+  /// What a drag along that way marks.
+  std::vector<Face> inside_;
 };
 
 }  // namespace gradmesh

@@ -11,19 +11,26 @@ namespace gradmesh {
 /// Draws over the picture, in its pixels.
 class Pen {
  public:
-  enum class Ink { outline, picked };
+  enum class Ink { outline, picked, forbids };
 
   Pen(ImDrawList& list, glm::dvec2 corner, double density)
       : list_(list), corner_(corner), density_(density) {}
 
   void line(const std::vector<glm::dvec2>& points, bool is_closed, Ink ink) const;
   void dot(glm::dvec2 place, Ink ink) const;
+  void circle(glm::dvec2 middle, double radius, Ink ink) const;
+  /// Writes words on a ground on which they can be read. `aside` says where they begin: 0 to the
+  /// right of the place, 0.5 around it, 1 to the left of it.
+  void words(glm::dvec2 place, const std::string& text, double aside) const;
 
  private:
   ImDrawList& list_;
   const glm::dvec2 corner_;
   const double density_;
 };
+
+/// Returns points around a face, in the picture's pixels.
+std::vector<glm::dvec2> points_around(const Mesh& mesh, Face face, const Affine& to_pixels);
 
 /// What the pointer does over the picture. Places are in the picture's pixels. Nothing of a tool
 /// outlives a gesture but what it has done to the Eye.

@@ -36,6 +36,32 @@ void show_forms(const Panel& panel) {
          CurveKind::blocks);
 }
 
+/// Writes the names of the amounts at their marks, as far as they do not cover each other, and how
+/// many handles are left at both ends.
+void write_numbers(const Panel& panel, const Curve& curve, const Chart& chart, ImVec2 low,
+                   ImVec2 high, float below) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float free_from = low.x;
+  for (const Curve::Mark& mark : curve.marks) {
+    const std::string name = panel.ui.said(name_of(mark.amount));
+    const float width = ImGui::CalcTextSize(name.c_str()).x;
+    const float x = chart.place(curve.states[std::size_t(mark.state)]).x;
+    const float left = std::clamp(x - width / 2, low.x, high.x - width);
+    if (left < free_from) continue;
+    free_from = left + width + ImGui::GetStyle().ItemSpacing.x;
+    list.AddText({left, low.y}, color(ImGuiCol_TextDisabled), name.c_str());
+  }
+  const auto at_end = [&](const CurveState& state, bool is_last) {
+    const std::string words = panel.eye.looks.by_patches
+                                  ? panel.ui.said(Message("{0} patches", state.counts.patches))
+                                  : panel.ui.said(Message("{0} handles", state.counts.handles));
+    const float left = is_last ? high.x - ImGui::CalcTextSize(words.c_str()).x : low.x;
+    list.AddText({left, below}, color(ImGuiCol_TextDisabled), words.c_str());
+  };
+  at_end(curve.states.front(), false);
+  at_end(curve.states.back(), true);
+}
+
 /// Draws the curve, the marks of the amounts, and the knob at what is shown.
 void draw_curve(const Curve& curve, const Chart& chart, const Eye& eye, ImVec2 low, ImVec2 high,
                 float track) {
@@ -43,7 +69,7 @@ void draw_curve(const Curve& curve, const Chart& chart, const Eye& eye, ImVec2 l
   const float em = ImGui::GetFontSize();
   for (const Curve::Mark& mark : curve.marks) {
     const float x = chart.place(curve.states[std::size_t(mark.state)]).x;
-    list.AddLine({x, low.y}, {x, high.y}, color(ImGuiCol_Border), 1);
+    list.AddLine({x, low.y + 1.3F * em}, {x, high.y}, color(ImGuiCol_Border), 1);
   }
   std::vector<ImVec2> line;
   for (const CurveState& state : curve.states) line.push_back(chart.place(state));
@@ -62,12 +88,12 @@ void draw_curve(const Curve& curve, const Chart& chart, const Eye& eye, ImVec2 l
 void show_slider(const Panel& panel) {
   Eye& eye = panel.eye;
   const float em = ImGui::GetFontSize(), margin = 0.6F * em;
-  const ImVec2 size{ImGui::GetContentRegionAvail().x, 7.6F * em};
+  const ImVec2 size{ImGui::GetContentRegionAvail().x, 9.2F * em};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("curve", size);
   panel.ui.note("curve");
   const ImVec2 low{corner.x + margin, corner.y + margin};
-  const ImVec2 high{corner.x + size.x - margin, corner.y + size.y - 2 * em};
+  const ImVec2 high{corner.x + size.x - margin, corner.y + size.y - 3.2F * em};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + size.x, high.y + margin}, color(ImGuiCol_FrameBg), 3);
   const auto found = eye.curve();
@@ -82,20 +108,29 @@ void show_slider(const Panel& panel) {
                  size.x - 2 * margin);
     return;
   }
-  const Chart chart(found->curve.states, low, high, eye.looks.by_patches);
+  const float track = corner.y + size.y - 1.9F * em;
+  // Names of amounts have a line above the curve.
+  const Chart chart(found->curve.states, {low.x, low.y + 1.3F * em}, high, eye.looks.by_patches);
   if (ImGui::IsItemActive()) eye.slide(chart.state_at(ImGui::GetIO().MousePos.x), true);
   if (ImGui::IsItemDeactivated()) eye.slide(chart.state_at(ImGui::GetIO().MousePos.x));
-  draw_curve(found->curve, chart, eye, low, high, corner.y + size.y - 0.8F * em);
-  if (!ImGui::IsItemActive())
-    panel.ui.tip(Message(
-        "The error, the fewer handles are left. Drag the knob: left the mesh as it is, right the "
-        "simplest (arrow keys)"));
+  draw_curve(found->curve, chart, eye, low, high, track);
+  write_numbers(panel, found->curve, chart, low, high, track + 0.6F * em);
+  if (ImGui::IsItemActive()) return;
+  const CurveState& pointed =
+      found->curve.states[std::size_t(chart.state_at(ImGui::GetIO().MousePos.x))];
+  panel.ui.tip(
+      Message("{0} handles, {1} patches, error {2}. Drag the knob: left the mesh as it "
+              "is, right the simplest (arrow keys)",
+              pointed.counts.handles, pointed.counts.patches, error_of(pointed.error, 4)));
 }
 
 void show_amounts(const Panel& panel) {
   Eye& eye = panel.eye;
   const auto found = eye.curve();
   const float width = Ui::share(3);
+  // Two amounts may be the same state, of which one is lit.
+  const Curve::Mark* same = nullptr;
+  std::vector<Message> alike;
   for (const std::string amount : {"gentle", "balanced", "strong"}) {
     if (amount != "gentle") Ui::beside();
     const Curve::Mark* mark = nullptr;
@@ -105,10 +140,15 @@ void show_amounts(const Panel& panel) {
     const Message tip =
         mark ? Message("{0} handles", found->curve.states[std::size_t(mark->state)].counts.handles)
              : Message("This amount is still looked for");
-    const bool is_shown = mark && mark->state == eye.session().state();
+    if (mark && same && mark->state == same->state)
+      alike.push_back(Message("{0} is the same as {1}.", name_of(amount), name_of(same->amount)));
+    else if (mark)
+      same = mark;
+    const bool is_shown = mark && mark == same && mark->state == eye.session().state();
     if (panel.ui.choice(name_of(amount), tip, is_shown, width, mark != nullptr))
       eye.slide(mark->state);
   }
+  for (const Message& words : alike) panel.ui.text(panel.ui.said(words));
 }
 
 }  // namespace

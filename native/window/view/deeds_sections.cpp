@@ -1,5 +1,7 @@
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "reference/weights.h"
 #include "window/eye/words.h"
 #include "window/view/panel.h"
@@ -9,37 +11,54 @@ namespace {
 
 void show_history(const Panel& panel) {
   const Session& session = panel.eye.session();
-  const float width = Ui::share(3);
+  const float width = Ui::share(2);
   if (panel.ui.button(Message("Undo"), words_of_undo(session), session.can_undo(), width))
     panel.eye.attempt([](Session& s) { s.undo(); });
   Ui::beside();
   if (panel.ui.button(Message("Redo"), words_of_redo(session), session.can_redo(), width))
     panel.eye.attempt([](Session& s) { s.redo(); });
+}
+
+void show_fits(const Panel& panel) {
+  panel.ui.check(
+      Message("Fit what is around"),
+      Message("Move points and handles near a change so that the picture stays what it was"),
+      panel.eye.fits);
   Ui::beside();
   if (panel.ui.button(Message("Fit all"),
-                      Message("Move all points and handles so that the picture is closest"), true,
-                      width))
+                      Message("Move all points and handles so that the picture is closest")))
     panel.eye.attempt([](Session& s) { s.fit(); });
 }
 
-/// Shows how often errors in what is marked may count.
+/// Shows how often errors in what is marked count, and lets a person choose how often.
 void show_weights(const Panel& panel) {
+  Eye& eye = panel.eye;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(panel.ui.said(Message("Errors there ×")).c_str());
+  const auto is_everywhere = [&](double factor) {
+    return !eye.marked().empty() && std::ranges::all_of(eye.marked(), [&](Face face) {
+      return eye.session().weight_at(face) == factor;
+    });
+  };
   const auto add = [&](const char* label, double factor) {
     Ui::beside();
-    const bool is_pressed = panel.ui.button(
+    const bool is_pressed = panel.ui.choice(
         Message("{0}", std::string(label)),
         Message("How often errors in what is marked count, so that it stays more or less exact "
                 "than the rest: blue lines show where more, orange lines where less"),
-        !panel.eye.marked().empty());
-    if (is_pressed) panel.eye.attempt([&](Session& s) { s.weigh(panel.eye.marked(), factor); });
+        is_everywhere(factor), 0, !eye.marked().empty());
+    panel.ui.note(std::string("weight ") + label);
+    if (is_pressed) eye.attempt([&](Session& s) { s.weigh(eye.marked(), factor); });
   };
   add("¼", 0.25);
   add("½", 0.5);
   add("1", 1);
   add("2", 2);
   add("4", 4);
+  if (eye.session().is_weighted() &&
+      panel.ui.button(Message("Errors count alike everywhere"),
+                      Message("Let errors count once everywhere again")))
+    eye.attempt([](Session& s) { s.weigh_alike(); });
 }
 
 }  // namespace
@@ -64,18 +83,17 @@ void show_meshes(const Panel& panel) {
 void show_tools(const Panel& panel) {
   panel.ui.heading(Message("What the pointer does"));
   const auto& tools = panel.toolbox.tools();
-  constexpr std::size_t in_a_row = 3;
+  std::vector<Message> names;
+  for (const auto& tool : tools) names.push_back(tool->name());
+  const int in_a_row = panel.ui.in_a_row(names, 3);
   const float width = Ui::share(in_a_row);
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    if (i % in_a_row != 0) Ui::beside();
+    if (i % std::size_t(in_a_row) != 0) Ui::beside();
     const Tool& tool = *tools[i];
     if (panel.ui.choice(tool.name(), tool.tip(), &tool == &panel.toolbox.in_hand(), width))
       panel.toolbox.take(i, panel.eye);
   }
-  panel.ui.check(
-      Message("Fit what is around"),
-      Message("Move points and handles near a change so that the picture stays what it was"),
-      panel.eye.fits);
+  show_fits(panel);
   show_history(panel);
 }
 
@@ -83,20 +101,22 @@ void show_marked(const Panel& panel) {
   Eye& eye = panel.eye;
   const bool has_marks = !eye.marked().empty(), is_release = eye.marks_are_protected();
   panel.ui.heading(Message("Marked patches"));
-  const float width = Ui::share(3);
-  if (panel.ui.button(Message("Merge"), Message("Make one patch of all that are marked (Enter)"),
+  const Message merge = Message("Merge"), here = Message("Only here");
+  const Message protect = is_release ? Message("Release") : Message("Protect");
+  const int in_a_row = panel.ui.in_a_row({merge, protect, here}, 3);
+  const float width = Ui::share(in_a_row);
+  if (panel.ui.button(merge, Message("Make one patch of all that are marked (Enter)"),
                       eye.to_merge().size() > 1, width))
     eye.merge_marked();
   Ui::beside();
-  if (panel.ui.button(is_release ? Message("Release") : Message("Protect"),
+  if (panel.ui.button(protect,
                       is_release
                           ? Message("Let what is marked change again (P)")
                           : Message("Let what is marked stay as it is, whatever is done (P)"),
                       has_marks, width))
     eye.protect_marked();
-  Ui::beside();
-  if (panel.ui.button(Message("Only here"),
-                      Message("Let only what is marked change, and protect all others (O)"),
+  if (in_a_row > 2) Ui::beside();
+  if (panel.ui.button(here, Message("Let only what is marked change, and protect all others (O)"),
                       has_marks, width))
     eye.protect_others();
   show_weights(panel);
@@ -110,7 +130,7 @@ void show_worst_places(const Panel& panel) {
     if (i > 0) Ui::beside();
     const bool is_there = i < places.size();
     const Message tip = is_there ? Message("Error {0} in a small part; a click goes there",
-                                           fixed(places[i].error, 3))
+                                           error_of(places[i].error, 3))
                                  : Message("There are fewer places that differ");
     ImGui::PushID(int(i));
     if (panel.ui.button(Message("{0}", i + 1), tip, is_there, width)) panel.eye.look_at(places[i]);

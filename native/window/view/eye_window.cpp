@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "window/toolkit/theme.h"
 #include "window/view/panel.h"
 #include "window/view/shortcuts.h"
@@ -28,10 +30,10 @@ bool EyeWindow::show(const Happened& happened) {
   take_keys(happened);
   eye_.look_for_news(ImGui::IsMouseDown(ImGuiMouseButton_Left));
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float em = ImGui::GetFontSize(), panel = 25 * em, line = 2.2F * em;
+  const float em = ImGui::GetFontSize(), panel = 26 * em, line = 3.6F * em;
   show_panel(size.x - panel, panel, size.y);
   show_picture(size.x - panel, size.y - line);
-  show_hint(size.y - line, size.x - panel, line);
+  show_hint(size.y, size.x - panel, line);
   show_question();
   return end_ == End::not_yet;
 }
@@ -70,13 +72,13 @@ void EyeWindow::show_panel(float left, float width, float height) {
   begin("panel", left, 0, width, height - end);
   const Panel panel{ui_, eye_, toolbox_};
   show_meshes(panel);
+  show_color(panel);
+  show_structure(panel);
   show_curve(panel);
   show_looks(panel);
   show_tools(panel);
   show_marked(panel);
   show_worst_places(panel);
-  show_structure(panel);
-  ui_.heading(Message("This window"));
   ui_.check(Message("Dark"), Message("Dark or light, from now on"), is_dark_);
   ImGui::End();
   begin("ends", left, height - end, width, end, ImGuiWindowFlags_NoScrollbar);
@@ -103,19 +105,21 @@ void EyeWindow::show_question() {
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
   ImGui::TextUnformatted(
       ui_.said(Message("Shall what was made of the mesh be written into the document?")).c_str());
-  const float width = 9 * ImGui::GetFontSize();
+  const Message discard = Message("Discard"), back = Message("Go Back"), apply = Message("Apply");
+  float width = 0;
+  for (const Message& label : {discard, back, apply})
+    width = std::max(width, Ui::width_of(ui_.said(label)));
   const auto offer = [&](const Message& label, const Message& tip, End end) {
     if (!ui_.button(label, tip, true, width)) return;
     end_ = end;
     must_ask_ = false;
     ImGui::CloseCurrentPopup();
   };
-  offer(Message("Discard"), Message("Leave the document as it was"), End::cancel);
+  offer(discard, Message("Leave the document as it was"), End::cancel);
   Ui::beside();
-  offer(Message("Go Back"), Message("Go on with the mesh (Escape)"), End::not_yet);
+  offer(back, Message("Go on with the mesh (Escape)"), End::not_yet);
   Ui::beside();
-  offer(Message("Apply"), Message("Write what is shown into the document (Ctrl+Enter)"),
-        End::apply);
+  offer(apply, Message("Write what is shown into the document (Ctrl+Enter)"), End::apply);
   ImGui::EndPopup();
 }
 
@@ -123,20 +127,29 @@ void EyeWindow::show_picture(float width, float height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   begin("picture", 0, 0, width, height,
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-  area_.show(eye_, toolbox_);
+  area_.show(eye_, toolbox_, ui_);
   ImGui::End();
   ImGui::PopStyleVar();
 }
 
-void EyeWindow::show_hint(float top, float width, float height) {
-  begin("hint", 0, top, width, height, ImGuiWindowFlags_NoScrollbar);
+void EyeWindow::show_hint(float end, float width, float least) {
   const auto sentence = [&] {
+    if (eye_.picks_color)
+      return ui_.said(
+          Message("Click the picture where it has the colour that the point shall have "
+                  "(Escape: none)."));
     if (eye_.refusal()) return ui_.said(*eye_.refusal());
     if (eye_.why_not()) return ui_.said(Message("Here nothing can be done: {0}", *eye_.why_not()));
     const auto hint = toolbox_.in_hand().hint(eye_);
     return hint ? ui_.said(*hint) : std::string();
   };
-  ImGui::TextUnformatted(sentence().c_str());
+  const std::string words = sentence();
+  const ImVec2 margin = ImGui::GetStyle().WindowPadding;
+  // What is longer lies over the picture, which keeps its size.
+  const ImVec2 needed = ImGui::CalcTextSize(words.c_str(), nullptr, false, width - 2 * margin.x);
+  const float height = std::max(least, needed.y + 2 * margin.y);
+  begin("hint", 0, end - height, width, height, ImGuiWindowFlags_NoScrollbar);
+  ui_.text(words);
   ImGui::End();
 }
 

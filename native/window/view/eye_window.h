@@ -37,7 +37,8 @@ class EyeWindow {
   void show_ends();
   void show_question();
   void show_picture(float width, float height);
-  void show_hint(float top, float width, float height);
+  /// Shows words that end at the lower side of the window, in the room of two lines or more.
+  void show_hint(float end, float width, float least);
 
   Eye& eye_;
   Ui ui_;

@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include <array>
 #include <cmath>
 
 #include "window/eye/words.h"
@@ -31,9 +32,14 @@ Choice choice_of(Ground ground) {
 }
 
 void show_grounds(const Panel& panel) {
-  const float width = Ui::share(4);
-  for (const Ground ground : {Ground::result, Ground::original, Ground::halves, Ground::error}) {
-    if (ground != Ground::result) Ui::beside();
+  constexpr std::array all{Ground::result, Ground::original, Ground::halves, Ground::error};
+  std::vector<Message> labels;
+  for (const Ground ground : all) labels.push_back(choice_of(ground).label);
+  const int in_a_row = panel.ui.in_a_row(labels, 4);
+  const float width = Ui::share(in_a_row);
+  int place = 0;
+  for (const Ground ground : all) {
+    if (place++ % in_a_row != 0) Ui::beside();
     const auto [label, tip] = choice_of(ground);
     if (panel.ui.choice(label, tip, panel.eye.looks.ground == ground, width))
       panel.eye.looks.ground = ground;
@@ -47,11 +53,32 @@ Message name_of(std::optional<AnalysisKind> kind) {
   return Message("Parts (motorcycle graph)");
 }
 
+/// Shows how large the picture is: 100 % is a pixel of an ordinary screen for each of the page.
+void show_zoom(const Panel& panel) {
+  Viewport& viewport = panel.eye.viewport();
+  const float side = 1.7F * ImGui::GetFontSize();
+  if (panel.ui.button(Message("{0}", std::string("−")), Message("Smaller (minus)"), true, side))
+    viewport.zoom(1 / Viewport::zoom_step);
+  Ui::beside();
+  const int per_cent = int(std::lround(100 * viewport.scale() / panel.eye.density));
+  if (panel.ui.button(Message("{0} %", per_cent), Message("As large as on the page (1)"), true,
+                      Ui::width_of("100 %")))
+    viewport.zoom_to(panel.eye.density);
+  panel.ui.note("zoom");
+  Ui::beside();
+  if (panel.ui.button(Message("{0}", std::string("+")), Message("Larger (plus)"), true, side))
+    viewport.zoom(Viewport::zoom_step);
+  Ui::beside();
+  if (panel.ui.button(Message("All"), Message("Show all of the mesh (3)"))) viewport.fit();
+}
+
 /// Shows what of the mesh is to be found out and seen.
 void show_kinds(const Panel& panel) {
   Looks& looks = panel.eye.looks;
   ImGui::SetNextItemWidth(-1);
-  const bool is_open = ImGui::BeginCombo("##known", panel.ui.said(name_of(looks.known)).c_str());
+  const std::string chosen = panel.ui.said(name_of(looks.known));
+  const bool is_open = ImGui::BeginCombo("##known", chosen.c_str());
+  panel.ui.check_fits(chosen, ImGui::GetItemRectSize().x - ImGui::GetFrameHeight());
   panel.ui.note("known");
   if (!is_open) {
     panel.ui.tip(
@@ -80,12 +107,12 @@ void show_prices(const Panel& panel, const Analysis& known) {
   for (int i = 0; i <= steps; ++i) {
     const double position = double(i) / steps;
     const glm::dvec3 rgb = HeatScale::rgb_at(position);
-    if (i > 0) Ui::beside();
+    if (i > 0 && i != 2) Ui::beside();
     ImGui::ColorButton(("##" + std::to_string(i)).c_str(),
                        {float(rgb.r), float(rgb.g), float(rgb.b), 1},
                        ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop, {em, em});
     Ui::beside();
-    ImGui::TextUnformatted(short_error(scale.error_at(position)).c_str());
+    ImGui::TextUnformatted(panel.ui.said(short_error(scale.error_at(position))).c_str());
   }
 }
 
@@ -130,6 +157,8 @@ void show_looks(const Panel& panel) {
   Ui::beside();
   panel.ui.check(Message("Handles"), Message("Show what can be dragged in Inkscape (H)"),
                  panel.eye.looks.handles);
+  Ui::beside();
+  show_zoom(panel);
   show_kinds(panel);
   if (panel.eye.looks.known) show_legend(panel);
 }

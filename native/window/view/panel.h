@@ -21,7 +21,9 @@ void show_looks(const Panel& panel);
 void show_tools(const Panel& panel);
 void show_marked(const Panel& panel);
 void show_worst_places(const Panel& panel);
-/// Shows numbers and neighbours of the element that is looked at, if there is one.
+/// Shows the colour of the point that is looked at, if it is one.
+void show_color(const Panel& panel);
+/// Shows numbers and neighbours of the element that is looked at, if there is one, to who asks.
 void show_structure(const Panel& panel);
 
 }  // namespace gradmesh

@@ -21,7 +21,7 @@ Held held_now() {
 
 }  // namespace
 
-void PictureArea::show(Eye& eye, Toolbox& toolbox) {
+void PictureArea::show(Eye& eye, Toolbox& toolbox, const Ui& ui) {
   const ImVec2 corner = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   eye.viewport().resize({std::floor(room.x), std::floor(room.y)});
   ImGui::InvisibleButton("picture", {std::max(room.x, 1.0F), std::max(room.y, 1.0F)},
@@ -40,7 +40,32 @@ void PictureArea::show(Eye& eye, Toolbox& toolbox) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddImage(texture_id(texture), corner,
                 {corner.x + float(texture.width), corner.y + float(texture.height)});
-  if (!eye.looks.flickers) tool.draw(eye, Pen(list, {corner.x, corner.y}, eye.density));
+  if (eye.looks.flickers) return;
+  const Pen pen(list, {corner.x, corner.y}, eye.density);
+  tool.draw(eye, pen);
+  draw_words(eye, pen, ui);
+}
+
+void PictureArea::draw_words(Eye& eye, const Pen& pen, const Ui& ui) const {
+  const double em = ImGui::GetFontSize();
+  const glm::dvec2 size = eye.viewport().size();
+  if (eye.looks.ground == SessionView::Ground::halves) {
+    const glm::dvec2 line(eye.looks.split * size.x, 0), aside(0.8 * em, 0.5 * em);
+    pen.words(line + glm::dvec2(-aside.x, aside.y), ui.said(Message("Original")), 1);
+    pen.words(line + aside, ui.said(Message("Result")), 0);
+    pen.words({line.x, size.y / 2}, "‹ ›", 0.5);
+  }
+  if (eye.forbids().valid())
+    pen.line(points_around(eye.session().now().mesh, eye.forbids(), eye.to_pixels()), true,
+             Pen::Ink::forbids);
+  if (!eye.circles_worst) return;
+  constexpr double radius = 18;
+  int number = 0;
+  for (const WorstPlace& worst : eye.worst_places()) {
+    const glm::dvec2 at = eye.to_pixels().point(worst.place);
+    pen.circle(at, radius, Pen::Ink::picked);
+    pen.words(at + glm::dvec2(0, radius * eye.density), std::to_string(++number), 0.5);
+  }
 }
 
 void PictureArea::point(Eye& eye, Tool& tool, glm::dvec2 at) {
@@ -97,6 +122,8 @@ void PictureArea::release(Eye& eye, Tool& tool, glm::dvec2 at) {
   if (ended != Drag::pending) return;
   if (button_ == ImGuiMouseButton_Middle)
     eye.viewport().zoom(Viewport::zoom_step, at);
+  else if (eye.picks_color)
+    eye.pick_color(at);
   else
     tool.click(eye, at, held_now());
 }

@@ -2,6 +2,7 @@
 
 #include "window/eye/eye.h"
 #include "window/eye/shown_picture.h"
+#include "window/toolkit/ui.h"
 #include "window/tools/toolbox.h"
 
 namespace gradmesh {
@@ -11,7 +12,7 @@ class PictureArea {
  public:
   /// Passes on what the pointer does, and draws what is seen then, in the room that is left of the
   /// window that Dear ImGui draws.
-  void show(Eye& eye, Toolbox& toolbox);
+  void show(Eye& eye, Toolbox& toolbox, const Ui& ui);
 
  private:
   enum class Drag { none, pending, tool, pan, split };
@@ -26,6 +27,9 @@ class PictureArea {
     bool operator==(const Told&) const = default;
   };
 
+  /// Draws what is told of the picture: halves by their names, worst places, the patch that forbids
+  /// an edit.
+  void draw_words(Eye& eye, const Pen& pen, const Ui& ui) const;
   void point(Eye& eye, Tool& tool, glm::dvec2 at);
   void take_wheel(Eye& eye, glm::dvec2 at) const;
   /// Goes on with a press of a button.

@@ -77,8 +77,12 @@ WindowKey press_with_control(const std::string& name, bool has_shift, Eye& eye) 
 
 /// Lets go of what was taken last: marks, a tool; or else of the window.
 WindowKey let_go(Eye& eye, Toolbox& toolbox) {
-  if (!eye.marked().empty())
+  if (eye.picks_color)
+    eye.picks_color = false;
+  else if (!eye.marked().empty())
     eye.unmark();
+  else if (eye.circles_worst)
+    eye.circles_worst = false;
   else if (!toolbox.take_first(eye))
     return WindowKey::escape;
   return WindowKey::none;

@@ -1,6 +1,5 @@
 #include <imgui.h>
 
-#include "ops/color.h"
 #include "window/eye/words.h"
 #include "window/view/panel.h"
 
@@ -77,47 +76,16 @@ void show_halfedge(const Panel& panel, Halfedge h) {
   near.add(Message("End"), mesh.end(h));
 }
 
-/// Lets a person choose the colour of a point, which the picture shows at once.
-void show_color(const Panel& panel, Point point) {
-  Eye& eye = panel.eye;
-  const Mesh& mesh = eye.session().now().mesh;
-  const std::vector<Halfedge> corners = corners_at(mesh, point);
-  if (corners.empty()) return;
-  const glm::dvec3 now = eye.chosen_color.value_or(glm::dvec3(mesh[corners.front()].color));
-  float shown[] = {float(now.r), float(now.g), float(now.b)};
-  const bool has_changed =
-      ImGui::ColorEdit3(panel.ui.said(Message("Colour")).c_str(), shown,
-                        ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoDragDrop |
-                            ImGuiColorEditFlags_NoTooltip);
-  const bool is_chosen = ImGui::IsItemDeactivatedAfterEdit();
-  panel.ui.note("colour");
-  if (has_changed) {
-    Pointed pointed;
-    pointed.face = mesh.face(corners.front());
-    pointed.corner = corners.front();
-    eye.chosen_color = {shown[0], shown[1], shown[2]};
-    eye.propose(
-        [&](Session& session) { session.propose_color(pointed, *eye.chosen_color, false); });
-  }
-  if (!is_chosen) return;
-  // Who has chosen a colour may want another.
-  const Element kept = eye.element;
-  eye.make();
-  eye.element = kept;
-  eye.chosen_color.reset();
-}
-
 void show_point(const Panel& panel, Point point) {
   const Mesh& mesh = panel.eye.session().now().mesh;
   const glm::dvec2 at = panel.eye.editing().view.point(mesh.position(point));
-  const std::string x = fixed(at.x, 2), y = fixed(at.y, 2);
+  const Message x = fixed(at.x, 2), y = fixed(at.y, 2);
   panel.ui.text(panel.ui.said(mesh[point].is_junction()
                                   ? Message("T-junction {0} at {1}, {2}", point.value, x, y)
                                   : Message("Point {0} at {1}, {2}", point.value, x, y)));
   Neighbours near(panel);
   near.add(Message("Half-edge"), mesh[point].halfedge);
   near.add(Message("Stem"), mesh[point].stem);
-  show_color(panel, point);
 }
 
 }  // namespace
@@ -125,7 +93,11 @@ void show_point(const Panel& panel, Point point) {
 void show_structure(const Panel& panel) {
   const auto [face, halfedge, point] = panel.eye.element;
   if (!face.valid() && !halfedge.valid() && !point.valid()) return;
-  panel.ui.heading(Message("What is picked"));
+  const bool is_open = ImGui::TreeNodeEx("details", ImGuiTreeNodeFlags_NoTreePushOnOpen, "%s",
+                                         panel.ui.said(Message("Details")).c_str());
+  panel.ui.note("details");
+  panel.ui.tip(Message("Numbers of what is picked, and its neighbours"));
+  if (!is_open) return;
   if (face.valid()) show_face(panel, face);
   if (halfedge.valid()) show_halfedge(panel, halfedge);
   if (point.valid()) show_point(panel, point);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "eye_windows.h"
+#include "ops/color.h"
 #include "window/toolkit/catalogue.h"
 
 namespace gradmesh {
@@ -281,6 +282,8 @@ TEST_F(EyeWindows, the_structure_is_walked_by_buttons) {
   const Face face = *mesh.faces().begin();
   screen_->click(middle_of(face));
   EXPECT_EQ(eye_->element.face, face);
+  EXPECT_FALSE(screen_->click("Right")) << "numbers are for who asks";
+  ASSERT_TRUE(screen_->click("details"));
   ASSERT_TRUE(screen_->click("Right"));
   const Halfedge side = eye_->element.halfedge;
   EXPECT_EQ(side, mesh.sides(face)[1]);
@@ -295,24 +298,21 @@ TEST_F(EyeWindows, the_structure_is_walked_by_buttons) {
 
 TEST_F(EyeWindows, a_colour_is_chosen_for_a_point) {
   open("ellipse");
-  screen_->click("Look");
   const Mesh& mesh = session().now().mesh;
-  const Face face = *mesh.faces().begin();
-  screen_->click(middle_of(face));
-  screen_->click("Right");
-  screen_->click("Start");
-  const Point point = eye_->element.point;
-  ASSERT_TRUE(point.valid());
+  const Point point = mesh.origin(mesh.sides(*mesh.faces().begin())[0]);
+  eye_->element.point = point;
+  screen_->settle();
   const auto green = [&] {
     const Mesh& now = session().now().mesh;
     return now[now[point].halfedge].color.g;
   };
   const double before = green();
-  // On the field of the green part, which a drag changes; what is chosen is seen before it is made.
-  const glm::dvec2 at = *screen_->window().ui().place_of("colour") - glm::dvec2(40, 0);
+  // What is chosen is seen before it is made.
+  const glm::dvec2 at = *screen_->window().ui().place_of("value");
   screen_->move(at);
   screen_->hold(true);
   screen_->move(at - glm::dvec2(30, 0));
+  screen_->settle();
   EXPECT_TRUE(session().proposal());
   EXPECT_EQ(green(), before);
   screen_->hold(false);
@@ -320,6 +320,92 @@ TEST_F(EyeWindows, a_colour_is_chosen_for_a_point) {
   EXPECT_LT(green(), before);
   EXPECT_EQ(session().undo_name()->english(), "Set the colour of a point");
   EXPECT_EQ(eye_->element.point, point) << "another colour can be chosen at once";
+}
+
+TEST_F(EyeWindows, a_colour_is_taken_from_the_picture) {
+  open("ellipse");
+  screen_->click("Look");
+  const Mesh& mesh = session().now().mesh;
+  const Face face = *mesh.faces().begin();
+  eye_->element.point = mesh.origin(mesh.sides(face)[0]);
+  screen_->key("L");
+  const glm::dvec2 there(ordinary_size.x / 3, ordinary_size.y / 3);
+  const std::uint32_t seen = screen_->pixel(int(there.x), int(there.y));
+  ASSERT_TRUE(screen_->click("From the picture"));
+  screen_->key("Escape");
+  EXPECT_FALSE(eye_->picks_color);
+  EXPECT_TRUE(screen_->is_open()) << "Escape lets go of the eyedropper alone";
+  ASSERT_TRUE(screen_->click("From the picture"));
+  screen_->click(there);
+  EXPECT_FALSE(eye_->picks_color);
+  const Mesh& now = session().now().mesh;
+  const glm::dvec4 color = now[corners_at(now, eye_->element.point).front()].color;
+  for (const int channel : {0, 1, 2})
+    EXPECT_NEAR(255 * color[channel], seen >> (16 - 8 * channel) & 255, 0.5);
+}
+
+TEST_F(EyeWindows, weights_are_read_back_and_taken_away) {
+  open("ellipse");
+  const Face face = *session().now().mesh.faces().begin();
+  EXPECT_FALSE(screen_->window().ui().place_of("Errors count alike everywhere"));
+  eye_->mark({face}, false);
+  screen_->settle();
+  ASSERT_TRUE(screen_->click("weight 4"));
+  EXPECT_EQ(session().weight_at(face), 4);
+  ASSERT_TRUE(screen_->click("Errors count alike everywhere"));
+  EXPECT_EQ(session().weight_at(face), 1);
+  screen_->key("Z", {.control = true});
+  EXPECT_EQ(session().weight_at(face), 4);
+}
+
+TEST_F(EyeWindows, what_a_drag_would_mark_is_seen_while_it_goes_on) {
+  open("ellipse");
+  screen_->key("K");
+  const glm::dvec2 middle = eye_->viewport().size() / 2.0;
+  screen_->move(middle);
+  screen_->hold(true);
+  for (const double share : {0.1, 0.3}) screen_->move(middle * (1 + share));
+  const auto dragging = pixels();
+  screen_->hold(false);
+  const std::vector<Face> marked = eye_->marked();
+  ASSERT_FALSE(marked.empty());
+  // On the side of a marked patch away from the rectangle's own lines, the ink of what is picked.
+  int picked = 0;
+  for (const std::uint32_t pixel : dragging) picked += pixel == 0xffc800;
+  EXPECT_GT(picked, 100);
+}
+
+TEST_F(EyeWindows, a_patch_that_forbids_an_edit_is_lit_up) {
+  open("ellipse");
+  const Mesh& mesh = session().now().mesh;
+  const std::vector<Halfedge> curves = mesh.curves();
+  const Halfedge curve =
+      *std::ranges::find_if(curves, [&](Halfedge h) { return mesh[h].twin.valid(); });
+  const Face face = mesh.face(curve);
+  session().protect({face}, true);
+  screen_->key("M");
+  screen_->move(seen_at(session().now().mesh.curve_of(curve).at(0.5).position));
+  EXPECT_TRUE(session().now().mesh.is_fixed(eye_->forbids()));
+  screen_->move({-50, -50});
+  screen_->settle();
+  EXPECT_FALSE(eye_->forbids().valid());
+}
+
+TEST_F(EyeWindows, of_both_the_lines_are_on_the_side_of_the_result) {
+  open("ellipse");
+  screen_->key("9");
+  const auto with_lines = pixels();
+  screen_->key("L");
+  const auto without = pixels();
+  const int line = int(eye_->looks.split * eye_->viewport().size().x);
+  int left = 0, right = 0;
+  for (int y = 0; y < int(eye_->viewport().size().y); ++y)
+    for (int x = 0; x < int(eye_->viewport().size().x); ++x) {
+      const std::size_t i = std::size_t(y) * ordinary_size.x + x;
+      if (with_lines[i] != without[i]) ++(x < line ? left : right);
+    }
+  EXPECT_EQ(left, 0);
+  EXPECT_GT(right, 100);
 }
 
 TEST_F(EyeWindows, what_cannot_be_done_is_said_and_nothing_is_lost) {
@@ -348,14 +434,41 @@ TEST_F(EyeWindows, the_picture_is_the_sessions_to_the_pixel) {
     }
 }
 
-TEST_F(EyeWindows, words_fit_on_their_buttons_in_all_languages) {
-  for (const std::string language : {"en", "de"}) {
-    open("two", false, 1, translation_into({language}));
-    for (const char* key : {"S", "S", "K"}) {
-      screen_->key(key);
-      EXPECT_EQ(screen_->window().ui().clipped(), std::set<std::string>()) << language;
-    }
-  }
+TEST_F(EyeWindows, no_words_are_cut_off) {
+  for (const std::string language : {"en", "de"})
+    for (const bool is_dark : {false, true})
+      for (const glm::ivec2 size : {glm::ivec2(720, 540), glm::ivec2(800, 600), ordinary_size}) {
+        SCOPED_TRACE(language + " " + std::to_string(size.x));
+        open("two", is_dark, 1, translation_into({language}), size);
+        const auto expect_all_fits = [&] {
+          EXPECT_EQ(screen_->window().ui().clipped(), std::set<std::string>());
+        };
+        const Mesh& mesh = session().now().mesh;
+        expect_all_fits();
+        eye_->element.point = mesh.origin(mesh.sides(*mesh.faces().begin())[0]);
+        screen_->settle();
+        expect_all_fits();
+        ASSERT_TRUE(screen_->click("details"));
+        expect_all_fits();
+        eye_->mark({*mesh.faces().begin()}, false);
+        session().weigh(eye_->marked(), 4);
+        screen_->settle();
+        expect_all_fits();
+        for (const char* key : {"S", "S", "S"}) {
+          screen_->key(key);
+          session().analyses().wait();
+          screen_->settle();
+          expect_all_fits();
+        }
+        screen_->key("M");
+        screen_->move(on_a_line());
+        screen_->settle();
+        expect_all_fits();
+        // The question of what was made by hand.
+        screen_->frame({{}, true});
+        screen_->settle();
+        expect_all_fits();
+      }
 }
 
 TEST_F(EyeWindows, dark_and_light_large_and_small_screens_show_the_same) {
@@ -406,7 +519,7 @@ TEST_F(EyeWindows, all_tools_work_on_documents_that_people_have_made) {
     }
     screen_->key("T");
     screen_->drag({middle, middle + glm::dvec2(90, 40)});
-    screen_->click("Protect");
+    screen_->key("P");
     while (session().can_undo()) screen_->key("Z", {.control = true});
     EXPECT_TRUE(session().is_unchanged());
     EXPECT_EQ(session().now().error, 0);
