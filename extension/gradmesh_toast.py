@@ -83,7 +83,13 @@ def show(text, document=""):
     from gradmesh_theme import prefer_dark
 
     prefer_dark()
-    window = gtk.Window(title="gradmesh", accept_focus=False, focus_on_map=False, decorated=False)
+    # A window manager gives the focus of Inkscape's box, which goes now, to nobody if another window comes: this is
+    # none that it knows of. On Wayland such a window has to belong to one of the same program.
+    is_x11 = "X11" in type(Gdk.Display.get_default()).__name__
+    kind = gtk.WindowType.POPUP if is_x11 else gtk.WindowType.TOPLEVEL
+    window = gtk.Window(
+        type=kind, title="gradmesh", accept_focus=False, focus_on_map=False, decorated=False
+    )
     window.set_type_hint(Gdk.WindowTypeHint.NOTIFICATION)
     window.set_keep_above(True)
     window.set_resizable(False)

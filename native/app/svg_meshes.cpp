@@ -485,7 +485,9 @@ std::vector<UpdateReport> SvgMeshes::update_edited(const std::vector<MeshEntry>&
                       std::move(original)});
   }
   if (reports.empty())
-    throw InputError("{0}: only meshes that were simplified before can be updated.", name());
+    throw InputError(
+        "{0}: only meshes that are blocks can be updated; one mesh gradient needs no update.",
+        name());
 
   std::vector<MeshEntry> written;
   for (const Edited& e : edited) {

@@ -160,7 +160,8 @@ void show_curve(const Panel& panel) {
   show_slider(panel);
   show_amounts(panel);
   if (panel.eye.session().is_made_by_hand())
-    panel.ui.text(panel.ui.said(Message("What was made by hand stays.")));
+    panel.ui.text(
+        panel.ui.said(Message("What was made by hand stays, and is what errors are measured by.")));
   panel.ui.check(Message("By patches"), Message("Draw the curve by patches, not by handles"),
                  panel.eye.looks.by_patches);
 }

@@ -94,3 +94,13 @@ def test_nothing_of_a_clip_is_painted(tmp_path):
     assert meshes(path) == []
     said = refused("simplify", path, "-o", tmp_path / "out.svg", "--id", "o")
     assert said.endswith('ellipse "o": it is in a clipPath, of which nothing is painted.')
+
+
+def test_what_limited_a_cloned_object_stays(tmp_path):
+    """Inkscape 1.2 ends where an extension takes away what clips or masks a cloned object; alone it goes."""
+    for clone in ("", '<use xlink:href="#o" x="40"/>'):
+        file, blocks, one = (tmp_path / f"{name}{len(clone)}.svg" for name in ("mesh", "blocks", "one"))
+        file.write_text(document("{}" + clone))
+        printed("simplify", file, "-o", blocks, "--method", "gqe", "--epsilon", EPSILON)
+        printed("one-mesh", blocks, "-o", one)
+        assert ("<clipPath" in one.read_text()) == bool(clone)

@@ -1,5 +1,6 @@
 """The line at the lower end of the screen: what it says instead of Inkscape's alarm, and for how long it stays."""
 
+import shutil
 import subprocess
 import time
 
@@ -44,7 +45,7 @@ def log(tmp_path):
         ("merge", ["--id=stem"], "no block of a simplified mesh"),
         ("refine", ["--id=pear", "--row=99"], "no row 99"),
         ("update", [], "Select an object"),
-        ("update", ["--id=pear"], "simplified before"),
+        ("update", ["--id=pear"], "one mesh gradient needs no update"),
         ("show_analysis", ["--id=spot"], "None of the selected objects"),
         ("remove_analysis", [], "There is no analysis"),
         ("to_one_mesh", ["--id=spot"], "None of the selected objects"),
@@ -125,6 +126,19 @@ def test_sentences_go_by_a_click(line, screen):
     width, height = inkscape_harness.SCREEN
     subprocess.run(["xdotool", "mousemove", str(width // 2), str(height - 90), "click", "1"], env=env, check=True)
     assert process.wait(60) == 0
+
+
+def test_no_window_manager_gives_it_the_focus(line, screen):
+    """With the focus on it, or on nobody as it came, keys would not reach Inkscape."""
+    if not shutil.which("xwininfo"):
+        pytest.skip("xwininfo is not installed")
+    line(TWO)
+    command = ["xwininfo", "-display", screen, "-name", "gradmesh"]
+    end = time.monotonic() + 60
+    while (told := subprocess.run(command, capture_output=True, text=True)).returncode:
+        assert time.monotonic() < end
+        time.sleep(0.1)
+    assert "Override Redirect State: yes" in told.stdout
 
 
 def test_the_next_line_takes_the_place_of_the_one_before(line):

@@ -147,6 +147,8 @@ class ShapeRestorer {
 
   MeshObject run() {
     check();
+    // Inkscape 1.2 ends where what clips or masks a cloned object is gone with the object.
+    const bool has_clone = is_cloned(tree_, outermost_);
     xmlNode* shape = take_shape();
     xmlAddPrevSibling(outermost_, shape);
     const std::string fallback = collect_gradients();
@@ -158,7 +160,8 @@ class ShapeRestorer {
     set_style(tree_.styles(), shape, paint_name(role_), paint_by(name, fallback));
 
     remove_node(outermost_);
-    for (const std::string& unused : unused_) remove_if_unused(tree_, unused);
+    if (!has_clone)
+      for (const std::string& unused : unused_) remove_if_unused(tree_, unused);
     tree_.set_id(shape, id_);
     return {shape, id_, role_, gradient};
   }

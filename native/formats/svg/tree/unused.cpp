@@ -85,6 +85,15 @@ bool is_used(const SvgTree& tree, const std::string& id, const std::set<const xm
   });
 }
 
+bool is_cloned(const SvgTree& tree, const xmlNode* node) {
+  std::set<std::string> around;
+  for (; node; node = parent_element(node)) around.insert(attribute(node, "id").value_or(""));
+  return std::ranges::any_of(elements_from(tree.root()), [&](const xmlNode* use) {
+    const auto shown = svg_name(use) == "use" ? linked_id(href(use), tree.name()) : std::nullopt;
+    return shown && around.contains(*shown);
+  });
+}
+
 void remove_named(SvgTree& tree, xmlNode* node) {
   replace_paints_in_rules(tree, attribute(node, "id").value_or(""));
   remove_node(node);

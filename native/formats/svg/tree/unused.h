@@ -14,6 +14,9 @@ namespace gradmesh {
 bool is_used(const SvgTree& tree, const std::string& id,
              const std::set<const xmlNode*>& except = {});
 
+/// Returns true if a <use> shows the element, or one that it lies in.
+bool is_cloned(const SvgTree& tree, const xmlNode* node);
+
 /// Removes an element that no element uses. Rules that name it, which none follows, get the colour
 /// that stands in for it: nothing names what is gone.
 void remove_named(SvgTree& tree, xmlNode* node);
