@@ -100,7 +100,7 @@ def test_analysis_comes_and_goes(run, show):
         ("refine", ["--id=pear", "--row=99"], "no row 99"),
         ("refine", ["--id=pear", "--direction=up"], "'up'"),
         ("update", [], "Select an object"),
-        ("update", ["--id=pear"], "simplified before"),
+        ("update", ["--id=pear"], "needs no update"),
         ("to_one_mesh", ["--id=pear"], "simplified"),
         ("show_analysis", ["--id=pear", "--show=taste"], "'taste'"),
     ],
