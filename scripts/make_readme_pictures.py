@@ -134,8 +134,8 @@ def dialog(folder, out):
 
 #: Of the window of 1200 x 900 over the sample "face", in the display's corner: around each eye and the
 #: mouth, the button Strong, and a line.
-PARTS = (198, 304, 363, 426), (462, 304, 627, 426), (301, 587, 525, 709)
-STRONG_BY_EYE, CHEEK, BY_EYE = (1131, 263), (216, 539), (0, 0, 1200, 900)
+PARTS = (198, 304, 363, 426), (462, 304, 627, 426), (296, 573, 512, 690)
+STRONG_BY_EYE, CHEEK, BY_EYE = (1128, 287), (216, 526), (0, 0, 1200, 900)
 
 
 def by_eye(folder, out):
