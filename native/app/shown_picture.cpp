@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
-#include <ranges>
 #include <system_error>
 
 #include "base/clamped_int.h"
@@ -43,8 +42,8 @@ int missing_parts(std::filesystem::path path) {
 std::filesystem::path likeliest_place(const std::filesystem::path& file,
                                       const std::vector<std::filesystem::path>& folders) {
   std::vector<std::filesystem::path> places;
-  for (const std::filesystem::path& folder : std::views::reverse(folders))
-    places.push_back((folder / file).lexically_normal());
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
+    places.push_back((*folder / file).lexically_normal());
   const auto least = std::ranges::min_element(places, {}, missing_parts);
   return least == places.end() ? file : *least;
 }
