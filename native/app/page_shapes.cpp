@@ -119,7 +119,7 @@ std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const Page
   if (stroke)
     shapes.insert(shapes.begin(), {path_data(stroke->path)});
   else if (shapes.empty())
-    shapes.push_back({outline_path(mesh)});
+    shapes.push_back({covering_path(mesh)});
   return shapes;
 }
 

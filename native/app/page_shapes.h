@@ -17,8 +17,8 @@ inline constexpr double pixels_per_point = 96.0 / 72;
 std::string path_data(const PagePath& path);
 
 /// Returns the shapes through which a mesh of a page is seen, the innermost first: clip paths
-/// that hide some of it, or else its own outline alone; in front of them the path of the stroke, if
-/// it paints one. Empty if they hide all of it.
+/// that hide some of it, or else what is around it alone; in front of them the path of the stroke,
+/// if it paints one. Empty if they hide all of it.
 std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const PageStroke* stroke);
 
 /// Returns the same stroke in pixels.

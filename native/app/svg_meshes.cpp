@@ -72,7 +72,7 @@ std::string SvgMeshes::write_new(const NewDocument& document) {
   const MeshCounts counts = counts_of(form.surface);
   const std::string label = mesh_label(counts).in(translation);
   NewSvg svg({{page.x, page.y}});
-  svg.add(0, {"mesh", {outline_path(original)}, {}, {mesh, *form.blocks, label, counts}});
+  svg.add(0, {"mesh", {covering_path(original)}, {}, {mesh, *form.blocks, label, counts}});
   return svg.tree().serialize();
 }
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/clamped_int.h"
+#include "geom/convex_hull.h"
 #include "geom/cross.h"
 
 namespace gradmesh {
@@ -108,24 +109,6 @@ int winding(const Polygon& polygon, glm::dvec2 p) {
     if (a.y > p.y && !left) --turns;
   }
   return turns;
-}
-
-/// Returns the convex hull, by Andrew's monotone chain.
-Polygon convex_hull(Polygon points) {
-  std::ranges::sort(points, {}, [](glm::dvec2 p) { return std::pair(p.x, p.y); });
-  Polygon hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t base = hull.size();
-    for (const glm::dvec2 p : points) {
-      while (hull.size() >= base + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::ranges::reverse(points);
-  }
-  return hull;
 }
 
 Polygon surface_points(const Mesh& mesh, const Rectangle& block) {

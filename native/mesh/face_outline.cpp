@@ -6,6 +6,7 @@
 
 #include "base/clamped_int.h"
 #include "geom/box.h"
+#include "geom/fold.h"
 
 namespace gradmesh {
 namespace {
@@ -23,6 +24,8 @@ int pieces_within(const Cubic<Value>& curve, double flatness) {
 
 FilledOutline face_outline(const Mesh& mesh, Face face) {
   constexpr double off = 1e-3;
+  if (const Patch patch = mesh.patch(face); folds(patch))
+    return {covered_cells(patch), FillRule::nonzero};
   Box box;
   for (const Halfedge side : mesh.sides(face)) {
     const Cubic<Value> curve = mesh.side_of(side);

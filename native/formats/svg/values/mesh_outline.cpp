@@ -6,6 +6,8 @@
 
 #include "form/block_outline.h"
 #include "formats/text/number.h"
+#include "geom/convex_hull.h"
+#include "geom/fold.h"
 #include "mesh/boundary.h"
 
 namespace gradmesh {
@@ -36,6 +38,23 @@ std::string path_data(const Loop& loop) {
   return d + " Z";
 }
 
+Loop loop_of(const Mesh& mesh, Face face) {
+  Loop loop;
+  for (const Halfedge side : mesh.sides(face)) loop.push_back(mesh.side_of(side));
+  return loop;
+}
+
+/// Returns the convex polygon around a patch: its control points hold it.
+std::string hull_path(const Patch& patch) {
+  std::vector<glm::dvec2> points;
+  for (const auto& row : bezier_net(patch))
+    for (const Value& point : row) points.push_back(point.position);
+  std::string d;
+  for (const glm::dvec2 corner : convex_hull(std::move(points)))
+    d += (d.empty() ? "M " : " L ") + format_point(corner);
+  return d + " Z";
+}
+
 }  // namespace
 
 std::string outline_path(const Mesh& mesh) {
@@ -63,12 +82,26 @@ std::string outline_path(const Mesh& mesh) {
 std::string patches_path(const Mesh& mesh) {
   std::string d;
   for (const Face face : mesh.faces()) {
-    Loop loop;
-    for (const Halfedge side : mesh.sides(face)) loop.push_back(mesh.side_of(side));
+    const Loop loop = loop_of(mesh, face);
     if (!d.empty()) d += ' ';
-    d += path_data(doubled_area_of(loop) < 0 ? reversed(loop) : loop);
+    if (const Patch patch = mesh.patch(face); folds(patch))
+      d += hull_path(patch);
+    else
+      d += path_data(doubled_area_of(loop) < 0 ? reversed(loop) : loop);
   }
   return d;
+}
+
+std::string covering_path(const Mesh& mesh) {
+  const std::vector<int> component = face_components(mesh);
+  // By component, which way its faces go round.
+  std::map<int, bool> turns;
+  for (const Face face : mesh.faces()) {
+    const bool is_clockwise = doubled_area_of(loop_of(mesh, face)) >= 0;
+    const auto first = turns.try_emplace(component[face.value], is_clockwise).first;
+    if (first->second != is_clockwise || folds(mesh.patch(face))) return patches_path(mesh);
+  }
+  return outline_path(mesh);
 }
 
 }  // namespace gradmesh
