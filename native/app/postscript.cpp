@@ -1,5 +1,6 @@
 #include "app/postscript.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -21,6 +22,27 @@ namespace {
 /// What EPS begins with where it has the header of DOS (Adobe Technical Note 5002, 5.2).
 constexpr std::string_view dos_mark = "\xC5\xD0\xD3\xC6";
 
+/// Returns where PostScript begins behind what is for printers or was left there by programs: the
+/// end of a job (Ctrl-D), a byte order mark, blank lines and commands of HP's printer job language.
+/// Returns npos if something else is there.
+std::size_t begin_of_postscript(std::string_view bytes) {
+  constexpr std::string_view byte_order = "\xEF\xBB\xBF", job = "@PJL", end_of_job = "\x1B%-12345X";
+  std::size_t at = bytes.starts_with(byte_order) ? byte_order.size() : 0;
+  while (at < bytes.size()) {
+    const std::string_view rest = bytes.substr(at);
+    if (rest.starts_with("%!PS")) return at;
+    if (rest.starts_with(end_of_job))
+      at += end_of_job.size();
+    else if (rest.starts_with(job))
+      at += std::min(rest.find('\n'), rest.size());
+    else if (std::string_view(" \t\r\n\x04").find(rest.front()) != bytes.npos)
+      ++at;
+    else
+      break;
+  }
+  return bytes.npos;
+}
+
 #ifndef _WIN32
 
 std::uint32_t little_endian(std::string_view bytes) {
@@ -31,7 +53,7 @@ std::uint32_t little_endian(std::string_view bytes) {
 
 /// Returns the PostScript of a file; nothing where a header of DOS leads beyond its end.
 std::string_view without_header(std::string_view bytes) {
-  if (!bytes.starts_with(dos_mark)) return bytes;
+  if (!bytes.starts_with(dos_mark)) return bytes.substr(begin_of_postscript(bytes));
   constexpr std::size_t header = 30;
   if (bytes.size() < header) return {};
   const std::size_t offset = little_endian(bytes.substr(4)),
@@ -49,7 +71,7 @@ std::string ghostscript() {
 }  // namespace
 
 bool is_postscript(std::string_view bytes) {
-  return bytes.starts_with("%!PS") || bytes.starts_with(dos_mark);
+  return bytes.starts_with(dos_mark) || begin_of_postscript(bytes) != bytes.npos;
 }
 
 #ifdef _WIN32

@@ -147,6 +147,12 @@ TEST_F(PostScript, is_known_by_its_content) {
   for (const char* other : {"", "%!P", "<svg/>", "%PDF-1.7", "\xC5\xD0\xD3"})
     EXPECT_FALSE(is_postscript(other)) << other;
   EXPECT_TRUE(is_postscript("%!PS"));
+  // What is for printers, and what editors leave.
+  for (const char* before : {"\n", "\r\n \n", "\xEF\xBB\xBF", "\x04", "\xEF\xBB\xBF\n",
+                             "\x1B%-12345X@PJL JOB\n@PJL ENTER LANGUAGE = POSTSCRIPT\n\x04"})
+    EXPECT_TRUE(is_postscript(before + std::string("%!PS-Adobe-3.0"))) << before;
+  for (const char* other : {"\n", "a%!PS", "@PJL %!PS", "\x1B%!PS", "\n<svg>%!PS</svg>"})
+    EXPECT_FALSE(is_postscript(other)) << other;
 }
 
 TEST_F(PostScript, that_cannot_be_read_is_told) {
