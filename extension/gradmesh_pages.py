@@ -26,6 +26,7 @@ class Pages(GradmeshEffect):
         pars.add_argument("--file", default="")
         pars.add_argument("--page", type=int, default=0)
         pars.add_argument("--password", default="")
+        pars.add_argument("--all_layers", type=Boolean, default=False)
         pars.add_argument("--into", default="layers")
         pars.add_argument("--replace_tiles", type=Boolean, default=True)
 
@@ -69,6 +70,7 @@ class Pages(GradmeshEffect):
             path,
             page=self.options.page or None,
             password=self.options.password,
+            all_layers=self.options.all_layers,
             into=self.current_layer() if self.options.into == "layer" else "",
             replace_tiles=self.options.replace_tiles,
             progress=tell,

@@ -5,7 +5,7 @@
 import os
 
 from gradmesh_effect import Gradmesh, gradmesh, refusals_as_sentences
-from gradmesh_inkex import InputExtension
+from gradmesh_inkex import Boolean, InputExtension
 from gradmesh_text import _, first_of
 from gradmesh_toast import toast
 
@@ -20,12 +20,19 @@ class Pdf(Gradmesh, InputExtension):
         super().add_arguments(pars)
         pars.add_argument("--page", type=int, default=0)
         pars.add_argument("--password", default="")
+        pars.add_argument("--all_layers", type=Boolean, default=False)
 
     def load(self, stream):
         with refusals_as_sentences():
             name = os.path.basename(self.options.input_file)
-            page, password = self.options.page or None, self.options.password
-            read = gradmesh.loads(stream.read(), name, _, page=page, password=password)
+            read = gradmesh.loads(
+                stream.read(),
+                name,
+                _,
+                page=self.options.page or None,
+                password=self.options.password,
+                all_layers=self.options.all_layers,
+            )
         if read.left_out:
             toast(" ".join(first_of(read.left_out)))
         return read.to_bytes()

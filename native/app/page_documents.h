@@ -20,6 +20,8 @@ struct PageChoice {
   /// The number of the one page, from 1; nothing for all.
   std::optional<int> page = {};
   std::string password = {};
+  /// Whether what lies in layers that are off is read, too.
+  bool all_layers = false;
   /// Told of pages, as Progress::mesh, and of their shadings, as Progress::done; where it returns
   /// false the meshes so far are what is read.
   ProgressCallback progress = {};

@@ -31,7 +31,10 @@ constexpr std::size_t many_tiles = 64;
 class PdfReader {
  public:
   PdfReader(std::string_view bytes, const std::string& name, const PageChoice& choice)
-      : file_(std::string(bytes), name, choice.password), name_(name), tell_(choice.progress) {
+      : file_(std::string(bytes), name, choice.password),
+        all_layers_(choice.all_layers),
+        name_(name),
+        tell_(choice.progress) {
     const auto count = file_.page_count();
     if (choice.page && (*choice.page < 1 || std::size_t(*choice.page) > count))
       throw InputError("{0}: there is no page {1}; it has {2}.", name, *choice.page, count);
@@ -44,6 +47,12 @@ class PdfReader {
   }
 
   PageMeshes run() && {
+    if (first_left_out_)
+      found_.left_out.push_back(Message(
+          "{0}: from mesh {1} of page {2} on they are left out: all meshes together have {3} "
+          "patches, {4}.",
+          name_, first_left_out_->second, first_left_out_->first, patches_,
+          beyond_limit("patches", limits().patches, patches_)));
     if (objects_.empty() && !found_.is_stopped) {
       if (!found_.left_out.empty()) throw InputError(found_.left_out.front());
       throw InputError("{0}: there is no gradient mesh on its pages.", name_);
@@ -68,17 +77,26 @@ class PdfReader {
   }
 
   void read_page(std::size_t number) {
-    const PageContent page = naming_page(number, [&] { return file_.page(number); });
+    const PageContent page = naming_page(number, [&] { return file_.page(number, all_layers_); });
     if (page.is_damaged)
       found_.left_out.push_back(Message(
           "{0}, page {1}: it is damaged; what lies behind that is left out.", name_, number + 1));
+    if (page.hidden > 0)
+      found_.left_out.push_back(
+          Message("{0}, page {1}: layers that are off are left out, with {2} of its meshes; the "
+                  "option for all layers (--all-layers) reads them.",
+                  name_, number + 1, page.hidden));
+    if (page.texts > 0)
+      found_.left_out.push_back(
+          Message("{0}, page {1}: text that meshes paint is left out, {2} pieces of it.", name_,
+                  number + 1, page.texts));
     const std::vector<ArtistsGrid> records = read_mesh_records(page.private_data);
     const std::size_t before = objects_.size();
     PageTiles tiles;
     now_.total = page.painted.size();
     for (std::size_t n = 0; n < page.painted.size() && goes_on(); ++n) {
       auto shading = try_mesh(number, n, [&] { return shown(page.painted[n], n); });
-      if (!shading || tiles.take(*shading)) continue;
+      if (!shading || !has_room_for(*shading, number) || tiles.take(*shading)) continue;
       add_tiles(tiles, records, number);
       tiles = PageTiles();
       tiles.take(*shading);
@@ -95,6 +113,8 @@ class PdfReader {
       -> std::optional<decltype(work())> try {
     return work();
   } catch (const InputError& error) {
+    if (const auto* const large = dynamic_cast<const TooManyPatches*>(&error))
+      patches_ += large->count;
     found_.left_out.push_back(
         Message("{0}, page {1}, mesh {2}: {3}.", name_, page + 1, number + 1, error.message()));
     return {};
@@ -103,7 +123,6 @@ class PdfReader {
   ShownShading shown(const PaintedShading& painted, std::size_t number) {
     ShownShading shading{number, painted, painted_patches(painted, kept_)};
     if (shading.shown.shading.patches.empty()) throw InputError("it has no patches");
-    check_size(shading.shown.shading.patches.size());
     return shading;
   }
 
@@ -187,6 +206,14 @@ class PdfReader {
       found_.left_out.push_back(
           Message("{0}, page {1}, mesh {2}: a mask through which it is seen is left out.", name_,
                   page + 1, number + 1));
+    if (painted.is_clipped_by_text)
+      found_.left_out.push_back(
+          Message("{0}, page {1}, mesh {2}: text through which it is seen is left out.", name_,
+                  page + 1, number + 1));
+    if (painted.is_repeated)
+      found_.left_out.push_back(
+          Message("{0}, page {1}, mesh {2}: a pattern repeats it; it is read once.", name_,
+                  page + 1, number + 1));
     if (shown.shading.is_damaged)
       found_.left_out.push_back(
           Message("{0}, page {1}, mesh {2}: it is damaged; patches of it are left out.", name_,
@@ -220,22 +247,25 @@ class PdfReader {
     return {};
   }
 
-  /// Throws where a document has more patches than a mesh may have: each takes its time.
-  void check_size(std::size_t more) {
-    const std::uint64_t most = limits().patches;
-    patches_ += more;
+  /// Counts a mesh. Returns false where the document has more patches than a mesh may have, each of
+  /// which takes its time: from there on they are counted alone, for the sentence about them.
+  bool has_room_for(const ShownShading& shading, std::size_t page) {
+    patches_ += shading.shown.shading.patches.size();
     now_.patches = clamped_int(double(patches_), 0, std::numeric_limits<int>::max());
-    if (patches_ > most)
-      throw InputError("the meshes so far have {0} patches, {1}", patches_,
-                       beyond_limit("patches", most, patches_));
+    if (patches_ > limits().patches && !first_left_out_)
+      first_left_out_ = std::pair(page + 1, shading.number + 1);
+    return !first_left_out_;
   }
 
   const PdfFile file_;
+  const bool all_layers_;
   KeptShadings kept_;
   const std::string name_;
   const ProgressCallback tell_;
   Progress now_;
   std::uint64_t patches_ = 0;
+  /// The numbers of a page and of its mesh, from which on there are too many.
+  std::optional<std::pair<std::size_t, std::size_t>> first_left_out_;
   std::vector<SvgPage> pages_;
   std::vector<PageObject> objects_;
   FoundPages found_;

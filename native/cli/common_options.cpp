@@ -73,6 +73,8 @@ void add_page_options(CLI::App& command, PageChoice& choice) {
   command.add_option("--page", choice.page, page_document() + ": only this page, from 1")
       ->check(CLI::PositiveNumber);
   command.add_option("--password", choice.password, page_document() + ": what it is encrypted by");
+  command.add_flag("--all-layers", choice.all_layers,
+                   page_document() + ": read layers that are off, too");
 }
 
 std::unique_ptr<Document> read_document(const std::filesystem::path& path,

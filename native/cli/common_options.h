@@ -13,7 +13,7 @@ namespace gradmesh {
 /// Returns what help calls a document that can be read: "SVG document, .hemesh file or PDF".
 std::string any_document();
 
-/// Adds --page and --password.
+/// Adds --page, --password and --all-layers.
 void add_page_options(CLI::App& command, PageChoice& choice);
 /// Reads a document, and says on stderr what of its pages was left out.
 std::unique_ptr<Document> read_document(const std::filesystem::path& path,

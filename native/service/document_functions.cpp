@@ -16,7 +16,8 @@ namespace gradmesh {
 namespace {
 
 PageChoice page_choice(const Call& call) {
-  return {call.get<std::optional<int>>("page"), call.get("password", std::string())};
+  return {call.get<std::optional<int>>("page"), call.get("password", std::string()),
+          call.get("all_layers", false)};
 }
 
 Json sentences(const std::vector<Message>& left_out) {

@@ -117,15 +117,16 @@ class Document:
         self._core.call("write", path=os.fspath(path))
 
 
-def load(path: Path, page: Optional[int] = None, password: str = "") -> Document:
+def load(path: Path, page: Optional[int] = None, password: str = "", all_layers: bool = False) -> Document:
     """Reads an SVG document, a .hemesh file, or the meshes of a PDF as an SVG document.
 
     page: the number of the one page of a PDF that is read, from 1; None for all. password: what the PDF is
-    encrypted by. What was found on its pages is in info(), as "found" and "left_out". Raises InputError, whose text
-    is one sentence for the person.
+    encrypted by. all_layers: whether its layers that are off are read, too. What was found on its pages is in info(),
+    as "found" and "left_out". Raises InputError, whose text is one sentence for the person.
     """
     here = core()
-    return Document(here.document(here.call("read", path=os.fspath(path), page=page, password=password)))
+    number = here.call("read", path=os.fspath(path), page=page, password=password, all_layers=bool(all_layers))
+    return Document(here.document(number))
 
 
 def loads(
@@ -135,12 +136,14 @@ def loads(
     folders: Sequence[Path] = (),
     page: Optional[int] = None,
     password: str = "",
+    all_layers: bool = False,
 ) -> Document:
     """Reads a document of any kind from memory; `name` stands for the file in messages.
 
     translate: from a text in English, with places such as {0}, to that in which labels and drawings
     are written. folders: where files that the document names are looked for, such as linked
-    pictures, one after the other; of load() it is the folder of the file. page, password: as of load().
+    pictures, one after the other; of load() it is the folder of the file. page, password,
+    all_layers: as of load().
     """
     if isinstance(data, str):
         data = data.encode("utf-8")
@@ -153,6 +156,7 @@ def loads(
         folders=[os.fspath(folder) for folder in folders],
         page=page,
         password=password,
+        all_layers=bool(all_layers),
     )
     return Document(here.document(number, translate))
 

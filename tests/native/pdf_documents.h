@@ -18,13 +18,14 @@ struct PdfPageText {
 };
 
 /// Returns a PDF document of these pages. Page n is object 3 + 2 n; the further objects have the
-/// numbers behind those of all pages.
+/// numbers behind those of all pages. `catalog` stands in the dictionary of the document.
 inline std::string pdf_document(const std::vector<PdfPageText>& pages,
-                                const std::vector<std::string>& objects = {}) {
+                                const std::vector<std::string>& objects = {},
+                                const std::string& catalog = "") {
   std::string kids;
   for (std::size_t n = 0; n < pages.size(); ++n) kids += std::to_string(3 + 2 * n) + " 0 R ";
   std::vector<std::string> all{
-      "<< /Type /Catalog /Pages 2 0 R >>",
+      "<< /Type /Catalog /Pages 2 0 R " + catalog + " >>",
       "<< /Type /Pages /Kids [" + kids + "] /Count " + std::to_string(pages.size()) + " >>"};
   for (std::size_t n = 0; n < pages.size(); ++n) {
     all.push_back("<< /Type /Page /Parent 2 0 R /Contents " + std::to_string(4 + 2 * n) + " 0 R " +

@@ -1,11 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <random>
+
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
 #include "formats/pdf/shading/read_patches.h"
 #include "formats/pdf/shading/read_triangles.h"
+#include "formats/pdf/shading/triangle_fan.h"
 #include "shading_bits.h"
 
 namespace gradmesh {
@@ -233,6 +238,73 @@ TEST(Shading, TrianglesThatContinueNothingAreDamage) {
     const ShadingTriangles read = read_triangles(data.bytes(), bytes(), 1000);
     EXPECT_TRUE(read.is_damaged && read.triangles.empty());
   }
+}
+
+TEST(Shading, WhatIsNotKeptIsCounted) {
+  BitWriter triangles;
+  for (std::uint32_t n = 0; n < 15; ++n) add_vertex(triangles, 0, n);
+  const ShadingTriangles read = read_triangles(triangles.bytes(), bytes(), 2);
+  EXPECT_EQ(read.triangles.size(), 2U);
+  EXPECT_EQ(read.count, 5U);
+  BitWriter lattice;
+  for (std::uint32_t n = 0; n < 12; ++n) lattice.add({n, n, n}, 8);
+  const ShadingLattice rows = read_lattice(lattice.bytes(), with_bits(8, 8, 0), 3, 7);
+  EXPECT_EQ(rows.vertices.size(), 6U);
+  EXPECT_EQ(rows.rows, 4U);
+}
+
+/// The four triangles of a cell, from whose first corner on it goes around.
+std::array<ShadingTriangle, 4> cell_of(const std::array<ShadingVertex, 4>& corners,
+                                       const ShadingVertex& middle) {
+  std::array<ShadingTriangle, 4> triangles;
+  for (std::size_t n = 0; n < 4; ++n) triangles[n] = {corners[n], corners[(n + 1) % 4], middle};
+  return triangles;
+}
+
+const std::array<ShadingVertex, 4> corners{
+    ShadingVertex{{0, 0}, {0}}, {{2, 0}, {10}}, {{2, 2}, {20}}, {{0, 2}, {10}}};
+const std::vector<Packing::Range> levels{{0, 255}};
+
+TEST(Shading, FourTrianglesAroundAPointAreACell) {
+  const auto fan = fan_of(cell_of(corners, {{1, 1}, {10}}));
+  ASSERT_TRUE(fan);
+  EXPECT_EQ(fan->middle.place, glm::dvec2(1, 1));
+  for (std::size_t n = 0; n < 4; ++n) EXPECT_EQ(fan->corners[n], corners[n]);
+  EXPECT_TRUE(is_bilinear(*fan, levels));
+}
+
+TEST(Shading, TrianglesOfACellMayBeListedInAnyWay) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 100; ++trial) {
+    auto triangles = cell_of(corners, {{1, 1}, {10}});
+    std::ranges::shuffle(triangles, random);
+    for (ShadingTriangle& triangle : triangles) std::ranges::shuffle(triangle, random);
+    const auto fan = fan_of(triangles);
+    ASSERT_TRUE(fan);
+    EXPECT_EQ(fan->middle.place, glm::dvec2(1, 1));
+    // Corners that follow one another share a side.
+    for (std::size_t n = 0; n < 4; ++n)
+      EXPECT_EQ(glm::distance(fan->corners[n].place, fan->corners[(n + 1) % 4].place), 2);
+  }
+}
+
+TEST(Shading, ACellIsOnePatchWhereItsMiddleIsWhatCornersLetExpect) {
+  EXPECT_TRUE(is_bilinear(*fan_of(cell_of(corners, {{1, 1}, {13}})), levels));
+  EXPECT_FALSE(is_bilinear(*fan_of(cell_of(corners, {{1, 1}, {15}})), levels));
+  EXPECT_FALSE(is_bilinear(*fan_of(cell_of(corners, {{1.2, 1}, {10}})), levels));
+  // Between the corners and the middle a bilinear patch bends.
+  auto bent = corners;
+  bent[2].color = {100};
+  EXPECT_FALSE(is_bilinear(*fan_of(cell_of(bent, {{1, 1}, {30}})), levels));
+}
+
+TEST(Shading, OtherTrianglesAreNoCell) {
+  auto triangles = cell_of(corners, {{1, 1}, {10}});
+  triangles[3][0].place = {7, 7};
+  EXPECT_FALSE(fan_of(triangles));
+  triangles = cell_of(corners, {{1, 1}, {10}});
+  triangles[2] = triangles[1];
+  EXPECT_FALSE(fan_of(triangles));
 }
 
 TEST(Shading, ALatticeHasWholeRows) {

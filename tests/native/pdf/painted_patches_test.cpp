@@ -92,10 +92,10 @@ TEST(KeptShadings, AreReadOnce) {
           .page(0);
   ASSERT_EQ(page.painted.size(), 3U);
   KeptShadings kept;
-  const auto first = kept.read(page.painted[0].shading);
-  EXPECT_EQ(kept.read(page.painted[1].shading), first);
+  const auto first = kept.read(page.painted[0]);
+  EXPECT_EQ(kept.read(page.painted[1]), first);
   EXPECT_EQ(first->patches.at(0).outer[6], glm::dvec2(9, 9));
-  for (int n = 0; n < 2; ++n) EXPECT_THROW(kept.read(page.painted[2].shading), InputError);
+  for (int n = 0; n < 2; ++n) EXPECT_THROW(kept.read(page.painted[2]), InputError);
 }
 
 /// Returns the opacities of the corners of the patches of a sample, row by row; patches have only

@@ -9,6 +9,7 @@
 #include "formats/pdf/page/blend_mode.h"
 #include "formats/pdf/page/clip_box.h"
 #include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/page/pattern_cell.h"
 
 namespace gradmesh {
 namespace {
@@ -25,6 +26,12 @@ PagePath without_idle_moves(const PagePath& path) {
   return drawn;
 }
 
+std::shared_ptr<const NamedSpaces> named_spaces(QPDFObjectHandle resources) {
+  QPDFObjectHandle spaces = value_of(resources, "/ColorSpace");
+  if (!spaces.isDictionary() || spaces.getKeys().empty()) return nullptr;
+  return std::make_shared<const NamedSpaces>(NamedSpaces{spaces, spaces.unparse()});
+}
+
 /// Returns false if a coordinate is farther than those of any page, or no number at all.
 bool lies_near_pages(const PagePath& path) {
   constexpr double farthest = 1e6;
@@ -37,6 +44,14 @@ bool lies_near_pages(const PagePath& path) {
 
 }  // namespace
 
+ContentOperators::ContentOperators(ContentReader& reader, QPDFObjectHandle resources,
+                                   const GraphicsState& state)
+    : reader_(reader),
+      resources_(std::move(resources)),
+      spaces_(named_spaces(resources_)),
+      base_(state.to_page),
+      state_(state) {}
+
 struct ContentOperators::Entry {
   const char* name;
   std::size_t operands;
@@ -48,6 +63,9 @@ const ContentOperators::Entry* ContentOperators::find(const std::string& name) {
   constexpr FillRule nonzero = FillRule::nonzero, evenodd = FillRule::evenodd;
   // ISO 32000-1, table 51.
   static const Entry entries[] = {
+      {"BDC", 2, &C::begin_layer},
+      {"BMC", 0, &C::begin_marked},
+      {"EMC", 0, &C::end_marked},
       {"q", 0, &C::save},
       {"Q", 0, &C::restore},
       {"cm", 6, &C::transform},
@@ -88,6 +106,13 @@ const ContentOperators::Entry* ContentOperators::find(const std::string& name) {
       {"G", 1, &C::unset_stroke_pattern},
       {"RG", 3, &C::unset_stroke_pattern},
       {"K", 4, &C::unset_stroke_pattern},
+      {"BT", 0, &C::begin_text},
+      {"ET", 0, &C::end_text},
+      {"Tr", 1, &C::set_text_mode},
+      {"Tj", 1, &C::show_text},
+      {"TJ", 1, &C::show_text},
+      {"'", 1, &C::show_text},
+      {"\"", 3, &C::show_text},
       {"sh", 1, &C::paint_shading},
       {"Do", 1, &C::paint_object},
   };
@@ -98,6 +123,7 @@ const ContentOperators::Entry* ContentOperators::find(const std::string& name) {
 void ContentOperators::handleObject(QPDFObjectHandle object, std::size_t, std::size_t) {
   // More operands than any operator has are noise.
   constexpr std::size_t most_operands = 64;
+  if (object.isInlineImage()) return mark_other();
   if (!object.isOperator()) {
     if (operands_.size() < most_operands) operands_.push_back(object);
     return;
@@ -119,6 +145,19 @@ QPDFObjectHandle ContentOperators::named(const char* category) const {
   QPDFObjectHandle name = operands_.back();
   if (!name.isName()) return QPDFObjectHandle::newNull();
   return value_of(value_of(resources_, category), name.getName());
+}
+
+void ContentOperators::begin_layer() {
+  QPDFObjectHandle tag = operand(operands_.size() - 2);
+  const bool is_off = tag.isNameAndEquals("/OC") && !reader_.layers().shows(named("/Properties"));
+  marked_.push_back(is_off);
+  hidden_ += is_off;
+}
+
+void ContentOperators::end_marked() {
+  if (marked_.empty()) return;
+  hidden_ -= marked_.back();
+  marked_.pop_back();
 }
 
 void ContentOperators::save() {
@@ -149,8 +188,7 @@ void ContentOperators::set_state() {
     state_.blend_mode = blend_mode_of(modes);
   set_line_style(state_.line, state);
   QPDFObjectHandle mask = value_of(state, "/SMask");
-  if (mask.isName()) state_.mask = nullptr;
-  if (mask.isDictionary()) state_.mask = reader_.mask_of(mask, resources_, state_);
+  if (mask.isName() || mask.isDictionary()) reader_.set_mask(mask, resources_, state_);
 }
 
 void ContentOperators::add_step(PagePath::Step::Kind kind, glm::dvec2 a, glm::dvec2 b,
@@ -228,14 +266,14 @@ void ContentOperators::close_fill_and_stroke() {
 }
 
 void ContentOperators::fill(FillRule rule) {
-  if (!state_.pattern) return;
+  if (!state_.pattern) return mark_area(rule);
   Clips clips = state_.clips;
   add_to(clips, rule);
   paint_pattern(*state_.pattern, std::move(clips), state_.opacity, nullptr);
 }
 
 void ContentOperators::stroke() {
-  if (!state_.stroke_pattern) return;
+  if (!state_.stroke_pattern) return mark_other();
   PagePath path = without_idle_moves(path_);
   if (path.steps.empty() || !lies_near_pages(path)) return;
   PageStroke stroke{std::move(path), mapped(state_.line, state_.to_page)};
@@ -257,40 +295,99 @@ void ContentOperators::add_to(Clips& clips, FillRule rule) {
   clips.push_back(std::make_shared<const PagePath>(path_));
 }
 
+void ContentOperators::mark_area(FillRule rule) {
+  if (!reader_.marks_ || is_hidden()) return;
+  MaskArea area{state_.clips, state_.opacity * state_.group_opacity};
+  add_to(area.clips, rule);
+  if (state_.mask || !state_.mask_clips.empty()) return mark_other();
+  reader_.marks_->areas.push_back(std::move(area));
+}
+
+void ContentOperators::mark_other() {
+  if (reader_.marks_ && !is_hidden()) reader_.marks_->has_others = true;
+}
+
 void ContentOperators::set_color(std::optional<QPDFObjectHandle>& pattern) {
   pattern.reset();
-  QPDFObjectHandle found = named("/Pattern");
-  constexpr double of_a_shading = 2;
-  if (number_of(value_of(found, "/PatternType")) == of_a_shading) pattern = found;
+  if (QPDFObjectHandle found = named("/Pattern"); !found.isNull()) pattern = found;
+}
+
+void ContentOperators::show_text() {
+  const int mode = state_.text_mode;
+  const bool fills = mode % 4 == 0 || mode % 4 == 2, strokes = mode % 4 == 1 || mode % 4 == 2;
+  text_clips_ = text_clips_ || mode >= 4;
+  if (is_hidden()) return;
+  if (fills || strokes) mark_other();
+  for (const auto& [is_used, pattern] :
+       {std::pair(fills, state_.pattern), std::pair(strokes, state_.stroke_pattern)})
+    if (is_used && pattern)
+      reader_.texts_ += number_of(value_of(value_of(*pattern, "/Shading"), "/ShadingType")) >= 4;
+}
+
+void ContentOperators::end_text() {
+  state_.is_clipped_by_text = state_.is_clipped_by_text || text_clips_;
 }
 
 void ContentOperators::paint_shading() {
-  paint({named("/Shading"), state_.to_page, state_.clips, state_.opacity * state_.group_opacity,
-         state_.mask, nullptr});
+  paint({named("/Shading"), spaces_, state_.to_page, state_.clips,
+         state_.opacity * state_.group_opacity, state_.mask, nullptr});
 }
 
 void ContentOperators::paint_pattern(QPDFObjectHandle pattern, Clips clips, double opacity,
                                      std::shared_ptr<const PageStroke> stroke) {
-  paint({value_of(pattern, "/Shading"), base_ * matrix_of(value_of(pattern, "/Matrix")),
+  if (pattern.isStream()) return paint_cell(pattern, std::move(clips), opacity, std::move(stroke));
+  paint({value_of(pattern, "/Shading"), spaces_, base_ * matrix_of(value_of(pattern, "/Matrix")),
          std::move(clips), opacity * state_.group_opacity, state_.mask, std::move(stroke)});
+}
+
+void ContentOperators::paint_cell(QPDFObjectHandle pattern, Clips clips, double opacity,
+                                  std::shared_ptr<const PageStroke> stroke) {
+  if (reader_.marks_) return mark_other();
+  const Affine to_page = base_ * matrix_of(value_of(pattern, "/Matrix"));
+  const PatternCell cell = cell_within(pattern, to_page, stroke ? stroke->path : *clips.back());
+  GraphicsState inside;
+  inside.to_page = to_page * Affine::translation(cell.place);
+  inside.clips = std::move(clips);
+  clip_to_box(inside.clips, pattern, inside.to_page);
+  inside.group_opacity = opacity * state_.group_opacity;
+  inside.group_blend_mode =
+      state_.blend_mode == "normal" ? state_.group_blend_mode : state_.blend_mode;
+  inside.mask = state_.mask;
+  inside.mask_clips = state_.mask_clips;
+  inside.mask_opacity = state_.mask_opacity;
+  inside.is_hidden = is_hidden();
+  inside.is_repeated = state_.is_repeated || !cell.is_only;
+  inside.stroke_around = stroke ? std::move(stroke) : state_.stroke_around;
+  reader_.read_within(pattern, resources_, inside);
 }
 
 void ContentOperators::paint(PaintedShading painted) {
   const auto type = number_of(value_of(painted.shading, "/ShadingType"));
-  if (!type || *type < 4) return;
+  if (!type || *type < 4) return mark_other();
+  if (is_hidden()) {
+    ++reader_.hidden_;
+    return;
+  }
   const std::uint64_t most = limits().patches;
   if (reader_.painted_.size() >= most)
     throw InputError("it has more than {0} shadings, {1}", most,
                      beyond_limit("patches", most, most + 1));
   clip_to_box(painted.clips, painted.shading, painted.to_page);
+  painted.clips.insert(painted.clips.begin(), state_.mask_clips.begin(), state_.mask_clips.end());
+  painted.opacity *= state_.mask_opacity;
+  painted.is_repeated = state_.is_repeated;
+  painted.is_clipped_by_text = state_.is_clipped_by_text;
+  if (!painted.stroke) painted.stroke = state_.stroke_around;
   painted.blend_mode = state_.blend_mode == "normal" ? state_.group_blend_mode : state_.blend_mode;
   reader_.painted_.push_back(std::move(painted));
 }
 
 void ContentOperators::paint_object() {
   QPDFObjectHandle form = named("/XObject");
-  if (form.isStream() && value_of(form, "/Subtype").isNameAndEquals("/Form"))
-    reader_.read_form(form, resources_, state_);
+  if (!form.isStream() || !value_of(form, "/Subtype").isNameAndEquals("/Form")) return mark_other();
+  GraphicsState state = state_;
+  state.is_hidden = is_hidden();
+  reader_.read_form(form, resources_, std::move(state));
 }
 
 }  // namespace gradmesh

@@ -1,6 +1,7 @@
 #include "formats/pdf/page/content_reader.h"
 
 #include <exception>
+#include <utility>
 
 #include "base/error.h"
 #include "base/limits.h"
@@ -42,41 +43,67 @@ void ContentReader::read(const std::vector<QPDFObjectHandle>& contents,
 
 void ContentReader::read_form(QPDFObjectHandle form, const QPDFObjectHandle& resources,
                               GraphicsState state) {
+  state.is_hidden = state.is_hidden || !layers_.shows(value_of(form, "/OC"));
+  state.to_page = state.to_page * matrix_of(value_of(form, "/Matrix"));
+  clip_to_box(state.clips, form, state.to_page);
+  if (value_of(form, "/Group").isDictionary()) {
+    state.group_opacity *= state.opacity * state.mask_opacity;
+    state.opacity = state.stroke_opacity = state.mask_opacity = 1;
+    state.clips.insert(state.clips.begin(), state.mask_clips.begin(), state.mask_clips.end());
+    state.mask_clips.clear();
+    if (state.blend_mode != "normal") state.group_blend_mode = state.blend_mode;
+    state.blend_mode = "normal";
+  }
+  read_within(form, resources, state);
+}
+
+void ContentReader::read_within(QPDFObjectHandle stream, const QPDFObjectHandle& resources,
+                                const GraphicsState& state) {
   // Forms that show others twice, and so on, would have no end.
   constexpr int most_forms = 20000;
-  const QPDFObjGen number = form.getObjGen();
+  const QPDFObjGen number = stream.getObjGen();
   if (around_.contains(number)) return;
   const std::uint64_t most = limits().nesting;
   if (around_.size() >= most)
     throw InputError("its forms are nested {0} deep, {1}", most + 1,
                      beyond_limit("nesting", most, most + 1));
   if (++forms_ > most_forms) throw InputError("it shows more than {0} forms", most_forms);
-  state.to_page = state.to_page * matrix_of(value_of(form, "/Matrix"));
-  clip_to_box(state.clips, form, state.to_page);
-  if (value_of(form, "/Group").isDictionary()) {
-    state.group_opacity *= state.opacity;
-    state.opacity = state.stroke_opacity = 1;
-    if (state.blend_mode != "normal") state.group_blend_mode = state.blend_mode;
-    state.blend_mode = "normal";
-  }
-  const QPDFObjectHandle own = value_of(form, "/Resources");
+  const QPDFObjectHandle own = value_of(stream, "/Resources");
   around_.insert(number);
-  read({form}, QPDFObjectHandle(own).isDictionary() ? own : resources, state);
+  read({stream}, QPDFObjectHandle(own).isDictionary() ? own : resources, state);
   around_.erase(number);
 }
 
-std::shared_ptr<const std::vector<PaintedShading>> ContentReader::mask_of(
-    QPDFObjectHandle mask, const QPDFObjectHandle& resources, const GraphicsState& state) {
+void ContentReader::set_mask(QPDFObjectHandle mask, const QPDFObjectHandle& resources,
+                             GraphicsState& state) {
+  state.mask = nullptr;
+  state.mask_clips.clear();
+  state.mask_opacity = 1;
   QPDFObjectHandle form = value_of(mask, "/G");
-  if (!value_of(mask, "/S").isNameAndEquals("/Luminosity") || !form.isStream()) return nullptr;
+  if (!form.isStream()) return;
   // The shadings of a mask are found as those of any form, but are not painted.
-  std::vector<PaintedShading> painted;
-  painted.swap(painted_);
+  std::vector<PaintedShading> painted = std::exchange(painted_, {});
+  std::optional<MaskMarks> marks = std::exchange(marks_, MaskMarks());
+  const int hidden = hidden_, texts = texts_;
   GraphicsState inside;
   inside.to_page = state.to_page;
   read_form(form, resources, inside);
   painted.swap(painted_);
-  return std::make_shared<const std::vector<PaintedShading>>(std::move(painted));
+  std::swap(marks, marks_);
+  hidden_ = hidden;
+  texts_ = texts;
+  const bool is_alpha = value_of(mask, "/S").isNameAndEquals("/Alpha");
+  QPDFObjectHandle transfer = value_of(mask, "/TR");
+  const bool is_changed = !transfer.isNull() && !transfer.isNameAndEquals("/Identity");
+  const auto area = is_alpha && !is_changed && painted.empty() ? area_of(*marks) : std::nullopt;
+  if (area) {
+    state.mask_clips = area->clips;
+    state.mask_opacity = area->opacity;
+    return;
+  }
+  // Whoever finds no shadings in it says that it is left out.
+  if (is_alpha || is_changed) painted.clear();
+  state.mask = std::make_shared<const std::vector<PaintedShading>>(std::move(painted));
 }
 
 }  // namespace gradmesh

@@ -1,38 +1,54 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "formats/pdf/page/graphics_state.h"
+#include "formats/pdf/page/layers.h"
+#include "formats/pdf/page/mask_marks.h"
 
 namespace gradmesh {
 
 /// Finds the shadings of types 4 to 7 that content streams paint, in painting order: by `sh`, or as
-/// patterns of fills and strokes, in forms at any depth.
+/// patterns of fills and strokes, in forms and cells of patterns at any depth.
 class ContentReader {
  public:
+  explicit ContentReader(Layers layers) : layers_(std::move(layers)) {}
+
   /// Reads content streams of a page, which are one after the other, or of a form; `state` is that
   /// at their beginning. Throws InputError where there is no end of forms.
   void read(const std::vector<QPDFObjectHandle>& contents, const QPDFObjectHandle& resources,
             const GraphicsState& state);
+  /// Reads what a form paints, or the appearance of an annotation. `resources` are those around it.
+  void read_form(QPDFObjectHandle form, const QPDFObjectHandle& resources, GraphicsState state);
 
+  const Layers& layers() const { return layers_; }
   const std::vector<PaintedShading>& painted() const { return painted_; }
+  /// Returns how many further ones are in layers that are off.
+  int hidden() const { return hidden_; }
+  /// Returns how many pieces of text are painted by meshes.
+  int texts() const { return texts_; }
   /// Whether a content stream is damaged: what lies before that was read.
   bool is_damaged() const { return is_damaged_; }
 
  private:
   friend class ContentOperators;
 
-  /// Reads what a form paints.
-  void read_form(QPDFObjectHandle form, const QPDFObjectHandle& resources, GraphicsState state);
-  /// Returns what the form of a soft mask paints; nothing if it is no mask of luminosities.
-  std::shared_ptr<const std::vector<PaintedShading>> mask_of(QPDFObjectHandle mask,
-                                                             const QPDFObjectHandle& resources,
-                                                             const GraphicsState& state);
+  /// Makes what follows be seen through a soft mask.
+  void set_mask(QPDFObjectHandle mask, const QPDFObjectHandle& resources, GraphicsState& state);
+  /// Reads a content stream that is not the page's own: a form, a cell, a glyph. Leaves it out
+  /// where it is read already, around this one.
+  void read_within(QPDFObjectHandle stream, const QPDFObjectHandle& resources,
+                   const GraphicsState& state);
 
+  const Layers layers_;
   std::vector<PaintedShading> painted_;
+  int hidden_ = 0, texts_ = 0;
+  /// What the form of a soft mask paints beside shadings, while one is read.
+  std::optional<MaskMarks> marks_;
   bool is_damaged_ = false;
   /// The forms that are being read, one inside the other; how many were read in all, and how long
   /// these and the page's own content were: a form of a stranger's file may be shown again and

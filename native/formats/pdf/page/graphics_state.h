@@ -13,9 +13,18 @@
 
 namespace gradmesh {
 
+/// Colour spaces by name.
+struct NamedSpaces {
+  QPDFObjectHandle dictionary;
+  /// As PDF writes it, by which it is known again.
+  std::string text;
+};
+
 /// A shading where a page paints it.
 struct PaintedShading {
   QPDFObjectHandle shading;
+  /// The colour spaces that the resources of its content name; null if there are none.
+  std::shared_ptr<const NamedSpaces> spaces;
   /// From the shading's coordinates to those of the page.
   Affine to_page;
   Clips clips;
@@ -26,6 +35,10 @@ struct PaintedShading {
   std::shared_ptr<const PageStroke> stroke = nullptr;
   /// How it is mixed with what lies below, a CSS word (blend_mode.h).
   std::string blend_mode = "normal";
+  /// Whether it is seen through text, which is not read.
+  bool is_clipped_by_text = false;
+  /// Whether it lies in the cell of a pattern, of which the page shows more.
+  bool is_repeated = false;
 };
 
 /// What operators of a content stream set, as far as it counts for shadings (ISO 32000-1, 8.4).
@@ -37,6 +50,16 @@ struct GraphicsState {
   /// The blend mode, and that of the innermost group around that has one.
   std::string blend_mode = "normal", group_blend_mode = "normal";
   std::shared_ptr<const std::vector<PaintedShading>> mask;
+  /// What a mask that is an area hides nothing of, and how opaque it is there.
+  Clips mask_clips;
+  double mask_opacity = 1;
+  /// Whether it belongs to a layer that is off, and to the cell of a pattern that is repeated.
+  bool is_hidden = false, is_repeated = false;
+  /// How text is shown (ISO 32000-1, table 106), and whether all is seen through some.
+  int text_mode = 0;
+  bool is_clipped_by_text = false;
+  /// The stroke that all is seen through, if it is the cell of a pattern that strokes.
+  std::shared_ptr<const PageStroke> stroke_around;
   /// The pattern that fills, and that which strokes, if one does.
   std::optional<QPDFObjectHandle> pattern, stroke_pattern;
   /// With lengths in the coordinates of the content.

@@ -4,6 +4,8 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "formats/pdf/page/read_shading.h"
 
@@ -15,16 +17,17 @@ class KeptShadings {
  public:
   /// Returns a shading in its own coordinates, as unplaced_shading() does. Throws InputError where
   /// that does, or did before.
-  std::shared_ptr<const PageShading> read(QPDFObjectHandle shading);
+  std::shared_ptr<const PageShading> read(const PaintedShading& painted);
 
  private:
   struct Kept {
     std::shared_ptr<const PageShading> shading;
     std::exception_ptr error;
   };
-  static Kept read_now(QPDFObjectHandle shading);
+  static Kept read_now(const PaintedShading& painted);
 
-  std::map<QPDFObjGen, Kept> kept_;
+  /// By the shading, and the colour spaces in whose names it may be painted.
+  std::map<std::pair<QPDFObjGen, std::string>, Kept> kept_;
   std::size_t patches_ = 0;
 };
 

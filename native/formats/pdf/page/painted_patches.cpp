@@ -26,7 +26,7 @@ bool has_same_points(const ShadingPatch& a, const ShadingPatch& b) {
 std::optional<std::vector<CornerOpacities>> opacities_by(const PaintedShading& mask,
                                                          const std::vector<ShadingPatch>& patches,
                                                          KeptShadings& kept) try {
-  const auto unplaced = kept.read(mask.shading);
+  const auto unplaced = kept.read(mask);
   // Those that lie beyond any page are not among `patches`.
   if (mask.mask || unplaced->patches.size() < patches.size()) return {};
   const PageShading read = placed(*unplaced, mask.to_page);
@@ -59,7 +59,9 @@ std::optional<std::vector<CornerOpacities>> opacities_by(const std::vector<Paint
 }  // namespace
 
 PaintedPatches painted_patches(const PaintedShading& painted, KeptShadings& kept) {
-  PaintedPatches made{placed(*kept.read(painted.shading), painted.to_page), {}, {}};
+  PaintedPatches made{placed(*kept.read(painted), painted.to_page), {}, {}};
+  if (!made.shading.colors.paints())
+    throw InputError("its colorant is None, of which nothing is seen");
   const std::vector<ShadingPatch>& patches = made.shading.patches;
   auto masked = painted.mask ? opacities_by(*painted.mask, patches, kept) : std::nullopt;
   made.mask_left_out = painted.mask && !masked;

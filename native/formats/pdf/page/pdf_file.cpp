@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "base/error.h"
+#include "formats/pdf/page/annotations.h"
 #include "formats/pdf/page/content_reader.h"
 #include "formats/pdf/page/dictionary.h"
 #include "formats/pdf/page/private_data.h"
@@ -83,21 +84,25 @@ PdfFile::PdfFile(std::string bytes, const std::string& name, const std::string& 
   }
 }
 
-PageContent PdfFile::page(std::size_t number) const {
+PageContent PdfFile::page(std::size_t number, bool all_layers) const {
   QPDFPageObjectHelper page(pages_.at(number));
   PageContent content;
   content.file = file_;
   GraphicsState state;
-  ContentReader reader;
+  ContentReader reader(all_layers ? Layers() : Layers(file_->file.getRoot()));
   state.to_page = map_of(page, content.size);
   try {
     reader.read(page.getPageContents(), page.getAttribute("/Resources", false), state);
+    for (QPDFObjectHandle annotation : annotations_of(page))
+      read_annotation(reader, annotation, state);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception&) {
     content.is_damaged = true;
   }
   content.painted = reader.painted();
+  content.hidden = reader.hidden();
+  content.texts = reader.texts();
   content.is_damaged = content.is_damaged || reader.is_damaged();
   // Without it the page is read as well.
   if (!content.painted.empty()) try {

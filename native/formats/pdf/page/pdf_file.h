@@ -13,6 +13,10 @@ struct PageContent {
   /// In points, after its rotation; its upper left corner is (0, 0), and y runs down.
   glm::dvec2 size{0.0};
   std::vector<PaintedShading> painted;
+  /// How many further ones are in layers that are off.
+  int hidden = 0;
+  /// How many pieces of text are painted by meshes, which are not read.
+  int texts = 0;
   /// Whether a part of it could not be read, as it is damaged.
   bool is_damaged = false;
   /// What Illustrator keeps for itself beside it, where it paints meshes (private_data.h).
@@ -29,8 +33,9 @@ class PdfFile {
   PdfFile(std::string bytes, const std::string& name, const std::string& password);
 
   std::size_t page_count() const { return pages_.size(); }
-  /// Reads a page, from 0 on. Throws InputError where its content has no end.
-  PageContent page(std::size_t number) const;
+  /// Reads a page, from 0 on: its content, then its annotations. What is in layers that are off is
+  /// left out, unless these count as on. Throws InputError where its content has no end.
+  PageContent page(std::size_t number, bool all_layers = false) const;
 
  private:
   struct Opened;

@@ -38,47 +38,69 @@ ColorSpace lab(QPDFObjectHandle dictionary) {
   return ColorSpace::lab(parameters);
 }
 
-ColorSpace space_within(QPDFObjectHandle object, int depth);
+class SpaceReader {
+ public:
+  explicit SpaceReader(QPDFObjectHandle named) : named_(std::move(named)) {}
 
-ColorSpace separation(const std::vector<QPDFObjectHandle>& parts, int depth) {
-  if (parts.size() < 4) throw_no_space();
-  std::vector<std::string> names;
-  QPDFObjectHandle list = parts[1];
-  if (list.isName()) names.push_back(list.getName().substr(1));
-  if (list.isArray())
-    for (QPDFObjectHandle name : list.getArrayAsVector())
-      names.push_back(name.isName() ? name.getName().substr(1) : std::string());
-  return ColorSpace::separation(names, space_within(parts[2], depth + 1), read_function(parts[3]));
-}
+  ColorSpace read(QPDFObjectHandle object, int depth = 0) {
+    if (depth > deepest_space) throw_no_space();
+    if (object.isName()) return read_name(object.getName(), depth);
+    if (!object.isArray()) throw_no_space();
+    const std::vector<QPDFObjectHandle> parts = object.getArrayAsVector();
+    if (parts.empty() || !QPDFObjectHandle(parts[0]).isName()) throw_no_space();
+    const std::string name = QPDFObjectHandle(parts[0]).getName();
+    if (parts.size() < 2) return read_name(name, depth);
+    if (name == "/ICCBased")
+      return ColorSpace::icc_based(
+          clamped_int(number_of(value_of(parts[1], "/N")).value_or(0), 0, max_function_values));
+    if (name == "/CalGray")
+      return ColorSpace::cal_gray(number_of(value_of(parts[1], "/Gamma")).value_or(1));
+    if (name == "/CalRGB") return cal_rgb(parts[1]);
+    if (name == "/Lab") return lab(parts[1]);
+    if (name == "/Separation" || name == "/DeviceN") return separation(parts, depth);
+    throw_no_space();
+  }
 
-ColorSpace named_space(const std::string& name) {
-  if (name == "/DeviceGray" || name == "/CalGray" || name == "/G") return ColorSpace::device_gray();
-  if (name == "/DeviceRGB" || name == "/CalRGB" || name == "/RGB") return ColorSpace::device_rgb();
-  if (name == "/DeviceCMYK" || name == "/CMYK") return ColorSpace::device_cmyk();
-  throw_no_space();
-}
+ private:
+  ColorSpace read_name(const std::string& name, int depth) {
+    if (name == "/DeviceGray" || name == "/CalGray" || name == "/G")
+      return of_device("/DefaultGray", ColorSpace::device_gray(), depth);
+    if (name == "/DeviceRGB" || name == "/CalRGB" || name == "/RGB")
+      return of_device("/DefaultRGB", ColorSpace::device_rgb(), depth);
+    if (name == "/DeviceCMYK" || name == "/CMYK")
+      return of_device("/DefaultCMYK", ColorSpace::device_cmyk(), depth);
+    QPDFObjectHandle there = value_of(named_, name);
+    if (there.isNull()) throw_no_space();
+    return read(there, depth + 1);
+  }
 
-ColorSpace space_within(QPDFObjectHandle object, int depth) {
-  if (depth > deepest_space) throw_no_space();
-  if (object.isName()) return named_space(object.getName());
-  if (!object.isArray()) throw_no_space();
-  const std::vector<QPDFObjectHandle> parts = object.getArrayAsVector();
-  if (parts.empty() || !QPDFObjectHandle(parts[0]).isName()) throw_no_space();
-  const std::string name = QPDFObjectHandle(parts[0]).getName();
-  if (parts.size() < 2) return named_space(name);
-  if (name == "/ICCBased")
-    return ColorSpace::icc_based(
-        clamped_int(number_of(value_of(parts[1], "/N")).value_or(0), 0, max_function_values));
-  if (name == "/CalGray")
-    return ColorSpace::cal_gray(number_of(value_of(parts[1], "/Gamma")).value_or(1));
-  if (name == "/CalRGB") return cal_rgb(parts[1]);
-  if (name == "/Lab") return lab(parts[1]);
-  if (name == "/Separation" || name == "/DeviceN") return separation(parts, depth);
-  throw_no_space();
-}
+  /// Returns what the resources have in the place of a device's space, if they have one that fits.
+  ColorSpace of_device(const char* default_name, ColorSpace device, int depth) {
+    QPDFObjectHandle instead = value_of(named_, default_name);
+    // One that says that it is the device's says nothing.
+    if (!instead.isArray()) return device;
+    ColorSpace space = read(instead, depth + 1);
+    return space.components() == device.components() ? space : device;
+  }
+
+  ColorSpace separation(const std::vector<QPDFObjectHandle>& parts, int depth) {
+    if (parts.size() < 4) throw_no_space();
+    std::vector<std::string> names;
+    QPDFObjectHandle list = parts[1];
+    if (list.isName()) names.push_back(list.getName().substr(1));
+    if (list.isArray())
+      for (QPDFObjectHandle name : list.getArrayAsVector())
+        names.push_back(name.isName() ? name.getName().substr(1) : std::string());
+    return ColorSpace::separation(names, read(parts[2], depth + 1), read_function(parts[3]));
+  }
+
+  const QPDFObjectHandle named_;
+};
 
 }  // namespace
 
-ColorSpace read_color_space(QPDFObjectHandle object) { return space_within(object, 0); }
+ColorSpace read_color_space(QPDFObjectHandle object, const QPDFObjectHandle& named) {
+  return SpaceReader(named).read(std::move(object));
+}
 
 }  // namespace gradmesh

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 
 #include "base/clamped_int.h"
 #include "base/error.h"
@@ -12,6 +13,7 @@
 #include "formats/pdf/page/read_function.h"
 #include "formats/pdf/page/stream_bytes.h"
 #include "formats/pdf/shading/read_triangles.h"
+#include "formats/pdf/shading/triangle_fan.h"
 
 namespace gradmesh {
 namespace {
@@ -21,8 +23,9 @@ int integer(QPDFObjectHandle dictionary, const char* key) {
   return clamped_int(number_of(value_of(dictionary, key)).value_or(0), 0, most);
 }
 
-ShadingColors colors_of(QPDFObjectHandle shading) {
-  ColorSpace space = read_color_space(value_of(shading, "/ColorSpace"));
+ShadingColors colors_of(QPDFObjectHandle shading, const NamedSpaces* spaces) {
+  ColorSpace space = read_color_space(value_of(shading, "/ColorSpace"),
+                                      spaces ? spaces->dictionary : QPDFObjectHandle::newNull());
   QPDFObjectHandle function = value_of(shading, "/Function");
   if (function.isNull()) return {std::move(space), {}};
   return {std::move(space), read_function(function)};
@@ -53,11 +56,26 @@ ShadingPatch straight_patch_of(const std::array<const ShadingVertex*, 4>& corner
   return straight_patch(places, colors);
 }
 
+/// Returns triangles, of which four that are the cell of a lattice are one patch where that is the
+/// same.
 ShadingPatches triangles_of(std::string_view data, const Packing& packing, std::size_t most) {
-  const ShadingTriangles read = read_triangles(data, packing, most);
-  ShadingPatches patches{{}, read.is_damaged};
-  for (const ShadingTriangle& t : read.triangles)
+  // Four of them may be one patch.
+  const ShadingTriangles read = read_triangles(data, packing, 4 * most);
+  const std::span<const ShadingTriangle> all(read.triangles);
+  ShadingPatches patches{{}, 0, read.is_damaged};
+  for (std::size_t n = 0; n < all.size();) {
+    const auto fan = n + 4 <= all.size() ? fan_of(all.subspan(n).first<4>()) : std::nullopt;
+    if (fan && is_bilinear(*fan, packing.components)) {
+      const auto& corners = fan->corners;
+      patches.patches.push_back(
+          straight_patch_of({&corners[0], &corners[1], &corners[2], &corners[3]}));
+      n += 4;
+      continue;
+    }
+    const ShadingTriangle& t = all[n++];
     patches.patches.push_back(straight_patch_of({&t[0], &t[1], &t[2], &t[2]}));
+  }
+  patches.count = patches.patches.size() + read.count - all.size();
   return patches;
 }
 
@@ -82,7 +100,7 @@ ShadingPatches cells_of(std::string_view data, const Packing& packing, std::size
                         std::size_t most) {
   if (columns < 2) throw InputError("a row of its lattice has less than two points");
   const ShadingLattice read = read_lattice(data, packing, columns, most);
-  ShadingPatches patches{{}, read.is_damaged};
+  ShadingPatches patches{{}, 0, read.is_damaged};
   const std::size_t rows = read.vertices.size() / columns;
   for (std::size_t i = 0; i + 1 < rows; ++i)
     for (std::size_t j = 0; j + 1 < columns; ++j) {
@@ -95,6 +113,7 @@ ShadingPatches cells_of(std::string_view data, const Packing& packing, std::size
       patches.patches.push_back(straight_patch_of({above, above + 1, below, below}));
       patches.patches.push_back(straight_patch_of({above + 1, below + 1, below, below}));
     }
+  patches.count = patches.patches.size() + 2 * (read.rows - rows) * (columns - 1);
   return patches;
 }
 
@@ -107,9 +126,7 @@ ShadingPatches patches_of(int type, std::string_view data, const Packing& packin
     if (type == 5) return cells_of(data, packing, columns, 2 * (most + 2));
     return read_patches(data, packing, type == 6 ? PatchKind::coons : PatchKind::tensor, most + 1);
   }();
-  if (read.patches.size() > most)
-    throw InputError("it has more than {0} patches, {1}", most,
-                     beyond_limit("patches", most, read.patches.size()));
+  if (read.count > most) throw TooManyPatches(read.count);
   return read;
 }
 
@@ -128,8 +145,13 @@ bool put_on_page(ShadingPatch& patch, const Affine& to_page) {
 
 }  // namespace
 
-PageShading unplaced_shading(QPDFObjectHandle shading) {
-  PageShading read{integer(shading, "/ShadingType"), colors_of(shading), {}};
+TooManyPatches::TooManyPatches(std::size_t patches)
+    : InputError("it has {0} patches, {1}", patches,
+                 beyond_limit("patches", limits().patches, patches)),
+      count(patches) {}
+
+PageShading unplaced_shading(QPDFObjectHandle shading, const NamedSpaces* spaces) {
+  PageShading read{integer(shading, "/ShadingType"), colors_of(shading, spaces), {}};
   if (!shading.isStream()) throw InputError("it has no patches");
   const StreamBytes data = stream_bytes(shading);
   ShadingPatches patches =
@@ -148,7 +170,7 @@ PageShading placed(PageShading shading, const Affine& to_page) {
 }
 
 PageShading read_shading(const PaintedShading& painted) {
-  return placed(unplaced_shading(painted.shading), painted.to_page);
+  return placed(unplaced_shading(painted.shading, painted.spaces.get()), painted.to_page);
 }
 
 }  // namespace gradmesh

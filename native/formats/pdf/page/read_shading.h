@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/error.h"
 #include "formats/pdf/page/graphics_state.h"
 #include "formats/pdf/page/shading_colors.h"
 #include "formats/pdf/shading/read_patches.h"
@@ -20,9 +21,15 @@ struct PageShading {
   bool is_damaged = false;
 };
 
-/// Reads a shading of type 4 to 7, in its own coordinates. Throws InputError, whose message is a
-/// clause, where nothing of it can be read.
-PageShading unplaced_shading(QPDFObjectHandle shading);
+/// Thrown for a shading that has more patches than a mesh may have.
+struct TooManyPatches : InputError {
+  explicit TooManyPatches(std::size_t patches);
+  std::size_t count;
+};
+
+/// Reads a shading of type 4 to 7, in its own coordinates. `spaces` may be null. Throws InputError,
+/// whose message is a clause, where nothing of it can be read.
+PageShading unplaced_shading(QPDFObjectHandle shading, const NamedSpaces* spaces);
 
 /// Returns a shading with its patches on the page, without those that have no size there, or lie
 /// beyond any page.

@@ -15,6 +15,8 @@ class ShadingColors {
   /// Throws InputError if the function does not have as many outputs as the space has components.
   ShadingColors(ColorSpace space, std::optional<Function> function);
 
+  /// Returns false if nothing is seen of these colours.
+  bool paints() const { return space_.paints(); }
   /// Returns how many numbers a colour has in the shading's data.
   std::size_t count() const { return function_ ? 1 : std::size_t(space_.components()); }
   /// Returns a colour in sRGB, 0..1.

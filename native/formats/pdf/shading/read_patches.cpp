@@ -55,20 +55,20 @@ std::optional<ShadingPatch> rest_of(ShadingReader& data, ShadingPatch patch, boo
 ShadingPatches read_patches(std::string_view bytes, const Packing& packing, PatchKind kind,
                             std::size_t most) {
   ShadingPatches read;
-  for (ShadingReader data(bytes, packing); data.has_more() && read.patches.size() < most;
-       data.end_record()) {
+  ShadingPatch last;
+  for (ShadingReader data(bytes, packing); data.has_more(); data.end_record()) {
     const bool would_be_missed = data.has_much_more();
     const auto flag = data.flag();
     const bool is_new = flag == 0;
     std::optional<ShadingPatch> patch;
-    if (flag && (is_new || !read.patches.empty()))
-      patch =
-          rest_of(data, is_new ? ShadingPatch() : beside(read.patches.back(), *flag), is_new, kind);
+    if (flag && (is_new || read.count > 0))
+      patch = rest_of(data, is_new ? ShadingPatch() : beside(last, *flag), is_new, kind);
     if (!patch) {
       read.is_damaged = would_be_missed;
       break;
     }
-    read.patches.push_back(*std::move(patch));
+    last = *std::move(patch);
+    if (read.count++ < most) read.patches.push_back(last);
   }
   return read;
 }

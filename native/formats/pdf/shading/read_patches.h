@@ -15,6 +15,8 @@ using ShadingPatch = PatchAround<Components>;
 /// What was read of a shading.
 struct ShadingPatches {
   std::vector<ShadingPatch> patches;
+  /// How many there are, those included that were not kept.
+  std::size_t count = 0;
   /// Whether the data end within a patch, or one continues a patch that is not there: what lies
   /// before that was read.
   bool is_damaged = false;
@@ -22,8 +24,8 @@ struct ShadingPatches {
 
 enum class PatchKind { coons, tensor };
 
-/// Reads the patches of a shading of type 6 (`coons`) or 7 (`tensor`), but at most `most`. The
-/// packing has passed check().
+/// Reads the patches of a shading of type 6 (`coons`) or 7 (`tensor`), and keeps the first `most`,
+/// at least one, of them. The packing has passed check().
 ShadingPatches read_patches(std::string_view data, const Packing& packing, PatchKind kind,
                             std::size_t most);
 

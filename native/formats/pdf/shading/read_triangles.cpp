@@ -26,7 +26,7 @@ std::optional<std::pair<int, ShadingVertex>> read_flagged(ShadingReader& data) {
 /// Returns the triangle that begins with a vertex and its flag; nothing if the data end first, or
 /// it continues a triangle that is not there.
 std::optional<ShadingTriangle> triangle_from(ShadingReader& data, int flag, ShadingVertex vertex,
-                                             const std::vector<ShadingTriangle>& before) {
+                                             const std::optional<ShadingTriangle>& last) {
   if (flag == 0) {
     auto second = read_flagged(data);
     auto third = second ? read_flagged(data) : std::nullopt;
@@ -34,9 +34,8 @@ std::optional<ShadingTriangle> triangle_from(ShadingReader& data, int flag, Shad
     return ShadingTriangle{std::move(vertex), std::move(second->second), std::move(third->second)};
   }
   // A flag of 3 means nothing.
-  if (flag == 3 || before.empty()) return {};
-  const ShadingTriangle& last = before.back();
-  return ShadingTriangle{last[flag == 1 ? 1 : 0], last[2], std::move(vertex)};
+  if (flag == 3 || !last) return {};
+  return ShadingTriangle{(*last)[flag == 1 ? 1 : 0], (*last)[2], std::move(vertex)};
 }
 
 }  // namespace
@@ -44,17 +43,18 @@ std::optional<ShadingTriangle> triangle_from(ShadingReader& data, int flag, Shad
 ShadingTriangles read_triangles(std::string_view bytes, const Packing& packing, std::size_t most) {
   ShadingTriangles read;
   ShadingReader data(bytes, packing);
-  while (data.has_more() && read.triangles.size() < most) {
+  std::optional<ShadingTriangle> last;
+  while (data.has_more()) {
     const bool would_be_missed = data.has_much_more();
     auto first = read_flagged(data);
     auto triangle =
-        first ? triangle_from(data, first->first, std::move(first->second), read.triangles)
-              : std::nullopt;
+        first ? triangle_from(data, first->first, std::move(first->second), last) : std::nullopt;
     if (!triangle) {
       read.is_damaged = would_be_missed;
       break;
     }
-    read.triangles.push_back(*std::move(triangle));
+    last = std::move(triangle);
+    if (read.count++ < most) read.triangles.push_back(*last);
   }
   return read;
 }
@@ -62,8 +62,9 @@ ShadingTriangles read_triangles(std::string_view bytes, const Packing& packing, 
 ShadingLattice read_lattice(std::string_view bytes, const Packing& packing, std::size_t columns,
                             std::size_t most) {
   ShadingLattice read{columns, {}};
+  std::size_t count = 0;
   ShadingReader data(bytes, packing);
-  while (data.has_more() && read.vertices.size() < most) {
+  while (data.has_more()) {
     const bool would_be_missed = data.has_much_more();
     auto vertex = read_vertex(data);
     data.end_record();
@@ -71,11 +72,11 @@ ShadingLattice read_lattice(std::string_view bytes, const Packing& packing, std:
       read.is_damaged = would_be_missed;
       break;
     }
-    read.vertices.push_back(*std::move(vertex));
+    if (count++ < most) read.vertices.push_back(*std::move(vertex));
   }
-  const std::size_t left_over = read.vertices.size() % columns;
-  read.is_damaged = read.is_damaged || left_over > 0;
-  read.vertices.resize(read.vertices.size() - left_over);
+  read.rows = count / columns;
+  read.is_damaged = read.is_damaged || count % columns > 0;
+  read.vertices.resize(read.vertices.size() - read.vertices.size() % columns);
   return read;
 }
 
