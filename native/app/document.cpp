@@ -1,6 +1,7 @@
 #include "app/document.h"
 
 #include "app/common_frames.h"
+#include "app/folder_move.h"
 #include "app/page_documents.h"
 #include "base/limits.h"
 #include "base/utf8_path.h"
@@ -41,6 +42,8 @@ std::unique_ptr<Document> Document::read_file(const std::filesystem::path& path,
                                               const PageChoice& choice) {
   std::unique_ptr<Document> document = parse(read_bytes(path), path.string(), choice);
   document->look_in({path.parent_path()});
+  // Now, as a program may go to another folder until it writes.
+  document->file_ = std::filesystem::absolute(path);
   return document;
 }
 
@@ -165,12 +168,18 @@ void Document::check_target(const std::filesystem::path& path) const {
         name_, path.string());
 }
 
+std::string Document::bytes_for(const std::filesystem::path& path) const {
+  const std::optional<FolderMove> move = file_.empty() ? std::nullopt : folder_move(file_, path);
+  return move ? bytes_in(*move) : bytes();
+}
+
 void Document::write_file(const std::filesystem::path& path) const {
   check_target(path);
+  const std::string content = bytes_for(path);
   if (path.extension().string() != format().compressed_extension)
-    write_bytes(path, bytes());
+    write_bytes(path, content);
   else
-    write_bytes(path, changed_ || compressed_.empty() ? gzip(bytes()) : compressed_);
+    write_bytes(path, compressed_.empty() || content != content_ ? gzip(content) : compressed_);
 }
 
 }  // namespace gradmesh

@@ -19,6 +19,7 @@
 namespace gradmesh {
 
 class SvgMeshes;
+struct FolderMove;
 struct FoundPages;
 struct PageChoice;
 
@@ -112,9 +113,13 @@ class Document {
 
   const std::string& name() const { return name_; }
   /// The folders in which files that the document names are looked for, one after the other: that
-  /// of its own file, unless they were set.
+  /// of its own file, unless they were set. Then nobody knows to which of them its links are
+  /// relative, and they stay as they are wherever it is written.
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
-  void look_in(std::vector<std::filesystem::path> folders) { folders_ = std::move(folders); }
+  void look_in(std::vector<std::filesystem::path> folders) {
+    folders_ = std::move(folders);
+    file_.clear();
+  }
   virtual const Format& format() const = 0;
   /// Returns the colour model of the document's meshes.
   ColorModel color_model() const { return format().color_models.front(); }
@@ -256,8 +261,10 @@ class Document {
   virtual void check_conversion(const Format& /*to*/) const {}
   /// Throws InputError if the path's extension is that of another format.
   void check_target(const std::filesystem::path& path) const;
-  /// Writes bytes() into a file, compressed by gzip if the path's extension says so. Throws as
-  /// check_target does, and if the file cannot be written.
+  /// Writes bytes() into a file, compressed by gzip if the path's extension says so. In another
+  /// folder than that from which the document was read, links to files are such that they lead to
+  /// the same files (formats/svg/tree/move_links.h). Throws as check_target does, and if the file
+  /// cannot be written.
   void write_file(const std::filesystem::path& path) const;
 
  protected:
@@ -280,6 +287,8 @@ class Document {
   /// Does the work of update() for these meshes. Throws InputError by default.
   virtual std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries);
   virtual std::string changed_bytes() const = 0;
+  /// Returns bytes() for another folder.
+  virtual std::string bytes_in(const FolderMove&) const { return bytes(); }
 
   void mark_changed() { changed_ = true; }
   bool has_given_originals() const { return originals_ != nullptr; }
@@ -287,10 +296,15 @@ class Document {
   std::vector<MeshEntry> entries_;
 
  private:
+  /// Returns what write_file() writes, before it is compressed.
+  std::string bytes_for(const std::filesystem::path& path) const;
+
   std::string name_, content_;
   /// The bytes that were read if those were compressed; empty otherwise.
   std::string compressed_;
   std::vector<std::filesystem::path> folders_;
+  /// The absolute path of the file that was read; empty if it is not known.
+  std::filesystem::path file_;
   Translation translation_ = [](const std::string& text) { return text; };
   bool changed_ = false;
   const Document* originals_ = nullptr;

@@ -21,6 +21,7 @@
 #include "formats/svg/picture/image_cover.h"
 #include "formats/svg/picture/remove_meshes.h"
 #include "formats/svg/tree/kept.h"
+#include "formats/svg/tree/move_links.h"
 #include "formats/svg/tree/visible.h"
 #include "formats/svg/values/mesh_outline.h"
 #include "formats/text/scanner.h"
@@ -62,6 +63,12 @@ std::string SvgMeshes::bytes_over(std::string_view shown) const {
   const std::string content = bytes();
   SvgTree tree = SvgTree::parse(content, name());
   return use_user_units(tree, SvgTree::parse(shown, name())) ? tree.serialize() : content;
+}
+
+std::string SvgMeshes::bytes_in(const FolderMove& move) const {
+  const std::string content = bytes();
+  SvgTree tree = SvgTree::parse(content, name());
+  return move_links(tree, move) ? tree.serialize() : content;
 }
 
 bool SvgMeshes::recognises(std::string_view bytes) { return trimmed(bytes).starts_with('<'); }

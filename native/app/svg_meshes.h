@@ -122,6 +122,7 @@ class SvgMeshes : public Document {
   Message why_not(ColorModel model) const override;
   std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
   std::string changed_bytes() const override { return text(); }
+  std::string bytes_in(const FolderMove& move) const override;
 
  private:
   /// Returns the map from pixels of a picture to the mesh of an object on it.

@@ -113,7 +113,8 @@ class Document:
         return self._core.call("bytes", over=over)
 
     def save(self, path: Path) -> None:
-        """Writes the document; the file is whole or as it was before."""
+        """Writes the document; the file is whole or as it was before. In another folder than that of load(),
+        links to files are such that they lead to the same ones."""
         self._core.call("write", path=os.fspath(path))
 
 

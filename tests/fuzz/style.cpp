@@ -3,6 +3,7 @@
 
 #include "formats/svg/tree/svg_tree.h"
 #include "formats/svg/values/css_text.h"
+#include "formats/svg/values/moved_css.h"
 #include "formats/svg/values/reference.h"
 #include "formats/svg/values/selector.h"
 #include "formats/svg/values/style.h"
@@ -35,6 +36,16 @@ void check_selectors(const std::string& text, const xmlNode* path) {
     require(!selector.matches(path) || keys.contains(selector.key()), "the key is the element's");
 }
 
+/// A style sheet that goes into another folder and back goes there again as it did.
+void check_moves(const std::string& text) {
+  const FolderMove away{"/pages/drawing.svg", "/pages/made/of"},
+      back{"/pages/made/of/it.svg", "/pages"};
+  const auto there = moved_css(text, away);
+  if (!there) return;
+  const std::string home = moved_css(*there, back).value_or(*there);
+  require(moved_css(home, away).value_or(home) == *there, "there and back leads to the same files");
+}
+
 /// The text as a style sheet, and as the style of one element.
 void check(std::string_view bytes) {
   const std::string text(bytes);
@@ -60,6 +71,7 @@ void check(std::string_view bytes) {
     fallback_color(value);
   }
   check_selectors(text, path);
+  check_moves(text);
   require(styles.declared(path, "fill").has_value(), "an attribute counts");
   styles.inherited(path, "fill");
   styles.inherited(path, "stop-color");
