@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/pdf/page/page_path.h"
+#include "formats/pdf/objects/page_path.h"
 #include "formats/pdf/page/page_stroke.h"
 #include "formats/svg/group/new_svg.h"
 #include "mesh/mesh.h"

@@ -86,10 +86,6 @@ class PdfReader {
           Message("{0}, page {1}: layers that are off are left out, with {2} of its meshes; the "
                   "option for all layers (--all-layers) reads them.",
                   name_, number + 1, page.hidden));
-    if (page.texts > 0)
-      found_.left_out.push_back(
-          Message("{0}, page {1}: text that meshes paint is left out, {2} pieces of it.", name_,
-                  number + 1, page.texts));
     const std::vector<ArtistsGrid> records = read_mesh_records(page.private_data);
     const std::size_t before = objects_.size();
     PageTiles tiles;
@@ -200,16 +196,19 @@ class PdfReader {
   /// Adds the mesh that stands for a shading of a page, or for several from that one on.
   void add(const ShownShading& shading, ChosenForm chosen, std::size_t page, std::size_t shadings) {
     const auto& [number, painted, shown] = shading;
-    std::vector<SvgShape> shapes = shapes_of(chosen.mesh, painted.clips, painted.stroke.get());
+    Clips clips = shown.mask_clips;
+    clips.insert(clips.end(), painted.clips.begin(), painted.clips.end());
+    std::vector<SvgShape> shapes = shapes_of(chosen.mesh, clips, painted.stroke.get());
     if (shapes.empty()) throw InputError("its clip path hides it");
     if (shown.mask_left_out)
       found_.left_out.push_back(
           Message("{0}, page {1}, mesh {2}: a mask through which it is seen is left out.", name_,
                   page + 1, number + 1));
-    if (painted.is_clipped_by_text)
-      found_.left_out.push_back(
-          Message("{0}, page {1}, mesh {2}: text through which it is seen is left out.", name_,
-                  page + 1, number + 1));
+    if (painted.has_text_boxes)
+      found_.left_out.push_back(Message(
+          "{0}, page {1}, mesh {2}: it is seen through text whose letters the document does "
+          "not hold, so that boxes stand for them.",
+          name_, page + 1, number + 1));
     if (painted.is_repeated)
       found_.left_out.push_back(
           Message("{0}, page {1}, mesh {2}: a pattern repeats it; it is read once.", name_,

@@ -66,9 +66,8 @@ std::string SvgMeshes::bytes_over(std::string_view shown) const {
 }
 
 std::string SvgMeshes::bytes_in(const FolderMove& move) const {
-  const std::string content = bytes();
-  SvgTree tree = SvgTree::parse(content, name());
-  return move_links(tree, move) ? tree.serialize() : content;
+  SvgTree tree = svg_.copy();
+  return move_links(tree, move) ? tree.serialize() : bytes();
 }
 
 bool SvgMeshes::recognises(std::string_view bytes) { return trimmed(bytes).starts_with('<'); }

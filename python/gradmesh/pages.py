@@ -51,10 +51,10 @@ def insert_pages(
     """Puts the meshes of a PDF, or of what load() takes as one, into an SVG document, in place.
 
     They lie where, and are as large as, they are on their page; a page lies on the document's page of its number, or
-    else on the first one, further ones beside it. page, password, all_layers: as of load(). into: the id of a group or layer;
-    without it each page becomes a new layer above all else. replace_tiles: whether a mesh takes the place of the
-    group of flat paths that looks like it, as Inkscape's own import of the same file makes. progress: is told of
-    pages, as Progress.mesh, and of the shadings of each; where it returns False the meshes so far are put in. Raises
+    else on the first one, further ones beside it. page, password, all_layers: as of load(). into: the id of a group or
+    layer; without it each page becomes a new layer above all else. replace_tiles: whether a mesh takes the place of the
+    group of flat paths that looks like it, as Inkscape's own import of the same file makes. progress: is told of pages,
+    as Progress.mesh, and of the shadings of each; where it returns False the meshes so far are put in. Raises
     InputError for other documents, and where there is no such page, group or mesh; the document is then unchanged.
     """
     made = document._core.call(

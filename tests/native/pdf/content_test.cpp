@@ -157,8 +157,8 @@ TEST(PdfAlphaMask, EndsWithItsState) {
 
 TEST(PdfAlphaMask, ThatIsAnythingElseIsTold) {
   for (const char* form :
-       {"1 2 3 4 re S", "1 2 3 4 re f 2 3 4 5 re f", "/sh sh", "BT (a) Tj ET",
-        "BI /W 1 /H 1 /CS /G /BPC 8 ID x EI", "1 2 3 4 re f /half gs 50 50 9 9 re f"}) {
+       {"1 2 3 4 re S", "1 2 3 4 re f 2 3 4 5 re f", "/sh sh", "BI /W 1 /H 1 /CS /G /BPC 8 ID x EI",
+        "1 2 3 4 re f /half gs 50 50 9 9 re f"}) {
     const PageContent page = masked("/S /Alpha", form);
     ASSERT_EQ(page.painted.size(), 1U) << form;
     ASSERT_TRUE(page.painted[0].mask) << form;
@@ -233,22 +233,118 @@ TEST(PdfAnnotation, IsLeftOutWhereNoViewerShowsIt) {
   EXPECT_TRUE(annotated("/Rect [20 30 40 50]").painted.empty());
 }
 
-TEST(PdfText, IsTold) {
+/// What is painted by a pattern, `p`, which is a square, and by text in fonts of which the document
+/// holds one, `boxes`, not, and `glyphs` has contents as its glyphs: `m` a mesh, `a` an area.
+PageContent with_text(const std::string& content) {
   const std::string entries =
-      "/MediaBox [0 0 100 100] /Resources << /Shading << /sh 5 0 R >> /Pattern << /p 6 0 R >> >>";
-  const auto page = [&](const std::string& content) {
-    return PdfFile(pdf_document(entries, content,
-                                {square_shading(), "<< /PatternType 2 /Shading 5 0 R >>"}),
-                   "a.pdf", "")
-        .page(0);
+      "/MediaBox [0 0 100 100] /Resources << /Shading << /sh 5 0 R >> /Pattern << /p 6 0 R >> "
+      "/Font << /boxes << /Type /Font /Subtype /Type1 /BaseFont /Own /FirstChar 97 /Widths [500 "
+      "600] "
+      ">> /glyphs 7 0 R >> >>";
+  const std::vector<std::string> objects{
+      square_shading(), "<< /PatternType 2 /Shading 5 0 R >>",
+      "<< /Type /Font /Subtype /Type3 /FontMatrix [0.1 0 0 0.1 0 0] /FontBBox [0 0 9 9] /FirstChar "
+      "97 "
+      "/Widths [10 20] /Encoding << /Differences [97 /a /m] >> /CharProcs << /a 8 0 R /m 9 0 R >> "
+      "/Resources << /Shading << /sh 5 0 R >> >> >>",
+      pdf_stream("", "10 0 0 0 9 9 d1 0 0 9 9 re f"), pdf_stream("", "20 0 d0 /sh sh")};
+  return PdfFile(pdf_document(entries, content, objects), "a.pdf", "").page(0);
+}
+
+Box box_of(const PagePath& path) {
+  Box box;
+  for (const PagePath::Step& step : path.steps)
+    for (const glm::dvec2 point : step.points) box.add(point);
+  return box;
+}
+
+TEST(PdfText, ThatAMeshPaintsIsOneAreaPerText) {
+  const PageContent page = with_text(
+      "/Pattern cs /p scn BT /boxes 10 Tf 20 30 Td (ab) Tj [(a) -1000 "
+      "(b)] TJ ET");
+  ASSERT_EQ(page.painted.size(), 1U);
+  EXPECT_TRUE(page.painted[0].has_text_boxes);
+  ASSERT_EQ(page.painted[0].clips.size(), 1U);
+  const PagePath& path = *page.painted[0].clips[0];
+  EXPECT_EQ(path.steps.size(), 4U * 5);
+  EXPECT_EQ(path.rule, FillRule::nonzero);
+  // Two letters of 5 and 6 points, twice, and a gap of 10; they reach 2 below the line and 9 above.
+  EXPECT_NEAR(box_of(path).low().x, 20, 1e-9);
+  EXPECT_NEAR(box_of(path).high().x, 52, 1e-9);
+  EXPECT_NEAR(box_of(path).low().y, 100 - 39, 1e-9);
+  EXPECT_NEAR(box_of(path).high().y, 100 - 28, 1e-9);
+}
+
+TEST(PdfText, LiesWhereItsStateSays) {
+  const auto box = [](const std::string& operators) {
+    const PageContent page = with_text("/Pattern cs /p scn BT /boxes 10 Tf " + operators + " ET");
+    return page.painted.empty() ? Box() : box_of(*page.painted[0].clips.at(0));
   };
-  EXPECT_EQ(page("/Pattern cs /p scn BT (a) Tj [(b)] TJ ET").texts, 2);
-  EXPECT_EQ(page("/Pattern cs /p scn BT 3 Tr (a) Tj ET").texts, 0);
-  EXPECT_EQ(page("/Pattern CS /p SCN BT 1 Tr (a) Tj ET").texts, 1);
-  const PageContent clipped = page("q BT 7 Tr (a) Tj ET /sh sh Q /sh sh");
-  ASSERT_EQ(clipped.painted.size(), 2U);
-  EXPECT_TRUE(clipped.painted[0].is_clipped_by_text);
-  EXPECT_FALSE(clipped.painted[1].is_clipped_by_text);
+  EXPECT_NEAR(box("50 Tz (a) Tj").high().x, 2.5, 1e-9);
+  EXPECT_NEAR(box("3 Tc (aa) Tj").high().x, 5 + 3 + 5, 1e-9);
+  EXPECT_NEAR(box("3 Tw (a a) Tj").high().x, 5 + 5.5 + 3 + 5, 1e-9);
+  EXPECT_NEAR(box("4 Ts (a) Tj").high().y, 100 - 4 + 2, 1e-9);
+  EXPECT_NEAR(box("20 TL T* (a) Tj").high().y, 100 + 20 + 2, 1e-9);
+  EXPECT_NEAR(box("20 TL (a) '").high().y, 100 + 20 + 2, 1e-9);
+  EXPECT_NEAR(box("0 -7 TD T* (a) Tj").high().y, 100 + 14 + 2, 1e-9);
+  EXPECT_NEAR(box("1 3 (aa) \"").high().x, 5 + 3 + 5, 1e-9);
+  EXPECT_NEAR(box("2 0 0 2 1 0 Tm (a) Tj").high().x, 11, 1e-9);
+  EXPECT_TRUE(box("3 Tr (a) Tj").empty());
+}
+
+TEST(PdfText, IsPaintedBeforeItsStateChanges) {
+  const PageContent page = with_text(
+      "/Pattern cs /p scn BT /boxes 10 Tf (a) Tj 1 0 0 rg (a) Tj /Pattern cs /p scn (a) Tj ET");
+  EXPECT_EQ(page.painted.size(), 2U);
+}
+
+TEST(PdfText, MayBeStroked) {
+  const PageContent page = with_text("/Pattern CS /p SCN 3 w BT 1 Tr /boxes 10 Tf (a) Tj ET");
+  ASSERT_EQ(page.painted.size(), 1U);
+  ASSERT_TRUE(page.painted[0].stroke);
+  EXPECT_EQ(page.painted[0].stroke->line.width, 3);
+  EXPECT_EQ(page.painted[0].stroke->path.steps.size(), 5U);
+}
+
+TEST(PdfText, IsSeenThroughFromItsEndOn) {
+  const PageContent page =
+      with_text("q BT 7 Tr /boxes 10 Tf (a) Tj 0 20 Td (b) Tj /sh sh ET /sh sh Q /sh sh");
+  ASSERT_EQ(page.painted.size(), 3U);
+  EXPECT_TRUE(page.painted[0].clips.empty());
+  ASSERT_EQ(page.painted[1].clips.size(), 1U);
+  EXPECT_EQ(page.painted[1].clips[0]->steps.size(), 10U);
+  EXPECT_TRUE(page.painted[1].has_text_boxes);
+  EXPECT_TRUE(page.painted[2].clips.empty());
+  EXPECT_FALSE(page.painted[2].has_text_boxes);
+}
+
+TEST(PdfText, OfNothingHidesAll) {
+  const PageContent page = with_text("BT 7 Tr /boxes 10 Tf () Tj ET /sh sh");
+  ASSERT_EQ(page.painted.at(0).clips.size(), 1U);
+  EXPECT_TRUE(page.painted[0].clips[0]->steps.empty());
+}
+
+TEST(PdfText, HasGlyphsThatAreContents) {
+  const PageContent page = with_text("BT /glyphs 10 Tf 20 30 Td (aba) Tj (b) Tj ET");
+  ASSERT_EQ(page.painted.size(), 2U);
+  EXPECT_EQ(page.painted[0].to_page.point({0, 0}), glm::dvec2(30, 70));
+  EXPECT_EQ(page.painted[0].to_page.point({9, 0}), glm::dvec2(39, 70));
+  EXPECT_EQ(page.painted[1].to_page.point({0, 0}), glm::dvec2(60, 70));
+}
+
+TEST(PdfText, FillsGlyphsByThePatternOfThePage) {
+  const PageContent page = with_text("/Pattern cs /p scn BT /glyphs 20 Tf 20 30 Td (a) Tj ET");
+  ASSERT_EQ(page.painted.size(), 1U);
+  EXPECT_EQ(page.painted[0].to_page.point({0, 0}), glm::dvec2(0, 100));
+  ASSERT_EQ(page.painted[0].clips.size(), 1U);
+  EXPECT_NEAR(box_of(*page.painted[0].clips[0]).high().x, 20 + 18, 1e-9);
+}
+
+TEST(PdfText, WithoutAFontShowsNothing) {
+  for (const char* content :
+       {"/Pattern cs /p scn BT (a) Tj ET", "/Pattern cs /p scn BT /no 9 Tf (a) Tj",
+        "/Pattern cs /p scn BT Tf Tj TJ Tm ' \" (a) TJ 1 Tj ET ET BT BT"})
+    EXPECT_TRUE(with_text(content).painted.empty()) << content;
 }
 
 /// The colour of the square's first corner, red, in a space that resources name or replace.

@@ -39,6 +39,8 @@ TEST(PaintedPatches, AMaskGivesTheLuminosityOfItsColours) {
   const PaintedPatches made = first_painted(masked_document("/sh sh"));
   ASSERT_EQ(made.patches.size(), 1U);
   EXPECT_FALSE(made.mask_left_out);
+  // The box of the mask's form, beyond which nothing is seen.
+  EXPECT_EQ(made.mask_clips.size(), 1U);
   // Of red, green, blue and white, half of each.
   const std::array<double, 4> wanted{0.15, 0.295, 0.055, 0.5};
   for (std::size_t k = 0; k < 4; ++k) {

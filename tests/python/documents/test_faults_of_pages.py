@@ -27,7 +27,7 @@ class Right(NamedTuple):
 PAGES = {
     "alpha-mask-is-ignored-without-a-word": Right((1,)),
     "cells-of-four-triangles-are-no-grid": Right((6,)),
-    "clip-by-text-is-ignored-without-a-word": Right((1,), "mesh 1: text through which it is seen is left out"),
+    "clip-by-text-is-ignored-without-a-word": Right((1,), "mesh 1: it is seen through text whose letters"),
     "colour-space-named-in-resources-refused": Right((1,)),
     "folded-patch-of-a-pdf-is-cut-by-its-own-outline": Right((1,)),
     "form-of-a-layer-that-is-off-is-read-as-if-shown": Right((1,), "layers that are off .* 1 of its", 2),
@@ -35,7 +35,7 @@ PAGES = {
     "limit-that-the-sentence-names-is-not-enough": Right((), "39204 patches.*patches=39204 raises", 0),
     "mesh-in-a-tiling-pattern-is-told-as-no-mesh": Right((1,), "a pattern repeats it"),
     "separation-none-is-painted": Right((), "its colorant is None", 0),
-    "text-filled-by-mesh-is-told-as-no-mesh": Right((), "text that meshes paint is left out", 0),
+    "text-filled-by-mesh-is-told-as-no-mesh": Right((1,), "mesh 1: it is seen through text whose letters"),
 }
 
 

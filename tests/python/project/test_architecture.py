@@ -45,7 +45,7 @@ INNER = {
     "formats": {
         "code": 0, "text": 0, "json": 1, "hemesh": 1, "packed": 1,
         "pdf/bits": 0, "pdf/color": 1, "pdf/shading": 1, "pdf/grid": 2, "pdf/records": 3,
-        "pdf/page": 3,
+        "pdf/objects": 1, "pdf/text": 2, "pdf/page": 3,
         "svg/xml": 1, "svg/values": 2, "svg/tree": 3, "svg/gradient": 4, "svg/group": 5, "svg/picture": 6,
     },
     "ops": {"merge": 1, "split": 2},
@@ -61,6 +61,7 @@ OWNERS = {
     r"jpeglib\.h|jerror\.h": {"files"},
     r"lcms2\.h": {"files"},
     r"qpdf/": {"formats"},
+    r"ft2build\.h": {"formats"},
     r"zstd\.h": {"formats"},
     r"(EGL|GL|GLES\d?|epoxy)/": {"device"},
     r"pybind11/": {"bindings"},

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "base/clamped_int.h"
-#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/objects/dictionary.h"
 #include "geom/box.h"
 
 namespace gradmesh {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/objects/dictionary.h"
 
 namespace gradmesh {
 

@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "formats/pdf/objects/dictionary.h"
 #include "formats/pdf/page/blend_mode.h"
 #include "formats/pdf/page/clip_box.h"
-#include "formats/pdf/page/dictionary.h"
 #include "formats/pdf/page/pattern_cell.h"
 
 namespace gradmesh {
@@ -56,6 +56,8 @@ struct ContentOperators::Entry {
   const char* name;
   std::size_t operands;
   Operator does;
+  /// Whether text that is shown before and behind it may be one area.
+  bool continues_text = false;
 };
 
 const ContentOperators::Entry* ContentOperators::find(const std::string& name) {
@@ -109,10 +111,20 @@ const ContentOperators::Entry* ContentOperators::find(const std::string& name) {
       {"BT", 0, &C::begin_text},
       {"ET", 0, &C::end_text},
       {"Tr", 1, &C::set_text_mode},
-      {"Tj", 1, &C::show_text},
-      {"TJ", 1, &C::show_text},
-      {"'", 1, &C::show_text},
-      {"\"", 3, &C::show_text},
+      {"Tf", 2, &C::set_font, true},
+      {"Tc", 1, &C::set_character_space, true},
+      {"Tw", 1, &C::set_word_space, true},
+      {"Tz", 1, &C::set_text_scale, true},
+      {"TL", 1, &C::set_leading, true},
+      {"Ts", 1, &C::set_rise, true},
+      {"Td", 2, &C::move_line, true},
+      {"TD", 2, &C::move_line_and_set_leading, true},
+      {"Tm", 6, &C::set_text_matrix, true},
+      {"T*", 0, &C::next_line, true},
+      {"Tj", 1, &C::show_text, true},
+      {"TJ", 1, &C::show_texts, true},
+      {"'", 1, &C::show_on_next_line, true},
+      {"\"", 3, &C::show_spaced_on_next_line, true},
       {"sh", 1, &C::paint_shading},
       {"Do", 1, &C::paint_object},
   };
@@ -129,6 +141,7 @@ void ContentOperators::handleObject(QPDFObjectHandle object, std::size_t, std::s
     return;
   }
   const Entry* const entry = find(object.getOperatorValue());
+  if (!entry || !entry->continues_text) paint_text();
   if (entry && operands_.size() >= entry->operands) (this->*entry->does)();
   operands_.clear();
 }
@@ -173,9 +186,10 @@ void ContentOperators::restore() {
   saved_.pop_back();
 }
 
-void ContentOperators::transform() {
-  const Affine map{glm::dmat2(number(0), number(1), number(2), number(3)), point(4)};
-  state_.to_page = state_.to_page * map;
+void ContentOperators::transform() { state_.to_page = state_.to_page * map_of_operands(); }
+
+Affine ContentOperators::map_of_operands() const {
+  return {glm::dmat2(number(0), number(1), number(2), number(3)), point(4)};
 }
 
 void ContentOperators::set_state() {
@@ -239,12 +253,13 @@ void ContentOperators::close_path() {
 
 template <FillRule rule>
 void ContentOperators::fill_path() {
-  fill(rule);
+  path_.rule = rule;
+  fill(path_);
   end_path();
 }
 
 void ContentOperators::stroke_path() {
-  stroke();
+  stroke(path_);
   end_path();
 }
 
@@ -255,7 +270,8 @@ void ContentOperators::close_and_stroke() {
 
 template <FillRule rule>
 void ContentOperators::fill_and_stroke() {
-  fill(rule);
+  path_.rule = rule;
+  fill(path_);
   stroke_path();
 }
 
@@ -265,40 +281,42 @@ void ContentOperators::close_fill_and_stroke() {
   fill_and_stroke<rule>();
 }
 
-void ContentOperators::fill(FillRule rule) {
-  if (!state_.pattern) return mark_area(rule);
+void ContentOperators::fill(const PagePath& area) {
+  if (!state_.pattern) return mark_area(area);
   Clips clips = state_.clips;
-  add_to(clips, rule);
+  add_to(clips, area);
   paint_pattern(*state_.pattern, std::move(clips), state_.opacity, nullptr);
 }
 
-void ContentOperators::stroke() {
+void ContentOperators::stroke(const PagePath& path) {
   if (!state_.stroke_pattern) return mark_other();
-  PagePath path = without_idle_moves(path_);
-  if (path.steps.empty() || !lies_near_pages(path)) return;
-  PageStroke stroke{std::move(path), mapped(state_.line, state_.to_page)};
+  PagePath drawn = without_idle_moves(path);
+  if (drawn.steps.empty() || !lies_near_pages(drawn)) return;
+  PageStroke stroke{std::move(drawn), mapped(state_.line, state_.to_page)};
   paint_pattern(*state_.stroke_pattern, state_.clips, state_.stroke_opacity,
                 std::make_shared<const PageStroke>(std::move(stroke)));
 }
 
 void ContentOperators::end_path() {
-  if (clip_ && !path_.steps.empty()) add_to(state_.clips, *clip_);
+  if (clip_ && !path_.steps.empty()) {
+    path_.rule = *clip_;
+    add_to(state_.clips, path_);
+  }
   clip_.reset();
   path_ = {};
 }
 
-void ContentOperators::add_to(Clips& clips, FillRule rule) {
+void ContentOperators::add_to(Clips& clips, const PagePath& area) {
   constexpr std::size_t most_clips = 1000;
   if (clips.size() >= most_clips)
     throw InputError("it has more than {0} clip paths inside one another", most_clips);
-  path_.rule = rule;
-  clips.push_back(std::make_shared<const PagePath>(path_));
+  clips.push_back(std::make_shared<const PagePath>(area));
 }
 
-void ContentOperators::mark_area(FillRule rule) {
+void ContentOperators::mark_area(const PagePath& path) {
   if (!reader_.marks_ || is_hidden()) return;
   MaskArea area{state_.clips, state_.opacity * state_.group_opacity};
-  add_to(area.clips, rule);
+  add_to(area.clips, path);
   if (state_.mask || !state_.mask_clips.empty()) return mark_other();
   reader_.marks_->areas.push_back(std::move(area));
 }
@@ -307,25 +325,10 @@ void ContentOperators::mark_other() {
   if (reader_.marks_ && !is_hidden()) reader_.marks_->has_others = true;
 }
 
-void ContentOperators::set_color(std::optional<QPDFObjectHandle>& pattern) {
+void ContentOperators::set_color(std::optional<PagePattern>& pattern) {
   pattern.reset();
-  if (QPDFObjectHandle found = named("/Pattern"); !found.isNull()) pattern = found;
-}
-
-void ContentOperators::show_text() {
-  const int mode = state_.text_mode;
-  const bool fills = mode % 4 == 0 || mode % 4 == 2, strokes = mode % 4 == 1 || mode % 4 == 2;
-  text_clips_ = text_clips_ || mode >= 4;
-  if (is_hidden()) return;
-  if (fills || strokes) mark_other();
-  for (const auto& [is_used, pattern] :
-       {std::pair(fills, state_.pattern), std::pair(strokes, state_.stroke_pattern)})
-    if (is_used && pattern)
-      reader_.texts_ += number_of(value_of(value_of(*pattern, "/Shading"), "/ShadingType")) >= 4;
-}
-
-void ContentOperators::end_text() {
-  state_.is_clipped_by_text = state_.is_clipped_by_text || text_clips_;
+  if (QPDFObjectHandle found = named("/Pattern"); !found.isNull())
+    pattern = {found, base_ * matrix_of(value_of(found, "/Matrix")), resources_, spaces_};
 }
 
 void ContentOperators::paint_shading() {
@@ -333,22 +336,24 @@ void ContentOperators::paint_shading() {
          state_.opacity * state_.group_opacity, state_.mask, nullptr});
 }
 
-void ContentOperators::paint_pattern(QPDFObjectHandle pattern, Clips clips, double opacity,
+void ContentOperators::paint_pattern(const PagePattern& pattern, Clips clips, double opacity,
                                      std::shared_ptr<const PageStroke> stroke) {
-  if (pattern.isStream()) return paint_cell(pattern, std::move(clips), opacity, std::move(stroke));
-  paint({value_of(pattern, "/Shading"), spaces_, base_ * matrix_of(value_of(pattern, "/Matrix")),
-         std::move(clips), opacity * state_.group_opacity, state_.mask, std::move(stroke)});
+  QPDFObjectHandle object = pattern.object;
+  if (object.isStream()) return paint_cell(pattern, std::move(clips), opacity, std::move(stroke));
+  paint({value_of(object, "/Shading"), pattern.spaces, pattern.to_page, std::move(clips),
+         opacity * state_.group_opacity, state_.mask, std::move(stroke)});
 }
 
-void ContentOperators::paint_cell(QPDFObjectHandle pattern, Clips clips, double opacity,
+void ContentOperators::paint_cell(const PagePattern& pattern, Clips clips, double opacity,
                                   std::shared_ptr<const PageStroke> stroke) {
   if (reader_.marks_) return mark_other();
-  const Affine to_page = base_ * matrix_of(value_of(pattern, "/Matrix"));
-  const PatternCell cell = cell_within(pattern, to_page, stroke ? stroke->path : *clips.back());
+  const Affine& to_page = pattern.to_page;
+  const PatternCell cell =
+      cell_within(pattern.object, to_page, stroke ? stroke->path : *clips.back());
   GraphicsState inside;
   inside.to_page = to_page * Affine::translation(cell.place);
   inside.clips = std::move(clips);
-  clip_to_box(inside.clips, pattern, inside.to_page);
+  clip_to_box(inside.clips, pattern.object, inside.to_page);
   inside.group_opacity = opacity * state_.group_opacity;
   inside.group_blend_mode =
       state_.blend_mode == "normal" ? state_.group_blend_mode : state_.blend_mode;
@@ -358,7 +363,8 @@ void ContentOperators::paint_cell(QPDFObjectHandle pattern, Clips clips, double 
   inside.is_hidden = is_hidden();
   inside.is_repeated = state_.is_repeated || !cell.is_only;
   inside.stroke_around = stroke ? std::move(stroke) : state_.stroke_around;
-  reader_.read_within(pattern, resources_, inside);
+  inside.has_text_boxes = state_.has_text_boxes;
+  reader_.read_within(pattern.object, pattern.resources, inside);
 }
 
 void ContentOperators::paint(PaintedShading painted) {
@@ -376,7 +382,7 @@ void ContentOperators::paint(PaintedShading painted) {
   painted.clips.insert(painted.clips.begin(), state_.mask_clips.begin(), state_.mask_clips.end());
   painted.opacity *= state_.mask_opacity;
   painted.is_repeated = state_.is_repeated;
-  painted.is_clipped_by_text = state_.is_clipped_by_text;
+  painted.has_text_boxes = state_.has_text_boxes;
   if (!painted.stroke) painted.stroke = state_.stroke_around;
   painted.blend_mode = state_.blend_mode == "normal" ? state_.group_blend_mode : state_.blend_mode;
   reader_.painted_.push_back(std::move(painted));

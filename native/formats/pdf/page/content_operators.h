@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/clamped_int.h"
+#include "formats/pdf/objects/qpdf.h"
 #include "formats/pdf/page/content_reader.h"
-#include "formats/pdf/page/qpdf.h"
 
 namespace gradmesh {
 
@@ -15,7 +15,7 @@ class ContentOperators : public QPDFObjectHandle::ParserCallbacks {
   ContentOperators(ContentReader& reader, QPDFObjectHandle resources, const GraphicsState& state);
 
   void handleObject(QPDFObjectHandle object, std::size_t, std::size_t) override;
-  void handleEOF() override {}
+  void handleEOF() override { paint_text(); }
 
  private:
   using Operator = void (ContentOperators::*)();
@@ -61,7 +61,7 @@ class ContentOperators : public QPDFObjectHandle::ParserCallbacks {
   void set_stroke_color() { set_color(state_.stroke_pattern); }
   void unset_fill_pattern() { state_.pattern.reset(); }
   void unset_stroke_pattern() { state_.stroke_pattern.reset(); }
-  void set_color(std::optional<QPDFObjectHandle>& pattern);
+  void set_color(std::optional<PagePattern>& pattern);
 
   template <FillRule rule>
   void fill_path();
@@ -71,26 +71,44 @@ class ContentOperators : public QPDFObjectHandle::ParserCallbacks {
   void fill_and_stroke();
   template <FillRule rule>
   void close_fill_and_stroke();
-  /// Paints the area of the path, or its stroke, and keeps it for what else is done with it.
-  void fill(FillRule rule);
-  void stroke();
-  void set_text_mode() { state_.text_mode = clamped_int(number(0), 0, 7); }
-  void begin_text() { text_clips_ = false; }
-  void show_text();
+  /// Paints an area, or the stroke of a path.
+  void fill(const PagePath& area);
+  void stroke(const PagePath& path);
+
+  void begin_text() { text_place_.begin(); }
   void end_text();
+  void set_font();
+  void set_text_mode() { state_.text.mode = clamped_int(number(0), 0, 7); }
+  void set_character_space() { state_.text.character_space = number(0); }
+  void set_word_space() { state_.text.word_space = number(0); }
+  void set_text_scale() { state_.text.scale = number(0) / 100; }
+  void set_leading() { state_.text.leading = number(0); }
+  void set_rise() { state_.text.rise = number(0); }
+  void move_line() { text_place_.move_line(point(0)); }
+  void move_line_and_set_leading();
+  void set_text_matrix() { text_place_.set(map_of_operands()); }
+  void next_line() { text_place_.move_line({0, -state_.text.leading}); }
+  void show_text() { show(operand(0)); }
+  void show_on_next_line();
+  void show_spaced_on_next_line();
+  void show_texts();
+  void show(QPDFObjectHandle text);
+  /// Paints the text so far, which is one area whatever it was shown by.
+  void paint_text();
   void paint_shading();
   void paint_object();
   /// Notes what is painted beside meshes, if this is a mask.
-  void mark_area(FillRule rule);
+  void mark_area(const PagePath& area);
   void mark_other();
 
   void add_step(PagePath::Step::Kind kind, glm::dvec2 a, glm::dvec2 b, glm::dvec2 to);
-  /// Adds the path to what is seen through.
-  void add_to(Clips& clips, FillRule rule);
+  Affine map_of_operands() const;
+  /// Adds an area to what is seen through.
+  static void add_to(Clips& clips, const PagePath& area);
   /// Adds what a pattern paints: a stroke, or the area of the last clip path where that is null.
-  void paint_pattern(QPDFObjectHandle pattern, Clips clips, double opacity,
+  void paint_pattern(const PagePattern& pattern, Clips clips, double opacity,
                      std::shared_ptr<const PageStroke> stroke);
-  void paint_cell(QPDFObjectHandle pattern, Clips clips, double opacity,
+  void paint_cell(const PagePattern& pattern, Clips clips, double opacity,
                   std::shared_ptr<const PageStroke> stroke);
   /// Adds a shading, if it is a mesh.
   void paint(PaintedShading painted);
@@ -111,7 +129,9 @@ class ContentOperators : public QPDFObjectHandle::ParserCallbacks {
   /// In the coordinates of the content: where the path is, and where its part began.
   glm::dvec2 here_{0.0}, begin_{0.0};
   std::optional<FillRule> clip_;
-  /// Whether what was shown of the text is seen through.
+  TextPlace text_place_;
+  /// What was shown of a text and is not painted yet, and through what all will be seen at its end.
+  ShownText unpainted_text_, clip_text_;
   bool text_clips_ = false;
 };
 

@@ -5,11 +5,11 @@
 
 #include "base/error.h"
 #include "base/limits.h"
+#include "formats/pdf/objects/dictionary.h"
+#include "formats/pdf/objects/qpdf.h"
+#include "formats/pdf/objects/stream_bytes.h"
 #include "formats/pdf/page/clip_box.h"
 #include "formats/pdf/page/content_operators.h"
-#include "formats/pdf/page/dictionary.h"
-#include "formats/pdf/page/qpdf.h"
-#include "formats/pdf/page/stream_bytes.h"
 
 namespace gradmesh {
 
@@ -74,6 +74,26 @@ void ContentReader::read_within(QPDFObjectHandle stream, const QPDFObjectHandle&
   around_.erase(number);
 }
 
+void ContentReader::read_glyph(QPDFObjectHandle glyph, const QPDFObjectHandle& resources,
+                               const GraphicsState& state) {
+  const bool may_be_plain = !state.pattern && !state.stroke_pattern && !marks_;
+  const QPDFObjGen number = glyph.getObjGen();
+  if (may_be_plain && plain_glyphs_.contains(number)) return;
+  const std::size_t before = painted_.size() + std::size_t(hidden_);
+  read_within(glyph, resources, state);
+  if (may_be_plain && painted_.size() + std::size_t(hidden_) == before)
+    plain_glyphs_.insert(number);
+}
+
+std::shared_ptr<PageFont> ContentReader::font(QPDFObjectHandle font) {
+  if (!font.isDictionary()) return nullptr;
+  // One that is no object of its own has no number by which it could be known again.
+  if (!font.isIndirect()) return std::make_shared<PageFont>(font);
+  std::shared_ptr<PageFont>& known = fonts_[font.getObjGen()];
+  if (!known) known = std::make_shared<PageFont>(font);
+  return known;
+}
+
 void ContentReader::set_mask(QPDFObjectHandle mask, const QPDFObjectHandle& resources,
                              GraphicsState& state) {
   state.mask = nullptr;
@@ -84,14 +104,13 @@ void ContentReader::set_mask(QPDFObjectHandle mask, const QPDFObjectHandle& reso
   // The shadings of a mask are found as those of any form, but are not painted.
   std::vector<PaintedShading> painted = std::exchange(painted_, {});
   std::optional<MaskMarks> marks = std::exchange(marks_, MaskMarks());
-  const int hidden = hidden_, texts = texts_;
+  const int hidden = hidden_;
   GraphicsState inside;
   inside.to_page = state.to_page;
   read_form(form, resources, inside);
   painted.swap(painted_);
   std::swap(marks, marks_);
   hidden_ = hidden;
-  texts_ = texts;
   const bool is_alpha = value_of(mask, "/S").isNameAndEquals("/Alpha");
   QPDFObjectHandle transfer = value_of(mask, "/TR");
   const bool is_changed = !transfer.isNull() && !transfer.isNameAndEquals("/Identity");

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,8 +31,6 @@ class ContentReader {
   const std::vector<PaintedShading>& painted() const { return painted_; }
   /// Returns how many further ones are in layers that are off.
   int hidden() const { return hidden_; }
-  /// Returns how many pieces of text are painted by meshes.
-  int texts() const { return texts_; }
   /// Whether a content stream is damaged: what lies before that was read.
   bool is_damaged() const { return is_damaged_; }
 
@@ -44,9 +44,14 @@ class ContentReader {
   void read_within(QPDFObjectHandle stream, const QPDFObjectHandle& resources,
                    const GraphicsState& state);
 
+  /// Reads a glyph that is content of its own.
+  void read_glyph(QPDFObjectHandle glyph, const QPDFObjectHandle& resources,
+                  const GraphicsState& state);
+  std::shared_ptr<PageFont> font(QPDFObjectHandle font);
+
   const Layers layers_;
   std::vector<PaintedShading> painted_;
-  int hidden_ = 0, texts_ = 0;
+  int hidden_ = 0;
   /// What the form of a soft mask paints beside shadings, while one is read.
   std::optional<MaskMarks> marks_;
   bool is_damaged_ = false;
@@ -55,6 +60,9 @@ class ContentReader {
   /// again.
   std::set<QPDFObjGen> around_;
   int forms_ = 0;
+  std::map<QPDFObjGen, std::shared_ptr<PageFont>> fonts_;
+  /// Glyphs that paint no meshes: they are read once, texts are long.
+  std::set<QPDFObjGen> plain_glyphs_;
   std::uint64_t bytes_ = 0;
 };
 

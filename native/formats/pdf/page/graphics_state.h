@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "base/affine.h"
+#include "formats/pdf/objects/page_path.h"
+#include "formats/pdf/objects/qpdf.h"
 #include "formats/pdf/page/line_style.h"
-#include "formats/pdf/page/page_path.h"
 #include "formats/pdf/page/page_stroke.h"
-#include "formats/pdf/page/qpdf.h"
+#include "formats/pdf/text/shown_text.h"
 
 namespace gradmesh {
 
@@ -35,10 +36,19 @@ struct PaintedShading {
   std::shared_ptr<const PageStroke> stroke = nullptr;
   /// How it is mixed with what lies below, a CSS word (blend_mode.h).
   std::string blend_mode = "normal";
-  /// Whether it is seen through text, which is not read.
-  bool is_clipped_by_text = false;
+  /// Whether boxes stand for letters through which it is seen.
+  bool has_text_boxes = false;
   /// Whether it lies in the cell of a pattern, of which the page shows more.
   bool is_repeated = false;
+};
+
+/// A pattern that fills or strokes.
+struct PagePattern {
+  QPDFObjectHandle object;
+  /// From its coordinates to those of the page: it lies in the content whose resources name it.
+  Affine to_page;
+  QPDFObjectHandle resources;
+  std::shared_ptr<const NamedSpaces> spaces;
 };
 
 /// What operators of a content stream set, as far as it counts for shadings (ISO 32000-1, 8.4).
@@ -55,13 +65,13 @@ struct GraphicsState {
   double mask_opacity = 1;
   /// Whether it belongs to a layer that is off, and to the cell of a pattern that is repeated.
   bool is_hidden = false, is_repeated = false;
-  /// How text is shown (ISO 32000-1, table 106), and whether all is seen through some.
-  int text_mode = 0;
-  bool is_clipped_by_text = false;
+  /// Whether boxes stand for letters through which all is seen.
+  bool has_text_boxes = false;
   /// The stroke that all is seen through, if it is the cell of a pattern that strokes.
   std::shared_ptr<const PageStroke> stroke_around;
   /// The pattern that fills, and that which strokes, if one does.
-  std::optional<QPDFObjectHandle> pattern, stroke_pattern;
+  std::optional<PagePattern> pattern, stroke_pattern;
+  TextStyle text;
   /// With lengths in the coordinates of the content.
   LineStyle line;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/objects/dictionary.h"
 
 namespace gradmesh {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/clamped_int.h"
-#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/objects/dictionary.h"
 
 namespace gradmesh {
 namespace {

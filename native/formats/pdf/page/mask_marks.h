@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "formats/pdf/page/page_path.h"
+#include "formats/pdf/objects/page_path.h"
 
 namespace gradmesh {
 

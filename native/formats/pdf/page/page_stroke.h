@@ -1,7 +1,7 @@
 #pragma once
 
+#include "formats/pdf/objects/page_path.h"
 #include "formats/pdf/page/line_style.h"
-#include "formats/pdf/page/page_path.h"
 
 namespace gradmesh {
 

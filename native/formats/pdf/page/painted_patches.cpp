@@ -22,10 +22,16 @@ bool has_same_points(const ShadingPatch& a, const ShadingPatch& b) {
          std::ranges::equal(a.inner, b.inner, is_close);
 }
 
-/// Returns the opacities that one shading of a mask gives to patches, if it has the same patches.
-std::optional<std::vector<CornerOpacities>> opacities_by(const PaintedShading& mask,
-                                                         const std::vector<ShadingPatch>& patches,
-                                                         KeptShadings& kept) try {
+/// What a mask does to patches.
+struct Masked {
+  std::vector<CornerOpacities> opacities;
+  /// Beyond these they are not seen.
+  Clips clips;
+};
+
+/// Returns what one shading of a mask does to patches, if it has the same patches.
+std::optional<Masked> masked_by(const PaintedShading& mask,
+                                const std::vector<ShadingPatch>& patches, KeptShadings& kept) try {
   const auto unplaced = kept.read(mask);
   // Those that lie beyond any page are not among `patches`.
   if (mask.mask || unplaced->patches.size() < patches.size()) return {};
@@ -37,22 +43,21 @@ std::optional<std::vector<CornerOpacities>> opacities_by(const PaintedShading& m
     for (std::size_t k = 0; k < 4; ++k)
       corners[k] = mask.opacity * luminosity(read.colors.srgb(patch.colors[k]));
   }
-  return opacities;
+  return Masked{std::move(opacities), mask.clips};
 } catch (const InputError&) {
   return {};
 }
 
-/// Returns the opacities that a mask gives to patches, if one of its shadings has the same patches,
-/// as in the documents of Inkscape (cairo).
-std::optional<std::vector<CornerOpacities>> opacities_by(const std::vector<PaintedShading>& mask,
-                                                         const std::vector<ShadingPatch>& patches,
-                                                         KeptShadings& kept) {
+/// Returns what a mask does to patches, if one of its shadings has the same patches, as in the
+/// documents of Inkscape (cairo).
+std::optional<Masked> masked_by(const std::vector<PaintedShading>& mask,
+                                const std::vector<ShadingPatch>& patches, KeptShadings& kept) {
   // A stranger's mask of thousands, on each of thousands of shadings, would take hours.
   constexpr std::size_t most_shadings = 16;
   if (mask.size() > most_shadings) return {};
   // Of two the later one lies on top.
   for (auto each = mask.rbegin(); each != mask.rend(); ++each)
-    if (auto opacities = opacities_by(*each, patches, kept)) return opacities;
+    if (auto masked = masked_by(*each, patches, kept)) return masked;
   return {};
 }
 
@@ -63,10 +68,11 @@ PaintedPatches painted_patches(const PaintedShading& painted, KeptShadings& kept
   if (!made.shading.colors.paints())
     throw InputError("its colorant is None, of which nothing is seen");
   const std::vector<ShadingPatch>& patches = made.shading.patches;
-  auto masked = painted.mask ? opacities_by(*painted.mask, patches, kept) : std::nullopt;
+  auto masked = painted.mask ? masked_by(*painted.mask, patches, kept) : std::nullopt;
   made.mask_left_out = painted.mask && !masked;
+  if (masked) made.mask_clips = std::move(masked->clips);
   made.opacities = masked
-                       ? *std::move(masked)
+                       ? std::move(masked->opacities)
                        : std::vector<CornerOpacities>(patches.size(), CornerOpacities{1, 1, 1, 1});
   for (CornerOpacities& corners : made.opacities)
     for (double& opacity : corners) opacity *= painted.opacity;

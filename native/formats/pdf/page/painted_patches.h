@@ -15,6 +15,8 @@ struct PaintedPatches {
   std::vector<CornerOpacities> opacities;
   /// The patches that show them as a mesh of SVG does, divided where their colours need it.
   std::vector<PagePatch> patches;
+  /// What it is seen through beside its own clip paths: those of the mask that it has opacities of.
+  Clips mask_clips;
   /// Whether it is seen through a mask that has no opacities for its corners: then it is as if
   /// there were none.
   bool mask_left_out = false;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/objects/dictionary.h"
 #include "geom/box.h"
 
 namespace gradmesh {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/affine.h"
-#include "formats/pdf/page/page_path.h"
-#include "formats/pdf/page/qpdf.h"
+#include "formats/pdf/objects/page_path.h"
+#include "formats/pdf/objects/qpdf.h"
 
 namespace gradmesh {
 

@@ -5,11 +5,11 @@
 #include <exception>
 
 #include "base/error.h"
+#include "formats/pdf/objects/dictionary.h"
+#include "formats/pdf/objects/qpdf.h"
 #include "formats/pdf/page/annotations.h"
 #include "formats/pdf/page/content_reader.h"
-#include "formats/pdf/page/dictionary.h"
 #include "formats/pdf/page/private_data.h"
-#include "formats/pdf/page/qpdf.h"
 
 namespace gradmesh {
 namespace {
@@ -102,7 +102,6 @@ PageContent PdfFile::page(std::size_t number, bool all_layers) const {
   }
   content.painted = reader.painted();
   content.hidden = reader.hidden();
-  content.texts = reader.texts();
   content.is_damaged = content.is_damaged || reader.is_damaged();
   // Without it the page is read as well.
   if (!content.painted.empty()) try {

@@ -15,8 +15,6 @@ struct PageContent {
   std::vector<PaintedShading> painted;
   /// How many further ones are in layers that are off.
   int hidden = 0;
-  /// How many pieces of text are painted by meshes, which are not read.
-  int texts = 0;
   /// Whether a part of it could not be read, as it is damaged.
   bool is_damaged = false;
   /// What Illustrator keeps for itself beside it, where it paints meshes (private_data.h).

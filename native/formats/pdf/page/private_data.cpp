@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "base/limits.h"
-#include "formats/pdf/page/dictionary.h"
-#include "formats/pdf/page/stream_bytes.h"
+#include "formats/pdf/objects/dictionary.h"
+#include "formats/pdf/objects/stream_bytes.h"
 
 namespace gradmesh {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "formats/pdf/page/qpdf.h"
+#include "formats/pdf/objects/qpdf.h"
 
 namespace gradmesh {
 

@@ -2,7 +2,7 @@
 
 #include "base/clamped_int.h"
 #include "base/error.h"
-#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/objects/dictionary.h"
 #include "formats/pdf/page/read_function.h"
 
 namespace gradmesh {

@@ -4,8 +4,8 @@
 
 #include "base/clamped_int.h"
 #include "base/error.h"
-#include "formats/pdf/page/dictionary.h"
-#include "formats/pdf/page/stream_bytes.h"
+#include "formats/pdf/objects/dictionary.h"
+#include "formats/pdf/objects/stream_bytes.h"
 
 namespace gradmesh {
 namespace {

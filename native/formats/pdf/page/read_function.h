@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formats/pdf/color/function.h"
-#include "formats/pdf/page/qpdf.h"
+#include "formats/pdf/objects/qpdf.h"
 
 namespace gradmesh {
 

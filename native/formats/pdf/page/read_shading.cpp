@@ -8,10 +8,10 @@
 #include "base/clamped_int.h"
 #include "base/error.h"
 #include "base/limits.h"
-#include "formats/pdf/page/dictionary.h"
+#include "formats/pdf/objects/dictionary.h"
+#include "formats/pdf/objects/stream_bytes.h"
 #include "formats/pdf/page/read_color_space.h"
 #include "formats/pdf/page/read_function.h"
-#include "formats/pdf/page/stream_bytes.h"
 #include "formats/pdf/shading/read_triangles.h"
 #include "formats/pdf/shading/triangle_fan.h"
 

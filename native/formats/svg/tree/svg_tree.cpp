@@ -199,6 +199,15 @@ SvgTree SvgTree::parse(std::string_view bytes, const std::string& name) {
   return tree;
 }
 
+SvgTree SvgTree::copy() const {
+  SvgTree tree(xmlCopyDoc(document_.get(), 1));
+  if (!tree.document_) throw std::bad_alloc();
+  tree.document_->URL = xmlStrdup(document_->URL);
+  register_ids(tree.root());
+  tree.styles_ = StyleSheet(tree.root());
+  return tree;
+}
+
 std::string SvgTree::name() const { return std::string(view(document_->URL)); }
 
 xmlNode* SvgTree::root() const { return xmlDocGetRootElement(document_.get()); }

@@ -19,6 +19,9 @@ class SvgTree {
   /// InputError if they are no SVG document.
   static SvgTree parse(std::string_view bytes, const std::string& name);
 
+  /// Returns another tree of the same content.
+  SvgTree copy() const;
+
   /// Returns the document's name in messages.
   std::string name() const;
   xmlNode* root() const;

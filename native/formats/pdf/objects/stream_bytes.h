@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "formats/pdf/page/qpdf.h"
+#include "formats/pdf/objects/qpdf.h"
 
 namespace gradmesh {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/affine.h"
-#include "formats/pdf/page/qpdf.h"
+#include "formats/pdf/objects/qpdf.h"
 
 namespace gradmesh {
 

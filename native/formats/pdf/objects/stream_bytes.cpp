@@ -1,4 +1,4 @@
-#include "formats/pdf/page/stream_bytes.h"
+#include "formats/pdf/objects/stream_bytes.h"
 
 #include <zstd.h>
 
