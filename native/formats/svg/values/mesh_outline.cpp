@@ -44,6 +44,16 @@ Loop loop_of(const Mesh& mesh, Face face) {
   return loop;
 }
 
+std::string clockwise_path(const Loop& loop) {
+  return path_data(doubled_area_of(loop) < 0 ? reversed(loop) : loop);
+}
+
+/// Adds a path to others.
+void add(std::string& paths, const std::string& path) {
+  if (!paths.empty()) paths += ' ';
+  paths += path;
+}
+
 /// Returns the convex polygon around a patch: its control points hold it.
 std::string hull_path(const Patch& patch) {
   std::vector<glm::dvec2> points;
@@ -71,24 +81,14 @@ std::string outline_path(const Mesh& mesh) {
   for (const auto& [number, loops] : outlines) {
     double area = 0;
     for (const Loop& loop : loops) area += doubled_area_of(loop);
-    for (const Loop& loop : loops) {
-      if (!d.empty()) d += ' ';
-      d += path_data(area < 0 ? reversed(loop) : loop);
-    }
+    for (const Loop& loop : loops) add(d, path_data(area < 0 ? reversed(loop) : loop));
   }
   return d;
 }
 
 std::string patches_path(const Mesh& mesh) {
   std::string d;
-  for (const Face face : mesh.faces()) {
-    const Loop loop = loop_of(mesh, face);
-    if (!d.empty()) d += ' ';
-    if (const Patch patch = mesh.patch(face); folds(patch))
-      d += hull_path(patch);
-    else
-      d += path_data(doubled_area_of(loop) < 0 ? reversed(loop) : loop);
-  }
+  for (const Face face : mesh.faces()) add(d, clockwise_path(loop_of(mesh, face)));
   return d;
 }
 
@@ -96,12 +96,17 @@ std::string covering_path(const Mesh& mesh) {
   const std::vector<int> component = face_components(mesh);
   // By component, which way its faces go round.
   std::map<int, bool> turns;
+  bool lies_over_itself = false;
+  std::string d;
   for (const Face face : mesh.faces()) {
-    const bool is_clockwise = doubled_area_of(loop_of(mesh, face)) >= 0;
+    const Loop loop = loop_of(mesh, face);
+    const Patch patch = mesh.patch(face);
+    const bool is_clockwise = doubled_area_of(loop) >= 0, is_folded = folds(patch);
     const auto first = turns.try_emplace(component[face.value], is_clockwise).first;
-    if (first->second != is_clockwise || folds(mesh.patch(face))) return patches_path(mesh);
+    lies_over_itself = lies_over_itself || is_folded || first->second != is_clockwise;
+    add(d, is_folded ? hull_path(patch) : clockwise_path(loop));
   }
-  return outline_path(mesh);
+  return lies_over_itself ? d : outline_path(mesh);
 }
 
 }  // namespace gradmesh
