@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const FolderMove beside{"/work/a/drawing.svg", "/work/b"};
+const FolderMove beside{"/drawings/a/drawing.svg", "/drawings/b"};
 
 std::string moved(std::string_view link, const FolderMove& move = beside) {
   return moved_link(link, move).value_or("(stays)");
