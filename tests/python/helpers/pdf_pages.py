@@ -1,7 +1,5 @@
 """PDF documents that are small enough to be written by hand."""
 
-import io
-
 
 def square():
     """A shading of type 7: one patch over the square from (0, 0) to (9, 9)."""
@@ -35,17 +33,32 @@ def pdf(*contents, private=None):
     )
     if private is not None:
         objects.append(stream("", private))
-    file = io.BytesIO()
-    file.write(b"%PDF-1.7\n")
-    places = []
+    return file_of(objects)
+
+
+def document(entries, content, streams=()):
+    """A PDF document of one page: what stands in its dictionary, its content, and further streams, each its entries
+    and its data, whose objects have the numbers from 5 on."""
+    objects = [
+        b"<< /Type /Catalog /Pages 2 0 R >>",
+        b"<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
+        f"<< /Type /Page /Parent 2 0 R /Contents 4 0 R {entries} >>".encode(),
+        stream("", content.encode()),
+    ]
+    return file_of([*objects, *(stream(*each) for each in streams)])
+
+
+def file_of(objects, root="1 0 R"):
+    """The bytes of a file that ends with a table of its objects."""
+    file, places = bytearray(b"%PDF-1.7\n"), []
     for number, body in enumerate(objects, 1):
-        places.append(file.tell())
-        file.write(b"%d 0 obj\n%s\nendobj\n" % (number, body))
-    table = file.tell()
-    file.write(b"xref\n0 %d\n0000000000 65535 f \n" % (len(objects) + 1))
-    file.write(b"".join(b"%010d 00000 n \n" % place for place in places))
-    file.write(b"trailer\n<< /Size %d /Root 1 0 R >>\nstartxref\n%d\n%%%%EOF\n" % (len(objects) + 1, table))
-    return file.getvalue()
+        places.append(len(file))
+        file += b"%d 0 obj\n%s\nendobj\n" % (number, body)
+    table = len(file)
+    file += b"xref\n0 %d\n0000000000 65535 f \n" % (len(objects) + 1)
+    file += b"".join(b"%010d 00000 n \n" % place for place in places)
+    file += f"trailer\n<< /Size {len(objects) + 1} /Root {root} >>\nstartxref\n{table}\n%%EOF\n".encode()
+    return bytes(file)
 
 
 def stream(entries, data):

@@ -2,7 +2,7 @@
 
 import zlib
 
-from pdf_pages import stream
+from pdf_pages import file_of, stream
 
 
 class Objects:
@@ -43,19 +43,6 @@ def hexadecimal(data):
 FILTERS = {plain: 3, packed: 3, hexadecimal: 1}
 
 
-def with_table(bodies, root):
-    """The bytes of a file that ends with a table of its objects."""
-    file, places = bytearray(b"%PDF-1.7\n"), []
-    for number, body in enumerate(bodies, 1):
-        places.append(len(file))
-        file += b"%d 0 obj\n%s\nendobj\n" % (number, body)
-    table = len(file)
-    file += b"xref\n0 %d\n0000000000 65535 f \n" % (len(bodies) + 1)
-    file += b"".join(b"%010d 00000 n \n" % place for place in places)
-    file += f"trailer\n<< /Size {len(bodies) + 1} /Root {root} >>\nstartxref\n{table}\n%%EOF\n".encode()
-    return bytes(file)
-
-
 def with_stream_of_objects(bodies, root):
     """The bytes of a file whose objects but for streams are packed in one, as PDF 1.5 and later allow."""
     file, rows = bytearray(b"%PDF-1.7\n"), {0: (0, 0, 65535)}
@@ -82,4 +69,4 @@ def with_stream_of_objects(bodies, root):
     return bytes(file) + f"startxref\n{table}\n%%EOF\n".encode()
 
 
-FILES = {with_table: 3, with_stream_of_objects: 1}
+FILES = {file_of: 3, with_stream_of_objects: 1}
