@@ -25,7 +25,7 @@ LIMIT = 0.02
 FIRST = int(os.environ.get("GRADMESH_RANDOM_FIRST", 0))
 SEEDS = range(FIRST, FIRST + int(os.environ.get("GRADMESH_RANDOM_PAGES", 40)))
 #: What pages may have that is not read as it should be yet.
-TO_COME = ("box of a mask", "stretched", "two in a translucent group")
+TO_COME = ("blended group", "box of a mask", "stretched", "two in a translucent group")
 READ_TODAY = tuple(feature for feature in random_pages.FEATURES if feature not in TO_COME)
 
 

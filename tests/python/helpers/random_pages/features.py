@@ -14,10 +14,10 @@ PAINTS = (
     "tiles", "tiles of a fill", "text", "glyphs of meshes", "font of two bytes", "standard font",
 )  # fmt: skip
 AROUND = (
-    "moved", "stretched", "translucent", "blended", "clip to rectangle", "clip to polygon", "clip to curve",
-    "clip to text", "clip even odd", "form", "form box", "form matrix", "group", "resources of the page",
-    "two in a form", "two in a translucent group",
-    "luminosity of fills", "alpha of fills", "alpha of translucent fills", "mask reset", "invisible marks",
+    "moved", "stretched", "translucent", "blended", "blended group", "clip to rectangle", "clip to polygon",
+    "clip to curve", "clip to text", "clip even odd", "form", "form box", "form matrix", "group",
+    "resources of the page", "two in a form", "two in a translucent group", "luminosity of fills", "alpha of fills",
+    "alpha of translucent fills", "mask reset", "invisible marks",
 )  # fmt: skip
 LAYERS = (
     "layer", "layer of a form", "policy", "expression", "other tags", "base state off", "layer usage",

@@ -7,6 +7,8 @@ from .matrices import inverse, numbers, of_any
 from .shapes import curve, polygon, rectangle, star
 from .texts import CLIP, text
 
+SAME_TWICE = "/Darken", "/Lighten"
+
 
 def plainly(draft, box, write):
     return write()
@@ -23,15 +25,16 @@ def translucent(draft, box, write):
 
 
 def blended(draft, box, write):
-    """An object by itself in modes in which it may as well be painted twice, as poppler does where its polygons
-    overlap, in others as a group."""
+    """In modes in which an object may as well be painted twice, as poppler does where its polygons overlap."""
     draft.has_backdrop = True
-    mode = draft.any({"/Multiply": 2, "/Screen": 1, "/Darken": 1, "/Lighten": 1, "[/Unknown /Difference]": 0.5})
-    state = draft.state(f"/BM {mode}")
-    if mode in ("/Darken", "/Lighten"):
-        return f"q {state}\n{draft.seen_through(write)}\nQ"
+    return f"q {draft.state(f'/BM {draft.any(dict.fromkeys(SAME_TWICE, 1))}')}\n{draft.seen_through(write)}\nQ"
+
+
+def blended_group(draft, box, write):
+    draft.has_backdrop = True
+    mode = draft.any({"/Multiply": 2, "/Screen": 1, "/Darken": 1, "[/Unknown /Difference]": 0.5})
     group = draft.form(EVERYTHING, lambda: draft.seen_through(write, False), "/Group << /S /Transparency >>")
-    return f"q {state} {draft.use('XObject', group)} Do Q"
+    return f"q {draft.state(f'/BM {mode}')} {draft.use('XObject', group)} Do Q"
 
 
 # --- clips ---
@@ -106,7 +109,7 @@ def invisible_marks(draft, box, write):
 
 
 PLACES = {
-    plainly: 4, moved: 2, translucent: 1, blended: 1, clip_to_rectangle: 1.5,
+    plainly: 4, moved: 2, translucent: 1, blended: 0.5, blended_group: 0.7, clip_to_rectangle: 1.5,
     clip_to_polygon: 1, clip_to_curve: 1, clip_even_odd: 0.7, clip_to_text: 1, form: 3, luminosity_of_fills: 1,
     alpha_of_fills: 0.7, alpha_of_translucent_fills: 0.5, layers.layer: 2, invisible_marks: 0.4,
 }  # fmt: skip
