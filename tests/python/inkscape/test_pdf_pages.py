@@ -38,6 +38,8 @@ def pages(request, inkscape, tmp_path_factory):
     for seed, path in paths.items():
         path.write_bytes(random_pages.document(seed, READ_TODAY))
     found = outcomes(inkscape, paths.values(), timeout=60 + 10 * len(paths))
+    if without := [told for outcome in found.values() for told in outcome.told if "was built without PDF" in told]:
+        pytest.skip(without[0])
     return {seed: found[path] for seed, path in paths.items()}
 
 
