@@ -1,20 +1,11 @@
 """A document that is being written."""
 
 import random
-from typing import NamedTuple
+
+from boxes import Box
 
 from .markup import NAMES
 from .page_sizes import PAGES
-
-
-class Box(NamedTuple):
-    x: float
-    y: float
-    width: float
-    height: float
-
-    def grown(self, by):
-        return Box(self.x - by, self.y - by, self.width + 2 * by, self.height + 2 * by)
 
 
 class Draft:

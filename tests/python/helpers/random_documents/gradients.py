@@ -2,9 +2,9 @@
 
 import sys
 
+from boxes import Box
 from built import SAMPLES
 
-from .draft import Box
 from .markup import element, in_selector, moved
 
 sys.path.append(str(SAMPLES))  # after the tests' own modules of the same names

@@ -1,6 +1,7 @@
 """Where an object lies: each function returns what is drawn for an object with an id."""
 
-from .draft import Box
+from boxes import Box
+
 from .gradients import gradient
 from .markup import element, moved, reference, url
 from .shapes import circle, polygon

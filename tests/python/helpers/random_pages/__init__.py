@@ -10,9 +10,11 @@ prints how far gradmesh is from poppler on a hundred of them, and keeps them.
 
 from typing import NamedTuple
 
+from boxes import Box
+
 from .annotations import add_annotation
 from .color_spaces import add_default_spaces
-from .draft import Box, Draft
+from .draft import Draft
 from .features import BEYOND_POPPLER, FEATURES
 from .file_bytes import FILES
 from .pages import file_of

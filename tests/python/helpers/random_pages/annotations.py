@@ -1,7 +1,8 @@
 """Annotations: what a page shows above its content."""
 
+from boxes import Box
+
 from . import layers
-from .draft import Box
 from .matrices import numbers, of_any
 from .paints import sh
 

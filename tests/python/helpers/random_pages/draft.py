@@ -3,28 +3,11 @@
 import random
 from typing import NamedTuple
 
+from boxes import Box
+
 from .features import FEATURES, NAMES
 from .file_bytes import Objects
 from .matrices import IDENTITY, numbers, product
-
-
-class Box(NamedTuple):
-    x: float
-    y: float
-    width: float
-    height: float
-
-    def grown(self, by):
-        return Box(self.x - by, self.y - by, self.width + 2 * by, self.height + 2 * by)
-
-    def point(self, right, up):
-        """The point at these shares of the width and the height."""
-        return self.x + right * self.width, self.y + up * self.height
-
-    @property
-    def corners(self):
-        """As a PDF rectangle: the lower left and the upper right corner."""
-        return self.x, self.y, self.x + self.width, self.y + self.height
 
 
 class Layer(NamedTuple):

@@ -1,6 +1,7 @@
 """Soft masks: forms whose luminosity or opacity says how much is seen of what is painted."""
 
-from .draft import Box
+from boxes import Box
+
 from .matrices import numbers
 from .shapes import SHAPES
 

@@ -1,7 +1,8 @@
 """What meshes paint: whole shadings, areas, lines, letters and tiles."""
 
+from boxes import Box
+
 from .color_spaces import Space
-from .draft import Box
 from .fonts import font_of_meshes
 from .matrices import IDENTITY, numbers, of_any, product
 from .meshes import any_shading, mesh, shading
