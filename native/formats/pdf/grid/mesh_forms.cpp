@@ -9,7 +9,6 @@
 #include "formats/pdf/grid/page_grids.h"
 #include "formats/pdf/grid/page_mesh.h"
 #include "formats/pdf/grid/paired_triangles.h"
-#include "formats/pdf/grid/quartered_cells.h"
 #include "formats/pdf/grid/refined_grid.h"
 #include "formats/pdf/grid/smooth_grid.h"
 #include "formats/pdf/grid/without_anchors.h"
@@ -144,10 +143,6 @@ MeshForms::MeshForms(const std::vector<ShadingPatch>& own, const std::vector<Pag
     else
       others_.push_back({page_mesh(joined, mesh_tolerance), MeshForm::Kind::joined});
   }
-  if (const std::vector<ShadingPatch> quarters = quartered_cells(own);
-      !std::ranges::equal(quarters, own))
-    if (const std::optional<ArtistsGrid> grid = one_grid(colored(quarters)))
-      grids_.push_back({form_of(patches_of(*grid), MeshForm::Kind::joined), nullptr});
   others_.push_back({page_mesh(all, mesh_tolerance)});
 }
 
