@@ -24,6 +24,8 @@ void write_objects(const std::vector<PageObject>& objects, const Translation& la
                  {mesh, *form.blocks, label.in(language), before}};
     made.stroke = object.stroke;
     made.blend_mode = object.blend_mode;
+    made.to_page = object.to_page;
+    made.groups = object.groups;
     add(object.page, made);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,12 +20,16 @@ struct PageObject {
   std::string id;
   /// Through which it is seen, the innermost first; at least one.
   std::vector<SvgShape> shapes;
-  /// In pixels of the page.
+  /// In pixels.
   Mesh mesh;
   /// Those of the page's own patches.
   int patches, handles;
   std::optional<SvgStroke> stroke;
   std::string blend_mode;
+  /// From the coordinates of the mesh and of its own shape to those of the page.
+  Affine to_page = {};
+  /// Those that it lies in, the outermost first.
+  std::vector<std::shared_ptr<const SvgGroup>> groups = {};
 };
 
 /// The meshes of a document of pages, in painting order.

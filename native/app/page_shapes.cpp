@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "formats/svg/values/mesh_outline.h"
@@ -25,7 +26,7 @@ Box box_of(const PagePath& path) {
 /// Returns a box that holds all that a stroke paints; of its curves it is the exact one, since
 /// programs clip by boxes that are hardly larger.
 Box box_of(const PageStroke& stroke) {
-  const auto& [path, line] = stroke;
+  const auto& [path, line, pen] = stroke;
   Box curves;
   glm::dvec2 here(0.0);
   for (const auto& [kind, points] : path.steps) {
@@ -37,7 +38,11 @@ Box box_of(const PageStroke& stroke) {
   }
   const double corner = line.cap == LineCap::square ? std::numbers::sqrt2 : 1;
   const double reach = line.join == LineJoin::miter ? std::max(corner, line.miter_limit) : corner;
-  const double margin = 0.5 * reach * std::max(line.width, thinnest_line / pixels_per_point);
+  const double least = thinnest_line / pixels_per_point;
+  // As far as the ellipse reaches that the pen is.
+  const glm::dmat2 rows = glm::transpose(pen.linear);
+  const glm::dvec2 pen_reach(glm::length(rows[0]), glm::length(rows[1]));
+  const glm::dvec2 margin = 0.5 * reach * std::max(line.width, least) * pen_reach;
   Box box;
   box.add(curves.low() - margin);
   box.add(curves.high() + margin);
@@ -72,6 +77,12 @@ bool shows_all(const PagePath& path, const Box& box) {
          seen.high().x >= box.high().x - rounding && seen.high().y >= box.high().y - rounding;
 }
 
+PagePath mapped(PagePath path, const Affine& map) {
+  for (PagePath::Step& step : path.steps)
+    for (glm::dvec2& point : step.points) point = map.point(point);
+  return path;
+}
+
 }  // namespace
 
 std::string path_data(const PagePath& path) {
@@ -100,7 +111,8 @@ std::string path_data(const PagePath& path) {
 }
 
 std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const PageStroke* stroke) {
-  Box box = bounding_box(mesh, Affine::scaling(glm::dvec2(1 / pixels_per_point)));
+  const Affine to_points = Affine::scaling(glm::dvec2(1 / pixels_per_point));
+  Box box = bounding_box(mesh, stroke ? stroke->pen * to_points : to_points);
   if (stroke) {
     box = overlap(box, box_of(*stroke));
     if (box.empty()) return {};
@@ -117,7 +129,7 @@ std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const Page
     if (!is_there) shapes.push_back(std::move(shape));
   }
   if (stroke)
-    shapes.insert(shapes.begin(), {path_data(stroke->path)});
+    shapes.insert(shapes.begin(), {path_data(mapped(stroke->path, stroke->pen.inverse()))});
   else if (shapes.empty())
     shapes.push_back({covering_path(mesh)});
   return shapes;

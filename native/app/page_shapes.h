@@ -18,7 +18,8 @@ std::string path_data(const PagePath& path);
 
 /// Returns the shapes through which a mesh of a page is seen, the innermost first: clip paths
 /// that hide some of it, or else what is around it alone; in front of them the path of the stroke,
-/// if it paints one. Empty if they hide all of it.
+/// if it paints one, in the coordinates of its pen, as those of the mesh are. Empty if they hide
+/// all of it.
 std::vector<SvgShape> shapes_of(const Mesh& mesh, const Clips& clips, const PageStroke* stroke);
 
 /// Returns the same stroke in pixels.

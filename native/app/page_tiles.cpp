@@ -25,7 +25,7 @@ bool is_tile(const ShownShading& shading) {
 }
 
 bool is_painted_alike(const PaintedShading& a, const PaintedShading& b) {
-  return a.opacity == b.opacity && a.blend_mode == b.blend_mode;
+  return a.opacity == b.opacity && a.blend_mode == b.blend_mode && a.group == b.group;
 }
 
 bool is_same(const Clips& a, const Clips& b) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -209,6 +211,15 @@ class PdfReader {
           "{0}, page {1}, mesh {2}: it is seen through text whose letters the document does "
           "not hold, so that boxes stand for them.",
           name_, page + 1, number + 1));
+    const auto is_as_in_svg = [](const PageGroup* group) {
+      while (group && group->is_as_in_svg) group = group->around.get();
+      return !group;
+    };
+    if (!is_as_in_svg(painted.group.get()))
+      found_.left_out.push_back(
+          Message("{0}, page {1}, mesh {2}: it lies in a group whose colours are mixed in a way "
+                  "that SVG does not have.",
+                  name_, page + 1, number + 1));
     if (painted.is_repeated)
       found_.left_out.push_back(
           Message("{0}, page {1}, mesh {2}: a pattern repeats it; it is read once.", name_,
@@ -234,6 +245,22 @@ class PdfReader {
     if (painted.stroke) stroke = svg_stroke(painted.stroke->line);
     objects_.push_back({pages_.size(), id, std::move(shapes), std::move(chosen.mesh), patches,
                         chosen.page_handles, std::move(stroke), painted.blend_mode});
+    if (painted.stroke) objects_.back().to_page = painted.stroke->pen;
+    objects_.back().groups = svg_groups(painted.group);
+  }
+
+  /// Returns the groups of SVG that a group of a page and those around it become.
+  std::vector<std::shared_ptr<const SvgGroup>> svg_groups(
+      const std::shared_ptr<const PageGroup>& innermost) {
+    std::vector<std::shared_ptr<const SvgGroup>> groups;
+    for (auto group = innermost; group; group = group->around) {
+      std::shared_ptr<const SvgGroup>& made = groups_[group];
+      if (!made)
+        made = std::make_shared<const SvgGroup>(
+            SvgGroup{group->opacity, group->blend_mode, group->is_isolated});
+      groups.insert(groups.begin(), made);
+    }
+    return groups;
   }
 
   /// Returns the record of which these patches are parts; nothing if there is none.
@@ -267,6 +294,7 @@ class PdfReader {
   std::optional<std::pair<std::size_t, std::size_t>> first_left_out_;
   std::vector<SvgPage> pages_;
   std::vector<PageObject> objects_;
+  std::map<std::shared_ptr<const PageGroup>, std::shared_ptr<const SvgGroup>> groups_;
   FoundPages found_;
 };
 

@@ -92,6 +92,28 @@ TEST_F(InsertPages, puts_them_into_a_group) {
   EXPECT_LT(text.find("id=\"page-1-mesh-1\""), text.find("</g>"));
 }
 
+TEST_F(InsertPages, keeps_the_ellipse_of_a_stroke_and_the_groups_of_a_page) {
+  const std::string form =
+      "/Type /XObject /Subtype /Form /BBox [0 0 90 90] /Group << /S /Transparency >>";
+  const std::string entries =
+      "/MediaBox [0 0 150 75] /Resources << /Shading << /sh 5 0 R >> /Pattern << /p << "
+      "/PatternType "
+      "2 /Shading 5 0 R >> >> /XObject << /x 6 0 R >> /ExtGState << /half << /ca 0.5 >> >> >>";
+  std::ofstream(path_, std::ios::binary)
+      << pdf_document(entries, "q /Pattern CS /p SCN 4 0 0 1 0 0 cm 0 4 m 2 4 l S Q /half gs /x Do",
+                      {square_shading(), pdf_stream(form, "/sh sh /sh sh")});
+  const auto document =
+      svg("width=\"150\" height=\"100\"", "<g id=\"own\" transform=\"translate(7 5) scale(2)\"/>");
+  insert(*document, {}, "own");
+  for (const char* id : {"page-1-mesh-1", "page-1-mesh-2", "page-1-mesh-3"})
+    expect_box(seen(*document, id), {0, 88}, {12, 100});
+  const std::string text = document->bytes();
+  const std::size_t group = text.find("<g style=\"opacity:0.5\">");
+  ASSERT_NE(group, text.npos);
+  EXPECT_LT(text.find("id=\"page-1-mesh-1\""), group);
+  EXPECT_LT(group, text.find("id=\"page-1-mesh-2\""));
+}
+
 TEST_F(InsertPages, gives_ids_that_are_free) {
   write({1});
   const auto document = svg("width=\"150\" height=\"100\"");

@@ -17,8 +17,10 @@ namespace {
 std::string entries(int first_object) {
   const auto object = [&](int n) { return std::to_string(first_object + n) + " 0 R"; };
   return "/MediaBox [0 0 150 75] /Resources << /Shading << /sh " + object(0) + " /boxed " +
-         object(1) + " /broken " + object(2) +
-         " >> /ExtGState << /screen << /BM [/Strange /Screen] >> /hard << /BM /HardLight >> >> >>";
+         object(1) + " /broken " + object(2) + " >> /Pattern << /p << /PatternType 2 /Shading " +
+         object(0) + " >> >> /XObject << /two " + object(3) +
+         " >> /ExtGState << /half << /ca 0.5 >> /screen << /BM [/Strange /Screen] >> /hard << /BM "
+         "/HardLight >> >> >>";
 }
 
 std::vector<std::string> objects() {
@@ -26,7 +28,11 @@ std::vector<std::string> objects() {
   std::string boxed = square, broken = square;
   boxed.insert(2, " /BBox [0 0 9 4.5]");
   broken.replace(broken.find("/BitsPerFlag 8"), 14, "/BitsPerFlag 3");
-  return {square, boxed, broken};
+  const std::string both = "/sh sh q 0 0 m 9 0 l 0 9 l h W n /sh sh Q";
+  return {
+      square, boxed, broken,
+      pdf_stream("/Type /XObject /Subtype /Form /BBox [0 0 90 90] /Group << /S /Transparency >>",
+                 both)};
 }
 
 std::unique_ptr<Document> read(const std::vector<std::string>& contents,
@@ -131,6 +137,33 @@ TEST(PageDocuments, are_mixed_with_what_lies_below) {
   const std::size_t group = text.find("<g clip-path");
   ASSERT_NE(group, text.npos);
   EXPECT_LT(text.find("mix-blend-mode:screen"), text.find('>', group));
+}
+
+TEST(PageDocuments, are_mixed_as_a_group_where_the_page_has_one) {
+  const std::string text =
+      read({"/sh sh q /half gs /screen gs /two Do Q q /half gs /two Do Q /sh sh"})->bytes();
+  const std::size_t first = text.find("<g style=\"mix-blend-mode:screen;opacity:0.5\">"),
+                    second = text.find("<g style=\"opacity:0.5\">");
+  ASSERT_NE(first, text.npos);
+  ASSERT_NE(second, text.npos);
+  const auto place = [&](const char* id) { return text.find('"' + std::string(id) + '"', 0); };
+  EXPECT_LT(place("page-1-mesh-1"), first);
+  EXPECT_LT(first, place("page-1-mesh-2"));
+  EXPECT_LT(place("page-1-mesh-3"), second);
+  EXPECT_LT(second, place("page-1-mesh-4"));
+  EXPECT_EQ(text.find("opacity:0.5", second + 20), text.npos);
+}
+
+TEST(PageDocuments, have_strokes_that_are_wider_in_one_direction) {
+  const auto document = read({"/Pattern CS /p SCN q 4 0 0 1 0 0 cm 1 w 0 4 m 2 4 l S Q"});
+  const std::string text = document->bytes();
+  EXPECT_NE(text.find("transform=\"matrix(2 0 0 0.5 0 0)\""), std::string::npos);
+  EXPECT_NE(text.find("stroke-width:2.6666"), std::string::npos);
+  // In the coordinates of the pen, in which the mesh is, too.
+  EXPECT_EQ(path_of(*document, "page-1-mesh-1"), "M0,189.333333 L5.33333333,189.333333");
+  const Box mesh = bounding_box(document->mesh(document->meshes().at(0)), {});
+  EXPECT_NEAR(mesh.high().x, 6, 1e-4);
+  EXPECT_NEAR(mesh.low().y, 176, 1e-3);
 }
 
 TEST(PageDocuments, tell_what_is_left_out) {

@@ -166,6 +166,23 @@ TEST(PdfStroke, HasLengthsOfThePage) {
   EXPECT_DOUBLE_EQ(line.dash_phase, 4);
 }
 
+TEST(PdfStroke, IsWiderInOneDirectionAsThePageHasIt) {
+  EXPECT_EQ(stroked_by("8 0 0 2 5 5 cm 0 0 m 9 9 l S").pen.linear, glm::dmat2(2, 0, 0, 0.5));
+  // What turns and scales leaves circles, and nothing is thinner than a line that can just be seen.
+  EXPECT_EQ(stroked_by("0 3 -3 0 5 5 cm 0 0 m 9 9 l S").pen, Affine());
+  EXPECT_EQ(stroked_by("8 0 0 2 5 5 cm 0 w 0 0 m 9 9 l S").pen, Affine());
+  EXPECT_EQ(stroked_by("8 0 0 0 5 5 cm 0 0 m 9 9 l S").pen, Affine());
+  // The ellipse of a map is that of its pen, times the width.
+  const glm::dmat2 skewed(3, -1, 2, -5);
+  const PageStroke stroke = stroked_by("2 w 3 1 2 5 0 0 cm 0 0 m 9 9 l S");
+  const glm::dmat2 pen = 0.5 * stroke.line.width * stroke.pen.linear;
+  const glm::dmat2 apart = pen * glm::transpose(pen) - skewed * glm::transpose(skewed);
+  for (int column = 0; column < 2; ++column) {
+    EXPECT_NEAR(apart[column].x, 0, 1e-12);
+    EXPECT_NEAR(apart[column].y, 0, 1e-12);
+  }
+}
+
 TEST(PdfStroke, IsOpaqueAsStrokesAre) {
   const std::string line = " 0 0 m 9 9 l S ";
   const PageContent page =

@@ -1,7 +1,7 @@
 """Random pages of PDF look in Inkscape as poppler shows them, or a sentence tells what is left out of them.
 
 The environment variable GRADMESH_RANDOM_PAGES says how many there are, GRADMESH_RANDOM_FIRST with which seed they
-begin. `python -m random_pages` prints a table of any pages, with features that are not read yet.
+begin. `python -m random_pages` prints a table of any pages.
 """
 
 import os
@@ -24,9 +24,6 @@ pytestmark = [needs(), pytest.mark.skipif(bool(missing()), reason=missing() or "
 LIMIT = 0.02
 FIRST = int(os.environ.get("GRADMESH_RANDOM_FIRST", 0))
 SEEDS = range(FIRST, FIRST + int(os.environ.get("GRADMESH_RANDOM_PAGES", 40)))
-#: What pages may have that is not read as it should be yet.
-TO_COME = ("blended group", "box of a mask", "stretched", "two in a translucent group")
-READ_TODAY = tuple(feature for feature in random_pages.FEATURES if feature not in TO_COME)
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +33,7 @@ def pages(request, inkscape, tmp_path_factory):
     items = [item.callspec.params for item in request.session.items if hasattr(item, "callspec")]
     paths = {seed: folder / f"{seed}.pdf" for seed in sorted({item["page"] for item in items if "page" in item})}
     for seed, path in paths.items():
-        path.write_bytes(random_pages.document(seed, READ_TODAY))
+        path.write_bytes(random_pages.document(seed))
     found = outcomes(inkscape, paths.values(), timeout=60 + 10 * len(paths))
     if without := [told for outcome in found.values() for told in outcome.told if "was built without PDF" in told]:
         pytest.skip(without[0])
@@ -48,7 +45,7 @@ def test_a_page_looks_as_poppler_shows_it(pages, page):
     outcome = pages[page]
     if outcome.passes(LIMIT):
         return
-    features = ", ".join(sorted(random_pages.page(page, READ_TODAY).features))
+    features = ", ".join(sorted(random_pages.page(page).features))
     pytest.fail(f"{outcome.fault or f'FLIP is {outcome.error:.4f}'} of a page with: {features}")
 
 

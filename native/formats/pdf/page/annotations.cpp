@@ -1,6 +1,8 @@
 #include "formats/pdf/page/annotations.h"
 
 #include <optional>
+#include <set>
+#include <string>
 
 #include "base/clamped_int.h"
 #include "formats/pdf/objects/dictionary.h"
@@ -22,11 +24,14 @@ bool is_shown(QPDFObjectHandle annotation) {
 }
 
 /// Returns the form that an annotation shows now: the one for its state, where there are several.
+/// Without a state it is, as poppler has it, the only one, or else that for "Off".
 QPDFObjectHandle appearance_of(QPDFObjectHandle annotation) {
   QPDFObjectHandle normal = value_of(value_of(annotation, "/AP"), "/N");
   if (normal.isStream()) return normal;
   QPDFObjectHandle state = value_of(annotation, "/AS");
-  return state.isName() ? value_of(normal, state.getName()) : QPDFObjectHandle::newNull();
+  if (state.isName()) return value_of(normal, state.getName());
+  const auto states = normal.isDictionary() ? normal.getKeys() : std::set<std::string>();
+  return value_of(normal, states.size() == 1 ? *states.begin() : "/Off");
 }
 
 std::optional<Box> box_of(QPDFObjectHandle object, const Affine& map = {}) {

@@ -292,9 +292,9 @@ void ContentOperators::stroke(const PagePath& path) {
   if (!state_.stroke_pattern) return mark_other();
   PagePath drawn = without_idle_moves(path);
   if (drawn.steps.empty() || !lies_near_pages(drawn)) return;
-  PageStroke stroke{std::move(drawn), mapped(state_.line, state_.to_page)};
   paint_pattern(*state_.stroke_pattern, state_.clips, state_.stroke_opacity,
-                std::make_shared<const PageStroke>(std::move(stroke)));
+                std::make_shared<const PageStroke>(
+                    page_stroke(std::move(drawn), state_.line, state_.to_page)));
 }
 
 void ContentOperators::end_path() {
@@ -315,9 +315,11 @@ void ContentOperators::add_to(Clips& clips, const PagePath& area) {
 
 void ContentOperators::mark_area(const PagePath& path) {
   if (!reader_.marks_ || is_hidden()) return;
-  MaskArea area{state_.clips, state_.opacity * state_.group_opacity};
+  MaskArea area{state_.clips, state_.opacity};
+  for (const PageGroup* group = state_.group.get(); group; group = group->around.get())
+    area.opacity *= group->opacity;
   add_to(area.clips, path);
-  if (state_.mask || !state_.mask_clips.empty()) return mark_other();
+  if (state_.mask || state_.group_mask || !state_.mask_clips.empty()) return mark_other();
   reader_.marks_->areas.push_back(std::move(area));
 }
 
@@ -332,16 +334,15 @@ void ContentOperators::set_color(std::optional<PagePattern>& pattern) {
 }
 
 void ContentOperators::paint_shading() {
-  paint({named("/Shading"), spaces_, state_.to_page, state_.clips,
-         state_.opacity * state_.group_opacity, state_.mask, nullptr});
+  paint({named("/Shading"), spaces_, state_.to_page, state_.clips, state_.opacity, nullptr});
 }
 
 void ContentOperators::paint_pattern(const PagePattern& pattern, Clips clips, double opacity,
                                      std::shared_ptr<const PageStroke> stroke) {
   QPDFObjectHandle object = pattern.object;
   if (object.isStream()) return paint_cell(pattern, std::move(clips), opacity, std::move(stroke));
-  paint({value_of(object, "/Shading"), pattern.spaces, pattern.to_page, std::move(clips),
-         opacity * state_.group_opacity, state_.mask, std::move(stroke)});
+  paint({value_of(object, "/Shading"), pattern.spaces, pattern.to_page, std::move(clips), opacity,
+         nullptr, std::move(stroke)});
 }
 
 void ContentOperators::paint_cell(const PagePattern& pattern, Clips clips, double opacity,
@@ -350,20 +351,18 @@ void ContentOperators::paint_cell(const PagePattern& pattern, Clips clips, doubl
   const Affine& to_page = pattern.to_page;
   const PatternCell cell =
       cell_within(pattern.object, to_page, stroke ? stroke->path : *clips.back());
-  GraphicsState inside;
+  GraphicsState inside = state_;
   inside.to_page = to_page * Affine::translation(cell.place);
   inside.clips = std::move(clips);
   clip_to_box(inside.clips, pattern.object, inside.to_page);
-  inside.group_opacity = opacity * state_.group_opacity;
-  inside.group_blend_mode =
-      state_.blend_mode == "normal" ? state_.group_blend_mode : state_.blend_mode;
-  inside.mask = state_.mask;
-  inside.mask_clips = state_.mask_clips;
-  inside.mask_opacity = state_.mask_opacity;
+  begin_group(inside, {.opacity = opacity});
+  inside.pattern.reset();
+  inside.stroke_pattern.reset();
+  inside.text = {};
+  inside.line = {};
   inside.is_hidden = is_hidden();
   inside.is_repeated = state_.is_repeated || !cell.is_only;
-  inside.stroke_around = stroke ? std::move(stroke) : state_.stroke_around;
-  inside.has_text_boxes = state_.has_text_boxes;
+  if (stroke) inside.stroke_around = std::move(stroke);
   reader_.read_within(pattern.object, pattern.resources, inside);
 }
 
@@ -384,7 +383,9 @@ void ContentOperators::paint(PaintedShading painted) {
   painted.is_repeated = state_.is_repeated;
   painted.has_text_boxes = state_.has_text_boxes;
   if (!painted.stroke) painted.stroke = state_.stroke_around;
-  painted.blend_mode = state_.blend_mode == "normal" ? state_.group_blend_mode : state_.blend_mode;
+  painted.blend_mode = state_.blend_mode;
+  painted.group = state_.group;
+  painted.mask = through_both(state_.group_mask, state_.mask);
   reader_.painted_.push_back(std::move(painted));
 }
 

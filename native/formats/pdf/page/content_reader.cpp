@@ -10,8 +10,14 @@
 #include "formats/pdf/objects/stream_bytes.h"
 #include "formats/pdf/page/clip_box.h"
 #include "formats/pdf/page/content_operators.h"
+#include "formats/pdf/page/lone_groups.h"
 
 namespace gradmesh {
+namespace {
+
+bool is_true(QPDFObjectHandle value) { return value.isBool() && value.getBoolValue(); }
+
+}  // namespace
 
 void ContentReader::read(const std::vector<QPDFObjectHandle>& contents,
                          const QPDFObjectHandle& resources, const GraphicsState& state) {
@@ -46,14 +52,10 @@ void ContentReader::read_form(QPDFObjectHandle form, const QPDFObjectHandle& res
   state.is_hidden = state.is_hidden || !layers_.shows(value_of(form, "/OC"));
   state.to_page = state.to_page * matrix_of(value_of(form, "/Matrix"));
   clip_to_box(state.clips, form, state.to_page);
-  if (value_of(form, "/Group").isDictionary()) {
-    state.group_opacity *= state.opacity * state.mask_opacity;
-    state.opacity = state.stroke_opacity = state.mask_opacity = 1;
-    state.clips.insert(state.clips.begin(), state.mask_clips.begin(), state.mask_clips.end());
-    state.mask_clips.clear();
-    if (state.blend_mode != "normal") state.group_blend_mode = state.blend_mode;
-    state.blend_mode = "normal";
-  }
+  if (QPDFObjectHandle group = value_of(form, "/Group"); group.isDictionary())
+    begin_group(state, {.opacity = state.opacity,
+                        .is_isolated = is_true(value_of(group, "/I")),
+                        .is_knockout = is_true(value_of(group, "/K"))});
   read_within(form, resources, state);
 }
 
@@ -120,6 +122,7 @@ void ContentReader::set_mask(QPDFObjectHandle mask, const QPDFObjectHandle& reso
     state.mask_opacity = area->opacity;
     return;
   }
+  leave_lone_groups(painted);
   // Whoever finds no shadings in it says that it is left out.
   if (is_alpha || is_changed) painted.clear();
   state.mask = std::make_shared<const std::vector<PaintedShading>>(std::move(painted));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formats/pdf/page/graphics_state.h"
@@ -28,7 +29,7 @@ class ContentReader {
   void read_form(QPDFObjectHandle form, const QPDFObjectHandle& resources, GraphicsState state);
 
   const Layers& layers() const { return layers_; }
-  const std::vector<PaintedShading>& painted() const { return painted_; }
+  std::vector<PaintedShading> take_painted() { return std::move(painted_); }
   /// Returns how many further ones are in layers that are off.
   int hidden() const { return hidden_; }
   /// Whether a content stream is damaged: what lies before that was read.

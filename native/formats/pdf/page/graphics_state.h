@@ -9,6 +9,7 @@
 #include "formats/pdf/objects/page_path.h"
 #include "formats/pdf/objects/qpdf.h"
 #include "formats/pdf/page/line_style.h"
+#include "formats/pdf/page/page_group.h"
 #include "formats/pdf/page/page_stroke.h"
 #include "formats/pdf/text/shown_text.h"
 
@@ -21,6 +22,10 @@ struct NamedSpaces {
   std::string text;
 };
 
+struct PaintedShading;
+/// The shadings whose luminosity is the opacity of another; null if there is no such mask.
+using Mask = std::shared_ptr<const std::vector<PaintedShading>>;
+
 /// A shading where a page paints it.
 struct PaintedShading {
   QPDFObjectHandle shading;
@@ -30,12 +35,13 @@ struct PaintedShading {
   Affine to_page;
   Clips clips;
   double opacity = 1;
-  /// The shadings whose luminosity is its opacity, if there is such a mask.
-  std::shared_ptr<const std::vector<PaintedShading>> mask;
+  Mask mask;
   /// The stroke that it paints; null if it paints an area. The clips are then others than its path.
   std::shared_ptr<const PageStroke> stroke = nullptr;
   /// How it is mixed with what lies below, a CSS word (blend_mode.h).
   std::string blend_mode = "normal";
+  /// The group that it lies in; null where that changes nothing (lone_groups.h).
+  std::shared_ptr<const PageGroup> group = nullptr;
   /// Whether boxes stand for letters through which it is seen.
   bool has_text_boxes = false;
   /// Whether it lies in the cell of a pattern, of which the page shows more.
@@ -55,11 +61,12 @@ struct PagePattern {
 struct GraphicsState {
   Affine to_page;
   Clips clips;
-  /// The constant alphas of fills and of strokes, and that of the groups around.
-  double opacity = 1, stroke_opacity = 1, group_opacity = 1;
-  /// The blend mode, and that of the innermost group around that has one.
-  std::string blend_mode = "normal", group_blend_mode = "normal";
-  std::shared_ptr<const std::vector<PaintedShading>> mask;
+  /// The constant alphas of fills and of strokes.
+  double opacity = 1, stroke_opacity = 1;
+  std::string blend_mode = "normal";
+  std::shared_ptr<const PageGroup> group;
+  /// The mask, and that of the groups around.
+  Mask mask, group_mask;
   /// What a mask that is an area hides nothing of, and how opaque it is there.
   Clips mask_clips;
   double mask_opacity = 1;
@@ -75,5 +82,13 @@ struct GraphicsState {
   /// With lengths in the coordinates of the content.
   LineStyle line;
 };
+
+/// Returns the mask through which is seen what two masks are around: one without shadings, which
+/// no mesh can have, where there are both.
+Mask through_both(const Mask& one, const Mask& other);
+
+/// Makes what follows belong to a transparency group, which has the opacity of `group`, and the
+/// blend mode and the masks of the state so far.
+void begin_group(GraphicsState& state, PageGroup group);
 
 }  // namespace gradmesh

@@ -52,19 +52,4 @@ void set_line_style(LineStyle& line, QPDFObjectHandle state) {
     set_dashes(line, dash.getArrayItem(0), dash.getArrayItem(1));
 }
 
-LineStyle mapped(LineStyle line, const Affine& map) {
-  // A map that is no similarity makes a line wider in one direction than in another, which no
-  // stroke of a path on the page does: it gets the width between them that keeps areas.
-  const double scale = std::sqrt(std::abs(map.determinant()));
-  const auto put = [&](double& length) {
-    // What is longer than any page is wide looks the same, and is a number that SVG can hold.
-    constexpr double longest = 1e6;
-    length = std::clamp(scale * length, -longest, longest);
-  };
-  put(line.width);
-  std::ranges::for_each(line.dashes, put);
-  put(line.dash_phase);
-  return line;
-}
-
 }  // namespace gradmesh

@@ -33,7 +33,4 @@ void set_dashes(LineStyle& line, QPDFObjectHandle dashes, QPDFObjectHandle phase
 /// Sets what a dictionary of graphics state parameters holds of it (ISO 32000-1, table 58).
 void set_line_style(LineStyle& line, QPDFObjectHandle state);
 
-/// Returns a style whose lengths are those of the map's target.
-LineStyle mapped(LineStyle line, const Affine& map);
-
 }  // namespace gradmesh

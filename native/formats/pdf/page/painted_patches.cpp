@@ -30,12 +30,12 @@ struct Masked {
 };
 
 /// Returns what one shading of a mask does to patches, if it has the same patches.
-std::optional<Masked> masked_by(const PaintedShading& mask,
+std::optional<Masked> masked_by(const PaintedShading& mask, const Affine& from_page,
                                 const std::vector<ShadingPatch>& patches, KeptShadings& kept) try {
   const auto unplaced = kept.read(mask);
   // Those that lie beyond any page are not among `patches`.
-  if (mask.mask || unplaced->patches.size() < patches.size()) return {};
-  const PageShading read = placed(*unplaced, mask.to_page);
+  if (mask.mask || mask.group || unplaced->patches.size() < patches.size()) return {};
+  const PageShading read = placed(*unplaced, from_page * mask.to_page);
   if (!std::ranges::equal(read.patches, patches, has_same_points)) return {};
   std::vector<CornerOpacities> opacities;
   for (const ShadingPatch& patch : read.patches) {
@@ -50,25 +50,26 @@ std::optional<Masked> masked_by(const PaintedShading& mask,
 
 /// Returns what a mask does to patches, if one of its shadings has the same patches, as in the
 /// documents of Inkscape (cairo).
-std::optional<Masked> masked_by(const std::vector<PaintedShading>& mask,
+std::optional<Masked> masked_by(const std::vector<PaintedShading>& mask, const Affine& from_page,
                                 const std::vector<ShadingPatch>& patches, KeptShadings& kept) {
   // A stranger's mask of thousands, on each of thousands of shadings, would take hours.
   constexpr std::size_t most_shadings = 16;
   if (mask.size() > most_shadings) return {};
   // Of two the later one lies on top.
   for (auto each = mask.rbegin(); each != mask.rend(); ++each)
-    if (auto masked = masked_by(*each, patches, kept)) return masked;
+    if (auto masked = masked_by(*each, from_page, patches, kept)) return masked;
   return {};
 }
 
 }  // namespace
 
 PaintedPatches painted_patches(const PaintedShading& painted, KeptShadings& kept) {
-  PaintedPatches made{placed(*kept.read(painted), painted.to_page), {}, {}};
+  const Affine from_page = painted.stroke ? painted.stroke->pen.inverse() : Affine();
+  PaintedPatches made{placed(*kept.read(painted), from_page * painted.to_page), {}, {}};
   if (!made.shading.colors.paints())
     throw InputError("its colorant is None, of which nothing is seen");
   const std::vector<ShadingPatch>& patches = made.shading.patches;
-  auto masked = painted.mask ? masked_by(*painted.mask, patches, kept) : std::nullopt;
+  auto masked = painted.mask ? masked_by(*painted.mask, from_page, patches, kept) : std::nullopt;
   made.mask_left_out = painted.mask && !masked;
   if (masked) made.mask_clips = std::move(masked->clips);
   made.opacities = masked

@@ -9,14 +9,14 @@ namespace gradmesh {
 
 /// What a page shows of a shading.
 struct PaintedPatches {
-  /// Its own patches, in page coordinates.
+  /// Its own patches, in page coordinates, or in those of the pen that it strokes with.
   PageShading shading;
   /// The opacities of their corners, one for each of them.
   std::vector<CornerOpacities> opacities;
   /// The patches that show them as a mesh of SVG does, divided where their colours need it.
   std::vector<PagePatch> patches;
   /// What it is seen through beside its own clip paths: those of the mask that it has opacities of.
-  Clips mask_clips;
+  Clips mask_clips = {};
   /// Whether it is seen through a mask that has no opacities for its corners: then it is as if
   /// there were none.
   bool mask_left_out = false;

@@ -9,6 +9,7 @@
 #include "formats/pdf/objects/qpdf.h"
 #include "formats/pdf/page/annotations.h"
 #include "formats/pdf/page/content_reader.h"
+#include "formats/pdf/page/lone_groups.h"
 #include "formats/pdf/page/private_data.h"
 
 namespace gradmesh {
@@ -100,7 +101,8 @@ PageContent PdfFile::page(std::size_t number, bool all_layers) const {
   } catch (const std::exception&) {
     content.is_damaged = true;
   }
-  content.painted = reader.painted();
+  content.painted = reader.take_painted();
+  leave_lone_groups(content.painted);
   content.hidden = reader.hidden();
   content.is_damaged = content.is_damaged || reader.is_damaged();
   // Without it the page is read as well.

@@ -3,6 +3,7 @@
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/values/mesh_names.h"
 #include "formats/svg/values/reference.h"
+#include "formats/svg/values/transform.h"
 #include "formats/svg/xml/node.h"
 #include "formats/text/number.h"
 
@@ -57,11 +58,12 @@ xmlNode* clipped(SvgTree& tree, xmlNode* group, const NewMesh& mesh) {
 }  // namespace
 
 xmlNode* add_object(SvgTree& tree, xmlNode* group, const NewMesh& mesh) {
-  const auto& [id, shape, clips, written, stroke, blend_mode] = mesh;
+  const auto& [id, shape, clips, written, stroke, blend_mode, to_page, groups] = mesh;
   MeshObject object{.node = add_path(clipped(tree, group, mesh), shape, "fill-rule"),
                     .id = id,
                     .role = stroke ? PaintRole::stroke : PaintRole::fill};
   tree.set_id(object.node, id);
+  if (!(to_page == Affine())) set_attribute(object.node, "transform", transform_text(to_page));
   const std::string gradient = add_gradient(tree, written.mesh, written.form.blocks.front(),
                                             {.precision = written.form.precision}, id + "-mesh");
   object.gradient = tree.find(gradient);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/affine.h"
 #include "formats/svg/group/write_group.h"
 #include "formats/svg/tree/svg_tree.h"
 #include "geom/outline.h"
@@ -27,6 +29,14 @@ struct SvgStroke {
   double dash_offset = 0;
 };
 
+/// A group of objects that is mixed at once with what lies below.
+struct SvgGroup {
+  double opacity = 1;
+  /// A CSS word.
+  std::string blend_mode = "normal";
+  bool is_isolated = false;
+};
+
 /// A mesh that becomes a new object of a document.
 struct NewMesh {
   std::string id;
@@ -38,6 +48,10 @@ struct NewMesh {
   std::optional<SvgStroke> stroke = {};
   /// A CSS word: how the object is mixed with what lies below.
   std::string blend_mode = "normal";
+  /// From the coordinates of the mesh and of its own shape to those of the clip paths.
+  Affine to_page = {};
+  /// Those that it lies in, the outermost first; add_object() leaves them to MixedGroups.
+  std::vector<std::shared_ptr<const SvgGroup>> groups = {};
 };
 
 /// Adds an object to a group, above what is there, and gives it the id, which no element may have.

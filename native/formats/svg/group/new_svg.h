@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/svg/group/new_object.h"
+#include "formats/svg/group/mixed_groups.h"
 
 namespace gradmesh {
 
@@ -28,7 +28,9 @@ class NewSvg {
   explicit NewSvg(const std::vector<SvgPage>& pages);
 
   /// Adds an object, as add_object() does, above those that are there.
-  void add(std::size_t page, const NewMesh& mesh) { add_object(tree_, layer(page), mesh); }
+  void add(std::size_t page, const NewMesh& mesh) {
+    add_object(tree_, groups_.within(tree_, layer(page), mesh.groups), mesh);
+  }
 
   const SvgTree& tree() const { return tree_; }
 
@@ -37,6 +39,7 @@ class NewSvg {
 
   SvgTree tree_;
   std::size_t pages_;
+  MixedGroups groups_;
 };
 
 }  // namespace gradmesh

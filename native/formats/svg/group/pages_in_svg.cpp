@@ -83,12 +83,14 @@ xmlNode* PagesInSvg::add_to(xmlNode* group, std::size_t page, NewMesh& mesh) {
   for (int n = 2; tree_.find(mesh.id); ++n) mesh.id = id + "-" + std::to_string(n);
   xmlNode* const object = add_object(tree_, group, mesh);
   const Affine place = to_document(group).inverse() * places_.at(page);
-  if (!is_identity(place)) set_attribute(object, "transform", transform_text(place));
+  const bool is_itself = attribute(object, "id") == mesh.id;
+  const Affine map = is_itself ? place * mesh.to_page : place;
+  if (!is_identity(map)) set_attribute(object, "transform", transform_text(map));
   return object;
 }
 
 std::string PagesInSvg::add(std::size_t page, NewMesh mesh) {
-  add_to(layer(page), page, mesh);
+  add_to(mixed_.within(tree_, layer(page), mesh.groups), page, mesh);
   return mesh.id;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/affine.h"
+#include "formats/svg/group/mixed_groups.h"
 #include "formats/svg/group/new_svg.h"
 
 namespace gradmesh {
@@ -39,6 +40,7 @@ class PagesInSvg {
   const std::vector<Affine> places_;
   /// What objects of each page go into; null until the first of a page with a layer of its own.
   std::vector<xmlNode*> groups_;
+  MixedGroups mixed_;
 };
 
 }  // namespace gradmesh
