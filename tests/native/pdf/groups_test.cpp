@@ -95,6 +95,16 @@ TEST(PdfGroup, ThatSvgDoesNotHaveIsKnown) {
   EXPECT_FALSE(is_as_in_svg("", blended));
 }
 
+TEST(PdfGroup, WithAModeOfItsOwnIsNotThatOfOneMeshWithAnother) {
+  const auto both = painted_by("/screen gs /x Do", "", "/multiply gs /sh sh");
+  ASSERT_TRUE(both.at(0).group);
+  EXPECT_EQ(both[0].blend_mode, "multiply");
+  EXPECT_EQ(both[0].group->blend_mode, "screen");
+  EXPECT_FALSE(both[0].group->is_as_in_svg);
+  EXPECT_EQ(painted_by("/screen gs /x Do", "/I true", "/multiply gs /sh sh").at(0).blend_mode,
+            "screen");
+}
+
 TEST(PdfGroup, KeepsItsMaskWhateverIsInside) {
   EXPECT_TRUE(painted_by("/masked gs /x Do", "", "/none gs /sh sh").at(0).mask);
   EXPECT_FALSE(painted_by("/masked gs /none gs /x Do", "", "/sh sh").at(0).mask);

@@ -67,6 +67,9 @@ void leave_lone_groups(std::vector<PaintedShading>& painted) {
   for (PaintedShading& each : painted) {
     const PageGroup* group = before.emplace_back(each.group).get();
     for (; group && groups.is_alone_in(group); group = group->around.get()) {
+      // An object has one mode: the second one stays with the group.
+      if (!group->is_isolated && each.blend_mode != "normal" && group->blend_mode != "normal")
+        break;
       each.opacity *= group->opacity;
       if (group->is_isolated || each.blend_mode == "normal") each.blend_mode = group->blend_mode;
     }
