@@ -25,14 +25,14 @@ InsertedPages insert_pages(Document& document, const std::filesystem::path& path
   svg.add_pages(read.pages, options.into, [&](PagesInSvg& pages, const auto& groups) {
     std::vector<Affine> places;
     for (std::size_t n = 0; n < read.pages.size(); ++n) places.push_back(pages.place(n));
-    std::vector<const FlatTiles*> tiles(read.objects.size(), nullptr);
+    std::vector<PartOfTiles> tiles(read.objects.size());
     if (options.replace_tiles) tiles = tiles_of_meshes(read.objects, places, groups);
     std::size_t next = 0;
     write_objects(read.objects, document.translation(), [&](std::size_t page, const NewMesh& mesh) {
-      const FlatTiles* const instead = tiles[next];
-      inserted.replaced += instead != nullptr;
+      const PartOfTiles& instead = tiles[next];
+      inserted.replaced += instead.count() > 0;
       read.found.meshes[next++].id =
-          instead ? pages.add_instead(instead->group, page, mesh) : pages.add(page, mesh);
+          instead.count() > 0 ? pages.add_instead(instead, page, mesh) : pages.add(page, mesh);
     });
   });
   inserted.found = std::move(read.found);

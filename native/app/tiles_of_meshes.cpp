@@ -1,34 +1,22 @@
 #include "app/tiles_of_meshes.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <optional>
+#include <span>
 
-#include "base/clamped_int.h"
-#include "mesh/boundary.h"
-#include "metric/metric.h"
-#include "raster/picture.h"
-#include "raster/seen_areas.h"
+#include "app/mesh_among_tiles.h"
 
 namespace gradmesh {
 namespace {
 
-/// The largest FLIP, in the mean of the pixels that the mesh covers, at which tiles show the same,
-/// and at how many pixels it is measured: tiles are as fine as a page needs.
+/// The largest difference at which tiles show the same as a mesh.
 constexpr double same_look = 0.05;
-constexpr int pixels_compared = 350;
 /// The least share of the box around both that each of their boxes has.
 constexpr double least_overlap = 0.8;
 /// How many pictures are compared at most; what is left then stays beside its mesh.
 constexpr int most_comparisons = 1000;
-
-Box box_of(const std::vector<FlatArea>& tiles) {
-  Box box;
-  for (const FlatArea& tile : tiles)
-    for (const std::vector<glm::dvec2>& polygon : tile.area.outline)
-      for (const glm::dvec2 point : polygon) box.add(point);
-  return box;
-}
+/// Of fewer tiles each may be drawn for itself.
+constexpr int fewest_tiles = 4;
 
 double area(const Box& box) { return box.empty() ? 0 : box.size().x * box.size().y; }
 
@@ -36,105 +24,82 @@ bool lie_together(const Box& a, const Box& b) {
   return area(overlap(a, b)) >= least_overlap * std::max(area(a), area(b));
 }
 
-using Level = std::array<std::uint8_t, 3>;
+/// Tiles that follow one another, of which meshes take theirs.
+class Run {
+ public:
+  explicit Run(const FlatTiles& tiles)
+      : tiles_(tiles), box_(box_of(tiles.tiles)), taken_(tiles.tiles.size()) {}
 
-Level levels(const glm::dvec3& color) {
-  Level all;
-  for (int channel = 0; channel < 3; ++channel)
-    all[std::size_t(channel)] = std::uint8_t(clamped_int(std::round(255 * color[channel]), 0, 255));
-  return all;
-}
-
-/// The least and the largest levels of some pixels.
-struct Range {
-  Level least = {255, 255, 255}, most = {0, 0, 0};
-
-  void add(const Level& color) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      least[c] = std::min(least[c], color[c]);
-      most[c] = std::max(most[c], color[c]);
-    }
+  std::size_t count() const { return taken_.size(); }
+  const Box& box() const { return box_; }
+  std::span<const FlatArea> part(const MeshAmongTiles::Part& part) const {
+    return std::span(tiles_.tiles).subspan(part.begin, part.count());
   }
-  Level nearest(Level color) const {
-    for (std::size_t c = 0; c < 3; ++c)
-      if (least[c] <= most[c]) color[c] = std::clamp(color[c], least[c], most[c]);
-    return color;
+  MeshAmongTiles::Part all() const { return {0, count()}; }
+  /// Returns true if all of them are a group, of which nothing was taken.
+  bool is_whole_group() const {
+    return tiles_.group && std::ranges::find(taken_, true) == taken_.end();
   }
+  MeshAmongTiles::Part longest_part(const MeshAmongTiles& mesh) const {
+    return mesh.longest_part(tiles_.tiles, taken_);
+  }
+  PartOfTiles take(const MeshAmongTiles::Part& part) {
+    for (std::size_t n = part.begin; n < part.end; ++n) taken_[n] = true;
+    return {&tiles_, part.begin, part.end};
+  }
+
+ private:
+  const FlatTiles& tiles_;
+  const Box box_;
+  std::vector<bool> taken_;
 };
 
-/// Returns the colour nearest to each tile's that the mesh has where the tile is seen, its corners
-/// included: they lie between its pixels and those beside them.
-std::vector<Level> nearest(const MeshPicture& picture, const std::vector<int>& seen,
-                           const std::vector<FlatArea>& tiles) {
-  const int width = picture.covered.width, height = picture.covered.height;
-  std::vector<Range> ranges(tiles.size());
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      if (!*picture.covered.at(x, y)) continue;
-      const auto [red, green, blue, opacity] = picture.samples.pixel(x, y);
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
-          const int tile = seen[std::size_t(v) * std::size_t(width) + std::size_t(u)];
-          if (tile >= 0) ranges[std::size_t(tile)].add({red, green, blue});
-        }
-    }
-  std::vector<Level> all;
-  for (std::size_t n = 0; n < tiles.size(); ++n)
-    all.push_back(ranges[n].nearest(levels(tiles[n].color)));
-  return all;
-}
+class TileSearch {
+ public:
+  explicit TileSearch(const std::vector<FlatTiles>& runs) : runs_(runs.begin(), runs.end()) {}
 
-/// Returns the mean FLIP, over what a mesh covers, of tiles in its coordinates and of tiles whose
-/// colours the mesh has where they are. The mesh itself is 0.2 and more away from Inkscape's tiles,
-/// of any mesh: they are as large as its patches, and have the colour of one corner.
-double difference(const Mesh& mesh, const std::vector<FlatArea>& tiles) {
-  const Frame frame = fit_frame(mesh, {}, pixels_compared);
-  // The opacities of a mesh are a mask of its tiles.
-  const MeshPicture picture = picture_of(mesh, frame);
-  const std::vector<int> seen = seen_areas(tiles, frame);
-  const std::vector<Level> colors = nearest(picture, seen, tiles);
-  Image like_mesh(frame.width, frame.height, frame.ground), flat = like_mesh;
-  int covered = 0;
-  for (int y = 0; y < frame.height; ++y)
-    for (int x = 0; x < frame.width; ++x) {
-      if (!*picture.covered.at(x, y)) continue;
-      ++covered;
-      const int tile = seen[std::size_t(y) * std::size_t(frame.width) + std::size_t(x)];
-      const auto [red, green, blue, opacity] = picture.samples.pixel(x, y);
-      like_mesh.set_pixel(x, y, tile < 0 ? Level{red, green, blue} : colors[std::size_t(tile)]);
-      if (tile >= 0) flat.set_pixel(x, y, levels(tiles[std::size_t(tile)].color));
+  /// Returns the tiles that show the same as a mesh with so many patches on its page.
+  PartOfTiles take(const MeshAmongTiles& mesh, int patches) {
+    double least = same_look;
+    Run* best = nullptr;
+    MeshAmongTiles::Part its;
+    const auto is_better = [&](Run& run, const MeshAmongTiles::Part& part) {
+      // The import makes one tile of a patch, or several.
+      if (part.count() < std::size_t(std::max(patches, fewest_tiles)) ||
+          !lie_together(mesh.box(), box_of(run.part(part))) || ++comparisons_ > most_comparisons)
+        return false;
+      const double apart = mesh.difference_to(run.part(part));
+      if (apart > least) return false;
+      least = apart;
+      best = &run;
+      its = part;
+      return true;
+    };
+    for (Run& run : runs_) {
+      if (run.count() < std::size_t(patches) || overlap(run.box(), mesh.box()).empty()) continue;
+      if (!run.is_whole_group() || !is_better(run, run.all()))
+        is_better(run, run.longest_part(mesh));
     }
-  const Plane map = make_metric(MetricKind::flip, std::move(like_mesh))->map(flat);
-  return covered > 0 ? mean(map) * double(map.pixels()) / covered : 1;
-}
+    return best ? best->take(its) : PartOfTiles();
+  }
+
+ private:
+  std::vector<Run> runs_;
+  int comparisons_ = 0;
+};
 
 }  // namespace
 
-std::vector<const FlatTiles*> tiles_of_meshes(const std::vector<PageObject>& objects,
-                                              const std::vector<Affine>& places,
-                                              const std::vector<FlatTiles>& groups) {
-  std::vector<const FlatTiles*> found(objects.size(), nullptr);
-  int comparisons = 0;
-  std::vector<Box> boxes;
-  for (const FlatTiles& group : groups) boxes.push_back(box_of(group.tiles));
-  for (std::size_t n = 0; n < objects.size(); ++n) {
-    const PageObject& object = objects[n];
+std::vector<PartOfTiles> tiles_of_meshes(const std::vector<PageObject>& objects,
+                                         const std::vector<Affine>& places,
+                                         const std::vector<FlatTiles>& runs) {
+  std::vector<PartOfTiles> found;
+  TileSearch search(runs);
+  for (const PageObject& object : objects) {
+    found.emplace_back();
     const Affine& place = places[object.page];
-    if (object.stroke || place.determinant() == 0) continue;
-    const Box box = bounding_box(object.mesh, place);
-    double least = same_look;
-    for (std::size_t k = 0; k < groups.size(); ++k) {
-      // The import makes one tile of a patch, or several.
-      if (groups[k].tiles.size() < std::size_t(object.patches) || !lie_together(box, boxes[k]) ||
-          std::ranges::find(found, &groups[k]) != found.end() || ++comparisons > most_comparisons)
-        continue;
-      std::vector<FlatArea> tiles = groups[k].tiles;
-      for (FlatArea& tile : tiles) tile.area = mapped(std::move(tile.area), place.inverse());
-      const double apart = difference(object.mesh, tiles);
-      if (apart > least) continue;
-      least = apart;
-      found[n] = &groups[k];
-    }
+    if (object.stroke || runs.empty() || place.determinant() == 0) continue;
+    found.back() = search.take(MeshAmongTiles(object.mesh, place), object.patches);
   }
   return found;
 }

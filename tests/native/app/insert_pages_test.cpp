@@ -184,6 +184,48 @@ TEST_F(InsertPages, take_the_place_of_tiles) {
   EXPECT_NE(text.find("<clipPath id=\"used\""), text.npos);
 }
 
+TEST_F(InsertPages, take_the_place_of_tiles_among_other_paths) {
+  write({1});
+  // As the import of Inkscape 1.4 has them: beside all else of the page, each with a clip path.
+  std::string own = tiles(8);
+  for (std::size_t at = 0; (at = own.find("<path", at)) != own.npos; at += 5)
+    own.insert(at + 5, " clip-path=\"url(#clip)\"");
+  const std::string
+      below = "<path id=\"below\" d=\"M0,0h150v100h-150z\" style=\"fill:#fff\"/>",
+      blob = "<path id=\"blob\" d=\"M4,92h4v4h-4z\" style=\"fill:#123456\"/>",
+      clip = "<defs><clipPath id=\"clip\"><path d=\"M0,0h99v99h-99z\"/></clipPath></defs>";
+  const auto document = svg("width=\"150\" height=\"100\"",
+                            clip + "<g id=\"layer\">" + below + own + blob + tiles(2, 20) + "</g>");
+  EXPECT_EQ(insert_pages(*document, path_).replaced, 1);
+  const std::string text = document->bytes();
+  EXPECT_LT(text.find("\"below\""), text.find("\"page-1-mesh-1\""));
+  EXPECT_LT(text.find("\"page-1-mesh-1\""), text.find("\"blob\""));
+  EXPECT_NE(text.find(blob), text.npos);
+  EXPECT_NE(text.find(tiles(2, 20)), text.npos);
+  EXPECT_EQ(text.find("id=\"clip\""), text.npos);
+}
+
+TEST_F(InsertPages, take_tiles_of_another_colour_where_they_are_joined) {
+  write({1});
+  const auto with = [&](const std::string& other, bool is_joined) {
+    std::string own = tiles(8);
+    const std::size_t tile = own.find("<path", own.size() / 2), end = own.find("/>", tile) + 2;
+    std::string changed = own.substr(tile, end - tile);
+    if (is_joined)
+      changed.replace(changed.find("rgb("),
+                      changed.find(')', changed.find("rgb(")) + 1 - changed.find("rgb("), other);
+    else
+      changed += "<path d=\"M4.2,92.1h2v2h-2z\" style=\"fill:" + other + "\"/>";
+    own.replace(tile, end - tile, changed);
+    const auto document =
+        svg("width=\"150\" height=\"100\"", "<g><rect width=\"9\" height=\"9\"/>" + own + "</g>");
+    return insert_pages(*document, path_).replaced;
+  };
+  EXPECT_EQ(with("#123456", true), 1);
+  // What somebody has drawn between them is not taken with them.
+  EXPECT_EQ(with("#123456", false), 0);
+}
+
 TEST_F(InsertPages, leave_tiles_that_show_something_else) {
   write({1});
   std::string grey = tiles(8);

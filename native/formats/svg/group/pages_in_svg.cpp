@@ -94,14 +94,16 @@ std::string PagesInSvg::add(std::size_t page, NewMesh mesh) {
   return mesh.id;
 }
 
-std::string PagesInSvg::add_instead(xmlNode* group, std::size_t page, NewMesh mesh) {
-  xmlNode* const around = parent_element(group);
+std::string PagesInSvg::add_instead(const PartOfTiles& tiles, std::size_t page, NewMesh mesh) {
+  const std::vector<xmlNode*> elements = elements_of(tiles);
+  xmlNode* const around = parent_element(elements.front());
   if (to_document(around).determinant() == 0) return add(page, std::move(mesh));
-  xmlAddPrevSibling(group, add_to(around, page, mesh));
+  xmlAddPrevSibling(elements.front(), add_to(around, page, mesh));
   // What objects go into may lie in what is removed.
-  for (xmlNode*& into : groups_)
-    if (into && is_within(into, group)) into = around;
-  remove_with_clips(tree_, group);
+  for (xmlNode* const element : elements)
+    for (xmlNode*& into : groups_)
+      if (into && is_within(into, element)) into = around;
+  remove_with_clips(tree_, elements);
   return mesh.id;
 }
 

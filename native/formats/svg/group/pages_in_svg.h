@@ -7,6 +7,7 @@
 #include "base/affine.h"
 #include "formats/svg/group/mixed_groups.h"
 #include "formats/svg/group/new_svg.h"
+#include "formats/svg/tree/flat_tiles.h"
 
 namespace gradmesh {
 
@@ -27,8 +28,9 @@ class PagesInSvg {
   /// Adds an object above those that are there, as add_object() does, and returns its id: another
   /// one where that of the mesh is taken.
   std::string add(std::size_t page, NewMesh mesh);
-  /// Puts an object in the place of a group, which is removed with its clip paths and masks.
-  std::string add_instead(xmlNode* group, std::size_t page, NewMesh mesh);
+  /// Puts an object in the place of tiles, at least one, which are removed with their clip paths
+  /// and masks.
+  std::string add_instead(const PartOfTiles& tiles, std::size_t page, NewMesh mesh);
 
  private:
   xmlNode* layer(std::size_t page);

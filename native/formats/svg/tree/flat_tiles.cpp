@@ -26,7 +26,7 @@ std::optional<glm::dvec3> flat_color(const StyleSheet& styles, const xmlNode* pa
   return parse_color(value("fill").value_or("black"));
 }
 
-std::optional<FlatArea> flat_tile(const StyleSheet& styles, const xmlNode* path) {
+std::optional<FlatArea> flat_tile(const StyleSheet& styles, const xmlNode* path) try {
   if (svg_name(path) != "path") return {};
   const auto color = flat_color(styles, path);
   const auto outline = color ? shape_outline(path) : std::nullopt;
@@ -34,19 +34,6 @@ std::optional<FlatArea> flat_tile(const StyleSheet& styles, const xmlNode* path)
   const bool is_evenodd = styles.inherited(path, "fill-rule").value_or("") == "evenodd";
   FilledOutline area{*outline, is_evenodd ? FillRule::evenodd : FillRule::nonzero};
   return FlatArea{mapped(std::move(area), to_document(path)), *color};
-}
-
-/// Returns the tiles of a group; none where it holds something else too.
-std::vector<FlatArea> tiles_in(const StyleSheet& styles, const xmlNode* group) try {
-  const std::vector<xmlNode*> children = child_elements(group);
-  if (children.size() < fewest_tiles) return {};
-  std::vector<FlatArea> tiles;
-  for (const xmlNode* child : children) {
-    auto tile = flat_tile(styles, child);
-    if (!tile) return {};
-    tiles.push_back(std::move(*tile));
-  }
-  return tiles;
 } catch (const InputError&) {
   return {};
 }
@@ -80,15 +67,39 @@ xmlNode* outermost(const SvgTree& tree, xmlNode* group) {
   return group;
 }
 
+/// Adds the runs of tiles among the children of an element.
+void add_runs(const SvgTree& tree, xmlNode* parent, std::vector<FlatTiles>& found) {
+  FlatTiles run;
+  const std::vector<xmlNode*> children = child_elements(parent);
+  const auto end_run = [&] {
+    const bool is_all = run.paths.size() == children.size() && parent != tree.root();
+    if (is_all) run.group = outermost(tree, parent);
+    if (run.paths.size() >= fewest_tiles) found.push_back(std::move(run));
+    run = {};
+  };
+  for (xmlNode* child : children) {
+    if (auto tile = flat_tile(tree.styles(), child)) {
+      run.paths.push_back(child);
+      run.tiles.push_back(std::move(*tile));
+    } else {
+      end_run();
+    }
+  }
+  end_run();
+}
+
 }  // namespace
+
+std::vector<xmlNode*> elements_of(const PartOfTiles& part) {
+  const std::vector<xmlNode*>& paths = part.of->paths;
+  if (part.of->group && part.count() == paths.size()) return {part.of->group};
+  return {paths.begin() + std::ptrdiff_t(part.begin), paths.begin() + std::ptrdiff_t(part.end)};
+}
 
 std::vector<FlatTiles> flat_tiles(const SvgTree& tree) {
   std::vector<FlatTiles> found;
-  for (xmlNode* element : elements_from(tree.root())) {
-    if (svg_name(element) != "g" || !is_on_page(tree, element)) continue;
-    std::vector<FlatArea> tiles = tiles_in(tree.styles(), element);
-    if (!tiles.empty()) found.push_back({outermost(tree, element), std::move(tiles)});
-  }
+  for (xmlNode* element : elements_from(tree.root()))
+    if (is_on_page(tree, element)) add_runs(tree, element, found);
   return found;
 }
 

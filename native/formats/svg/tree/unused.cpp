@@ -12,14 +12,18 @@
 namespace gradmesh {
 namespace {
 
+/// Returns true if a letter of a text may belong to an id that the text names.
+bool is_of_id(char letter) {
+  const auto c = static_cast<unsigned char>(letter);
+  return std::isalnum(c) || c == '-' || c == '_' || c == '.' || c == ':' || c >= 0x80;
+}
+
 /// Returns true if `text` holds `#id`, and not just an id that begins with it.
 bool holds_id(std::string_view text, const std::string& id) {
   const std::string wanted = "#" + id;
   for (std::size_t at = text.find(wanted); at != text.npos; at = text.find(wanted, at + 1)) {
     const std::size_t end = at + wanted.size();
-    const unsigned char c = end < text.size() ? static_cast<unsigned char>(text[end]) : ' ';
-    if (!(std::isalnum(c) || c == '-' || c == '_' || c == '.' || c == ':' || c >= 0x80))
-      return true;
+    if (end == text.size() || !is_of_id(text[end])) return true;
   }
   return false;
 }
@@ -63,6 +67,33 @@ void replace_paints_in_rules(SvgTree& tree, const std::string& id) {
         xmlNodeSetContent(text, reinterpret_cast<const xmlChar*>(changed.c_str()));
     }
   }
+}
+
+/// Returns the ids of letters of ids that attributes name, or rules that some element follows.
+std::set<std::string> used_ids(const SvgTree& tree) {
+  const StyleSheet& styles = tree.styles();
+  std::set<std::string> ids;
+  const auto add = [&](std::string_view text) {
+    for (std::size_t at = text.find('#'); at != text.npos; at = text.find('#', at + 1)) {
+      const auto end =
+          std::find_if_not(text.begin() + std::ptrdiff_t(at) + 1, text.end(), is_of_id);
+      ids.emplace(text.begin() + std::ptrdiff_t(at) + 1, end);
+    }
+  };
+  const auto add_decoded = [&](const std::string& text) {
+    add(text);
+    if (text.find('%') != text.npos) add(percent_decoded(text));
+  };
+  const std::vector<std::string> properties =
+      styles.properties([](std::string_view value) { return value.find('#') != value.npos; });
+  for (const xmlNode* node : elements_from(tree.root())) {
+    for (const xmlAttr* a : attributes(node)) add_decoded(text_of(a->children, node));
+    for (const std::string& property : properties)
+      add_decoded(styles.declared(node, property).value_or(""));
+    // What is not read here may be by another version of Inkscape.
+    if (svg_name(node) == "style") add_decoded(text_of(node->children, node));
+  }
+  return ids;
 }
 
 }  // namespace
@@ -109,18 +140,24 @@ void remove_if_unused(SvgTree& tree, const std::string& id) {
   if (linked && is_mesh_gradient(linked)) remove_if_unused(tree, next);
 }
 
-void remove_with_clips(SvgTree& tree, xmlNode* node) {
-  std::vector<std::string> named;
-  for (const xmlNode* element : elements_from(node))
-    for (const char* property : {"clip-path", "mask"}) {
-      const auto value = tree.styles().declared(element, property);
-      const auto id = value ? referenced_id(*value, tree.name()) : std::nullopt;
-      if (id) named.push_back(*id);
-    }
-  remove_node(node);
+void remove_with_clips(SvgTree& tree, const std::vector<xmlNode*>& nodes) {
+  std::set<std::string> named;
+  for (xmlNode* const node : nodes) {
+    for (const xmlNode* element : elements_from(node))
+      for (const char* property : {"clip-path", "mask"}) {
+        const auto value = tree.styles().declared(element, property);
+        const auto id = value ? referenced_id(*value, tree.name()) : std::nullopt;
+        if (id) named.insert(*id);
+      }
+    remove_node(node);
+  }
+  std::vector<xmlNode*> unused;
+  const std::set<std::string> used = used_ids(tree);
   for (const std::string& id : named)
-    if (xmlNode* const limit = tree.find(id); limit && !is_used(tree, id))
-      remove_with_clips(tree, limit);
+    if (xmlNode* const limit = tree.find(id); limit && !used.contains(id))
+      // What has stranger letters in it is no id to that.
+      if (std::ranges::all_of(id, is_of_id) || !is_used(tree, id)) unused.push_back(limit);
+  if (!unused.empty()) remove_with_clips(tree, unused);
 }
 
 }  // namespace gradmesh

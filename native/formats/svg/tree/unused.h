@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "formats/svg/tree/svg_tree.h"
 
@@ -21,8 +22,8 @@ bool is_cloned(const SvgTree& tree, const xmlNode* node);
 /// that stands in for it: nothing names what is gone.
 void remove_named(SvgTree& tree, xmlNode* node);
 
-/// Removes an element with all below it, and the clip paths and masks that nothing else uses then.
-void remove_with_clips(SvgTree& tree, xmlNode* node);
+/// Removes elements with all below them, and the clip paths and masks that nothing else uses then.
+void remove_with_clips(SvgTree& tree, const std::vector<xmlNode*>& nodes);
 
 /// Removes the element with this id, and then the mesh gradient that it alone used by href, if it
 /// is not used.
