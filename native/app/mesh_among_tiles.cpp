@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "base/clamped_int.h"
@@ -99,11 +98,37 @@ bool is_near(const Level& a, const Level& b) {
   return true;
 }
 
-/// Returns true if `use` returns true of a corner of an area.
-bool any_corner(const FlatArea& tile, const auto& use) {
-  return std::ranges::any_of(
-      tile.area.outline, [&](const auto& polygon) { return std::ranges::any_of(polygon, use); });
-}
+/// Corners of tiles, to be found again.
+class Corners {
+ public:
+  explicit Corners(double rounding) : rounding_(rounding) {}
+
+  void add(const FlatArea& tile) {
+    for (const std::vector<glm::dvec2>& polygon : tile.area.outline)
+      corners_.insert(corners_.end(), polygon.begin(), polygon.end());
+  }
+  void sort() { std::ranges::sort(corners_, {}, &glm::dvec2::x); }
+
+  /// Returns true if two corners of a tile are among these, which are sorted.
+  bool join(const FlatArea& tile) const {
+    int joined = 0;
+    for (const std::vector<glm::dvec2>& polygon : tile.area.outline)
+      for (const glm::dvec2 corner : polygon)
+        if ((joined += has(corner)) == 2) return true;
+    return false;
+  }
+
+ private:
+  bool has(glm::dvec2 corner) const {
+    auto near = std::ranges::lower_bound(corners_, corner.x - rounding_, {}, &glm::dvec2::x);
+    for (; near != corners_.end() && near->x <= corner.x + rounding_; ++near)
+      if (std::abs(near->y - corner.y) <= rounding_) return true;
+    return false;
+  }
+
+  const double rounding_;
+  std::vector<glm::dvec2> corners_;
+};
 
 }  // namespace
 
@@ -163,17 +188,18 @@ MeshAmongTiles::Part MeshAmongTiles::longest_part(std::span<const FlatArea> tile
       longest = part;
     }
   }
-  std::vector<FlatArea> own;
+  Corners own(2e-4 * std::max(box_.size().x, box_.size().y));
   for (std::size_t n = longest.begin; n < longest.end; ++n)
-    if (is_own[n]) own.push_back(tiles[n]);
+    if (is_own[n]) own.add(tiles[n]);
+  own.sort();
   for (std::size_t n = longest.begin; n < longest.end; ++n)
-    if (!is_own[n] && !is_joined(tiles[n], own)) return {};
+    if (!is_own[n] && !own.join(tiles[n])) return {};
   // Its first ones and its last ones may have other colours, too.
   const auto may_be = [&](std::size_t n) {
-    return !taken[n] && is_within(tiles[n]) && is_joined(tiles[n], own);
+    return !taken[n] && is_within(tiles[n]) && own.join(tiles[n]);
   };
-  while (!own.empty() && longest.begin > 0 && may_be(longest.begin - 1)) --longest.begin;
-  while (!own.empty() && longest.end < tiles.size() && may_be(longest.end)) ++longest.end;
+  while (longest.begin > 0 && may_be(longest.begin - 1)) --longest.begin;
+  while (longest.end < tiles.size() && may_be(longest.end)) ++longest.end;
   return longest;
 }
 
@@ -189,7 +215,7 @@ bool MeshAmongTiles::is_within(const FlatArea& tile) const {
 bool MeshAmongTiles::has_color_of(const FlatArea& tile) const {
   const Affine to_pixels = frame_.to_pixels * to_mesh_;
   const Level color = levels(tile.color);
-  return any_corner(tile, [&](glm::dvec2 corner) {
+  const auto is_of_mesh = [&](glm::dvec2 corner) {
     const glm::dvec2 at = to_pixels.point(corner);
     Range range;
     for_around(clamped_int(std::floor(at.x), 0, frame_.width - 1),
@@ -198,19 +224,9 @@ bool MeshAmongTiles::has_color_of(const FlatArea& tile) const {
                  range.add({red, green, blue});
                });
     return is_near(range.nearest(color), color);
-  });
-}
-
-/// Returns true if two corners of a tile are those of others.
-bool MeshAmongTiles::is_joined(const FlatArea& tile, std::span<const FlatArea> to) const {
-  const double rounding = 2e-4 * std::max(box_.size().x, box_.size().y);
-  int joined = 0;
-  return any_corner(tile, [&](glm::dvec2 corner) {
-    joined += std::ranges::any_of(to, [&](const FlatArea& other) {
-      return any_corner(other,
-                        [&](glm::dvec2 at) { return glm::distance(at, corner) <= rounding; });
-    });
-    return joined == 2;
+  };
+  return std::ranges::any_of(tile.area.outline, [&](const std::vector<glm::dvec2>& polygon) {
+    return std::ranges::any_of(polygon, is_of_mesh);
   });
 }
 

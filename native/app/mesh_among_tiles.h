@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,7 +42,6 @@ class MeshAmongTiles {
  private:
   bool is_within(const FlatArea& tile) const;
   bool has_color_of(const FlatArea& tile) const;
-  bool is_joined(const FlatArea& tile, std::span<const FlatArea> to) const;
 
   const Box box_;
   const Affine to_mesh_;

@@ -1,10 +1,10 @@
 #include "app/tiles_of_meshes.h"
 
 #include <algorithm>
-#include <optional>
 #include <span>
 
 #include "app/mesh_among_tiles.h"
+#include "mesh/boundary.h"
 
 namespace gradmesh {
 namespace {
@@ -30,12 +30,14 @@ class Run {
   explicit Run(const FlatTiles& tiles)
       : tiles_(tiles), box_(box_of(tiles.tiles)), taken_(tiles.tiles.size()) {}
 
-  std::size_t count() const { return taken_.size(); }
-  const Box& box() const { return box_; }
+  /// Returns true if there are as many as a mesh has patches, where its box lies.
+  bool may_hold(const Box& mesh, int patches) const {
+    return taken_.size() >= std::size_t(patches) && !overlap(box_, mesh).empty();
+  }
   std::span<const FlatArea> part(const MeshAmongTiles::Part& part) const {
     return std::span(tiles_.tiles).subspan(part.begin, part.count());
   }
-  MeshAmongTiles::Part all() const { return {0, count()}; }
+  MeshAmongTiles::Part all() const { return {0, taken_.size()}; }
   /// Returns true if all of them are a group, of which nothing was taken.
   bool is_whole_group() const {
     return tiles_.group && std::ranges::find(taken_, true) == taken_.end();
@@ -58,6 +60,11 @@ class TileSearch {
  public:
   explicit TileSearch(const std::vector<FlatTiles>& runs) : runs_(runs.begin(), runs.end()) {}
 
+  /// Returns true if there may be tiles of a mesh in a box.
+  bool may_have_some_in(const Box& box, int patches) const {
+    return std::ranges::any_of(runs_, [&](const Run& run) { return run.may_hold(box, patches); });
+  }
+
   /// Returns the tiles that show the same as a mesh with so many patches on its page.
   PartOfTiles take(const MeshAmongTiles& mesh, int patches) {
     double least = same_look;
@@ -76,7 +83,7 @@ class TileSearch {
       return true;
     };
     for (Run& run : runs_) {
-      if (run.count() < std::size_t(patches) || overlap(run.box(), mesh.box()).empty()) continue;
+      if (!run.may_hold(mesh.box(), patches)) continue;
       if (!run.is_whole_group() || !is_better(run, run.all()))
         is_better(run, run.longest_part(mesh));
     }
@@ -98,7 +105,9 @@ std::vector<PartOfTiles> tiles_of_meshes(const std::vector<PageObject>& objects,
   for (const PageObject& object : objects) {
     found.emplace_back();
     const Affine& place = places[object.page];
-    if (object.stroke || runs.empty() || place.determinant() == 0) continue;
+    if (object.stroke || place.determinant() == 0 ||
+        !search.may_have_some_in(bounding_box(object.mesh, place), object.patches))
+      continue;
     found.back() = search.take(MeshAmongTiles(object.mesh, place), object.patches);
   }
   return found;
