@@ -9,9 +9,9 @@
 #include <utility>
 #include <variant>
 
+#include "app/document_picture.h"
 #include "app/formats.h"
 #include "app/picture_part.h"
-#include "app/shown_picture.h"
 #include "app/svg_meshes.h"
 #include "app/traced_curve.h"
 #include "base/clamped_int.h"
@@ -99,7 +99,7 @@ class ShapeTrace {
   }
 
   /// Writes the mesh, whose object remembers the picture if that is one that the document shows.
-  Tracing write(SvgMeshes& svg, const ShownPicture* shown) {
+  Tracing write(SvgMeshes& svg, const DocumentPicture* shown) {
     const std::string image = shown ? svg.named_image(id_, image_) : "";
     const std::string shape = svg.is_image(id_) ? svg.cover_image(id_, size_) : id_;
     MeshEntry entry = svg.paint_shape(shape, traced_->mesh);
@@ -167,7 +167,7 @@ TracedDocument trace_file_in_shape(const std::filesystem::path& picture, int res
   const ThreadLimit limit(options.threads);
   std::unique_ptr<Document> document = Document::read_file(outline);
   SvgMeshes& svg = as_svg(*document);
-  std::optional<ShownPicture> shown;
+  std::optional<DocumentPicture> shown;
   if (picture.empty()) shown.emplace(svg, id, "");
   const auto read = [&](int longest) {
     return shown ? shown->read(longest) : read_picture(picture, longest);
@@ -185,10 +185,10 @@ std::vector<Tracing> trace_in(Document& document, const ToTrace& what, int resol
   const ThreadLimit limit(options.threads);
   SvgMeshes& svg = as_svg(document);
   // All are looked at before the first is changed.
-  std::vector<ShownPicture> pictures;
+  std::vector<DocumentPicture> pictures;
   std::vector<std::unique_ptr<ShapeTrace>> shapes;
   for (const std::string& id : what.ids) {
-    const ShownPicture& shown = pictures.emplace_back(svg, id, what.image);
+    const DocumentPicture& shown = pictures.emplace_back(svg, id, what.image);
     const Picture picture = picture_for(svg, id, what.image, resolution,
                                         [&](int longest) { return shown.read(longest); });
     shapes.push_back(std::make_unique<ShapeTrace>(

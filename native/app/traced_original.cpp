@@ -1,6 +1,6 @@
 #include "app/traced_original.h"
 
-#include "app/shown_picture.h"
+#include "app/document_picture.h"
 #include "app/svg_meshes.h"
 #include "base/error.h"
 
@@ -10,7 +10,7 @@ namespace {
 std::shared_ptr<const Original> original_of_picture(const SvgMeshes& svg, const MeshEntry& entry,
                                                     const RememberedPicture& remembered,
                                                     int resolution) {
-  const ShownPicture shown(svg, entry.id, remembered.image);
+  const DocumentPicture shown(svg, entry.id, remembered.image);
   if (shown.hash() != remembered.hash) return nullptr;
   const Picture picture = picture_for(svg, entry.id, remembered.image, resolution,
                                       [&](int longest) { return shown.read(longest); });

@@ -12,7 +12,7 @@ void make_gray(Image& image) {
     }
 }
 
-Picture backdrop(Image painted, const Frame& frame, const Affine& view, bool gray) {
+PlacedImage backdrop(Image painted, const Frame& frame, const Affine& view, bool gray) {
   if (gray) make_gray(painted);
   // The frame lies straight in the drawing.
   const Affine from_pixels = view * frame.to_pixels.inverse();

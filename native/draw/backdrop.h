@@ -10,6 +10,6 @@ void make_gray(Image& image);
 
 /// Returns the mesh as painted in `frame`, faded, to lie behind its lines. It is gray if `gray`.
 /// `view` is that of the Subject.
-Picture backdrop(Image painted, const Frame& frame, const Affine& view, bool gray);
+PlacedImage backdrop(Image painted, const Frame& frame, const Affine& view, bool gray);
 
 }  // namespace gradmesh

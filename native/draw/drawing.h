@@ -48,7 +48,7 @@ struct Layer {
 };
 
 /// An image in the box from `low` to `high`.
-struct Picture {
+struct PlacedImage {
   Image image;
   glm::dvec2 low, high;
   double opacity = 1;
@@ -59,7 +59,7 @@ struct Drawing {
   std::string title;
   /// The area that is shown.
   Box box;
-  std::optional<Picture> picture;
+  std::optional<PlacedImage> picture;
   std::vector<Layer> layers;
 };
 

@@ -78,7 +78,7 @@ std::string rectangle(glm::dvec2 low, glm::dvec2 high) {
          attribute("height", high.y - low.y);
 }
 
-std::string element(const Picture& picture) {
+std::string element(const PlacedImage& picture) {
   return R"(<g inkscape:groupmode="layer" inkscape:label="Picture")" +
          attribute("opacity", picture.opacity) + ">\n<image" +
          rectangle(picture.low, picture.high) + " preserveAspectRatio=\"none\"" +

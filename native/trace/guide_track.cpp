@@ -71,7 +71,7 @@ double GuideTrack::mean_line() const {
   return sum / double(places.size());
 }
 
-GuideTrack guide_track(const LineGrid& grid, const Guide& guide, Along along, LineRange range) {
+GuideTrack guide_track(const LineGrid& grid, const Guide& guide, Along along, TrackLimits range) {
   // What rises more steeply is for a line in the other direction.
   constexpr double flattest = 0.25;
   const bool is_row = along == Along::rows;

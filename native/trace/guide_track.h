@@ -31,11 +31,11 @@ struct GuideTrack {
 };
 
 /// The lines between which a track is to stay, as real numbers.
-struct LineRange {
+struct TrackLimits {
   double low, high;
 };
 
 /// Returns the longest such piece of a guide that lies in the grid and between two lines.
-GuideTrack guide_track(const LineGrid& grid, const Guide& guide, Along along, LineRange range);
+GuideTrack guide_track(const LineGrid& grid, const Guide& guide, Along along, TrackLimits range);
 
 }  // namespace gradmesh

@@ -68,7 +68,7 @@ FixedLines fixed_beside(const LineGrid& grid, Along along, int line) {
 }
 
 /// Returns how far between the lines beside it a line can be bent so that all lines have room.
-LineRange room_of(const LineGrid& grid, Along along, int line) {
+TrackLimits room_of(const LineGrid& grid, Along along, int line) {
   const FixedLines fixed = fixed_beside(grid, along, line);
   const double gap = least_gap / gap_of(grid, along);
   return {fixed.before + gap * (line - fixed.before), fixed.after - gap * (fixed.after - line)};

@@ -38,7 +38,7 @@ std::vector<glm::dvec2> free_points(const std::vector<PatchGrid>& grids, double 
 }
 
 /// Returns the power of two that is at most 2^-precision of the size.
-Step binary_step(double low, double high, int precision) {
+AxisStep binary_step(double low, double high, int precision) {
   constexpr int most_bits = 50;  // Of a double, so that steps are counted exactly.
   const double size = high - low;
   if (largest(low, high) == 0) return {};
@@ -48,12 +48,12 @@ Step binary_step(double low, double high, int precision) {
 
 /// Returns the largest decimal step that is at least `least` and of which all are multiples;
 /// `least` if there is none.
-Step decimal_step(const std::vector<double>& numbers, double reach, const Step& least) {
+AxisStep decimal_step(const std::vector<double>& numbers, double reach, const AxisStep& least) {
   constexpr int most_decimals = 15;
   const double rounding = rounding_share * reach;
   // Of finer steps everything is a multiple but for rounding.
   const double finest = std::max(least.times(1), 100 * rounding);
-  for (Step step{true, 0}; step.exponent >= -most_decimals && step.times(1) >= finest;
+  for (AxisStep step{true, 0}; step.exponent >= -most_decimals && step.times(1) >= finest;
        --step.exponent)
     if (std::ranges::all_of(numbers, [&](double x) {
           return std::abs(x - step.times(std::round(step.count(x)))) <= rounding;
@@ -79,17 +79,17 @@ std::int64_t levels_of(const std::vector<PatchGrid>& grids, int channel) {
 
 }  // namespace
 
-double Step::times(double steps) const {
+double AxisStep::times(double steps) const {
   if (!is_decimal) return std::ldexp(steps, exponent);
   return exponent < 0 ? steps / power_of_ten(-exponent) : steps * power_of_ten(exponent);
 }
 
-double Step::count(double number) const {
+double AxisStep::count(double number) const {
   if (!is_decimal) return std::ldexp(number, -exponent);
   return exponent < 0 ? number * power_of_ten(-exponent) : number / power_of_ten(exponent);
 }
 
-double Step::noise() const {
+double AxisStep::noise() const {
   // Thirds of a decimal step may be meant, and 27ths inside a Coons patch.
   constexpr double decimal = 0.02, rounded = 0.75;
   return is_decimal ? decimal : rounded;
@@ -108,7 +108,7 @@ Scale scale_for(const std::vector<PatchGrid>& grids, int precision) {
   for (int axis = 0; axis < 2; ++axis) {
     std::vector<double> numbers;
     for (const glm::dvec2 p : points) numbers.push_back(p[axis]);
-    const Step binary = binary_step(box.low()[axis], box.high()[axis], precision);
+    const AxisStep binary = binary_step(box.low()[axis], box.high()[axis], precision);
     scale.steps[std::size_t(axis)] = decimal_step(numbers, reach[axis], binary);
   }
   for (int channel = 0; channel < 4; ++channel)

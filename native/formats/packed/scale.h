@@ -9,7 +9,7 @@
 namespace gradmesh {
 
 /// The step of which all coordinates of one axis are multiples: 10 or 2 to the power `exponent`.
-struct Step {
+struct AxisStep {
   bool is_decimal = false;
   int exponent = 0;
 
@@ -24,7 +24,7 @@ struct Step {
 
 /// How whole numbers stand for positions and colours.
 struct Scale {
-  std::array<Step, 2> steps{};
+  std::array<AxisStep, 2> steps{};
   /// For each channel, the number of steps from 0 to 1.
   std::array<std::int64_t, 4> levels{};
 };

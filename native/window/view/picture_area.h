@@ -1,7 +1,7 @@
 #pragma once
 
 #include "window/eye/eye.h"
-#include "window/eye/shown_picture.h"
+#include "window/eye/session_texture.h"
 #include "window/toolkit/ui.h"
 #include "window/tools/toolbox.h"
 
@@ -37,7 +37,7 @@ class PictureArea {
   void drag_to(Eye& eye, Tool& tool, glm::dvec2 at);
   void release(Eye& eye, Tool& tool, glm::dvec2 at);
 
-  ShownPicture picture_;
+  SessionTexture picture_;
   Drag drag_ = Drag::none;
   /// The button that is held, as Dear ImGui numbers them.
   int button_ = 0;

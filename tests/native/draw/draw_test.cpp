@@ -219,14 +219,14 @@ TEST(Backdrop, lies_where_the_mesh_is) {
   const Affine view = Affine::translation({7, 3}) * Affine::scaling({0.1, 0.1});
   const Frame frame = fit_frame(mesh, view, 103, {.share = 0.015});
   const Image painted = make_software_rasterizer()->paint(mesh, frame);
-  const Picture picture = backdrop(painted, frame, view, false);
+  const PlacedImage picture = backdrop(painted, frame, view, false);
   EXPECT_EQ(picture.image, painted);
   // 20 x 10 units and a margin of 0.3; the height is cut to whole pixels.
   EXPECT_NEAR(picture.low.x, 6.7, 1e-9);
   EXPECT_NEAR(picture.low.y, 2.7, 1e-9);
   EXPECT_NEAR(picture.high.x, 27.3, 1e-9);
   EXPECT_NEAR(picture.high.y, 2.7 + 20.6 / 103 * frame.height, 1e-9);
-  const Picture gray = backdrop(painted, frame, view, true);
+  const PlacedImage gray = backdrop(painted, frame, view, true);
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
       const auto [r, g, b] = gray.image.pixel(x, y);

@@ -136,7 +136,7 @@ TEST(Expectation, is_the_guess_that_was_best_of_late) {
 TEST(Scale, is_the_decimal_step_of_the_document) {
   for (const auto& [step, exponent] : {std::pair(0.001, -3), {0.01, -2}, {0.5, -1}, {1e-4, -4}}) {
     const Scale scale = scale_for(random_grid(step).grids, 22);
-    for (const Step& found : scale.steps) {
+    for (const AxisStep& found : scale.steps) {
       EXPECT_TRUE(found.is_decimal);
       EXPECT_EQ(found.exponent, exponent);
     }

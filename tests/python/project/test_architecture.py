@@ -168,3 +168,28 @@ def test_coordinates_become_indices_within_bounds():
 def test_bare_conversions_are_found(bad, tmp_path):
     (tmp_path / "hidden.cpp").write_text(f"  for (int k = {bad}; k < end; ++k) mark(k);\n")
     assert len(bare_conversions(tmp_path / "hidden.cpp")) == 1
+
+
+def types_of(path):
+    """The types that a file defines, but those in namespaces without a name and in other types."""
+    spaces, found = [], set()
+    for line in path.read_text().splitlines():
+        if space := re.match(r"namespace(?: ([\w:]+))? \{$", line):
+            spaces.append(space[1])
+        elif line.startswith("}  // namespace"):
+            spaces.pop()
+        elif None not in spaces:
+            kinds = r"(?:class|struct|union|enum class|enum)"
+            names = re.findall(rf"^{kinds} (\w+)(?: final)?(?: : .*)?(?: \{{.*)?$", line)
+            found.update("::".join([*spaces, name]) for name in names)
+    return found
+
+
+def test_a_name_is_that_of_one_type():
+    """C++ forbids two, and a linker takes either (one definition rule)."""
+    where = {}
+    for path in sorted(NATIVE.rglob("*.h")):
+        for name in types_of(path):
+            where.setdefault(name, []).append(str(path.relative_to(NATIVE)))
+    assert len(where) > 400
+    assert {name: paths for name, paths in where.items() if len(paths) > 1} == {}

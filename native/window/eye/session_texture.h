@@ -10,7 +10,7 @@
 namespace gradmesh {
 
 /// The pixels of what is seen of a session, painted anew only where it has changed.
-class ShownPicture {
+class SessionTexture {
  public:
   /// Returns the picture, which stays as it is until the next call. `revision` is another number
   /// whenever the session shows something else.

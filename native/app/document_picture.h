@@ -12,11 +12,11 @@
 namespace gradmesh {
 
 /// The picture that an <image> of a document shows.
-class ShownPicture {
+class DocumentPicture {
  public:
   /// `id` and `image` as of image_under (formats/svg/picture/document_image.h). A linked file is
   /// looked for in the document's folders. Throws InputError as image_file does.
-  ShownPicture(const SvgMeshes& svg, const std::string& id, const std::string& image);
+  DocumentPicture(const SvgMeshes& svg, const std::string& id, const std::string& image);
 
   /// Reads it as read_picture does.
   Picture read(int longest) const;

@@ -1,8 +1,8 @@
-#include "window/eye/shown_picture.h"
+#include "window/eye/session_texture.h"
 
 namespace gradmesh {
 
-const Texture& ShownPicture::of(const Session& session, const SessionView& view, int revision) {
+const Texture& SessionTexture::of(const Session& session, const SessionView& view, int revision) {
   if (session_ == &session && revision_ == revision && view_ == view) return texture_;
   const Image image = paint(session, view);
   pixels_.resize(image.pixels());

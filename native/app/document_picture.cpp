@@ -1,4 +1,4 @@
-#include "app/shown_picture.h"
+#include "app/document_picture.h"
 
 #include <algorithm>
 #include <climits>
@@ -50,7 +50,8 @@ std::filesystem::path likeliest_place(const std::filesystem::path& file,
 
 }  // namespace
 
-ShownPicture::ShownPicture(const SvgMeshes& svg, const std::string& id, const std::string& image)
+DocumentPicture::DocumentPicture(const SvgMeshes& svg, const std::string& id,
+                                 const std::string& image)
     : name_(svg.name()), file_(svg.image_file(id, image)) {
   auto* const place = std::get_if<std::filesystem::path>(&file_);
   if (!place) return;
@@ -63,13 +64,13 @@ ShownPicture::ShownPicture(const SvgMeshes& svg, const std::string& id, const st
   *place = likeliest_place(*place, svg.folders());
 }
 
-Picture ShownPicture::read(int longest) const {
+Picture DocumentPicture::read(int longest) const {
   if (const auto* bytes = std::get_if<std::string>(&file_))
     return picture_of_bytes(*bytes, name_, longest);
   return read_picture(std::get<std::filesystem::path>(file_), longest);
 }
 
-std::uint64_t ShownPicture::hash() const {
+std::uint64_t DocumentPicture::hash() const {
   Hash hash;
   if (const auto* bytes = std::get_if<std::string>(&file_))
     hash.add(*bytes);
