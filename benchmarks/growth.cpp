@@ -1,5 +1,6 @@
 /// How cost grows: with patches, where each keeps its size in pixels, and with pixels. The last
 /// part of a name is the number of patches or the resolution.
+#include "app/pages/read_document.h"
 #include "block_mesh.h"
 #include "cases.h"
 
@@ -25,7 +26,7 @@ void patches(benchmark::State& state, int blocks) {
 
 void gqe(benchmark::State& state, int resolution) {
   const MeshFile pear = mesh_file("pear");
-  const auto document = Document::read_file(pear.path);
+  const auto document = read_document(pear.path);
   RunOptions options;
   options.resolution = resolution;
   SimplifyResult result;

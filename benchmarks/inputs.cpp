@@ -1,4 +1,5 @@
 #include "inputs.h"
+#include "app/pages/read_document.h"
 
 #include <algorithm>
 #include <random>
@@ -35,7 +36,7 @@ std::vector<MeshFile> sample_meshes() {
   std::vector<MeshFile> meshes;
   for (const auto& file : std::filesystem::directory_iterator(GRADMESH_SOURCE_DIR "/samples")) {
     if (file.path().extension() != ".svg") continue;
-    const auto document = Document::read_file(file.path());
+    const auto document = read_document(file.path());
     for (const MeshEntry& entry : document->meshes())
       meshes.push_back({entry.id, file.path(), entry.id});
   }
@@ -51,7 +52,7 @@ MeshFile mesh_file(const std::string& name) {
 }
 
 Input::Input(const MeshFile& file)
-    : document(Document::read_file(file.path)),
+    : document(read_document(file.path)),
       entry(entry_of(*document, file.id)),
       mesh(document->mesh(entry)) {}
 

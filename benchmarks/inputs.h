@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/runs.h"
+#include "app/runs/runs.h"
 
 namespace gradmesh::bench {
 

@@ -1,4 +1,5 @@
-#include "app/runs.h"
+#include "app/pages/read_document.h"
+#include "app/runs/runs.h"
 #include "cases.h"
 #include "mesh/rectangle.h"
 
@@ -6,7 +7,7 @@ namespace gradmesh::bench {
 namespace {
 
 void run(benchmark::State& state, const MeshFile& file, const RunOptions& options) {
-  const auto document = Document::read_file(file.path);
+  const auto document = read_document(file.path);
   SimplifyResult result;
   for (auto _ : state) result = preview(*document, {file.id}, options).front().result;
   state.SetLabel(result.renderer);

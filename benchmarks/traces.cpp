@@ -1,4 +1,4 @@
-#include "app/trace.h"
+#include "app/pictures/trace.h"
 #include "cases.h"
 
 namespace gradmesh::bench {

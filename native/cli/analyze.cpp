@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include "app/devices.h"
-#include "app/runs.h"
+#include "app/runs/devices.h"
+#include "app/runs/runs.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
@@ -20,7 +20,7 @@ struct AnalyzeArguments {
 
 void run_analyze(AnalyzeArguments& a) {
   take_renderer(a.renderer, a.options);
-  const std::unique_ptr<Document> document = read_document(a.in);
+  const std::unique_ptr<Document> document = read_and_warn(a.in);
   const std::unique_ptr<Document> original = take_original(a.original, *document);
   std::size_t prices = 0;
   {

@@ -5,7 +5,8 @@
 #include <iostream>
 #include <limits>
 
-#include "app/devices.h"
+#include "app/pages/read_document.h"
+#include "app/runs/devices.h"
 #include "base/utf8_path.h"
 
 namespace gradmesh {
@@ -77,9 +78,9 @@ void add_page_options(CLI::App& command, PageChoice& choice) {
                    page_document() + ": read layers that are off, too");
 }
 
-std::unique_ptr<Document> read_document(const std::filesystem::path& path,
+std::unique_ptr<Document> read_and_warn(const std::filesystem::path& path,
                                         const PageChoice& choice) {
-  std::unique_ptr<Document> document = Document::read_file(path, choice);
+  std::unique_ptr<Document> document = read_document(path, choice);
   if (document->pages())
     for (const Message& sentence : document->pages()->left_out)
       std::fprintf(stderr, "gradmesh: %s\n", sentence.english().c_str());
@@ -117,7 +118,7 @@ void add_original_option(CLI::App& command, std::filesystem::path& original) {
 
 std::unique_ptr<Document> take_original(const std::filesystem::path& original, Document& document) {
   if (original.empty()) return nullptr;
-  std::unique_ptr<Document> other = read_document(original);
+  std::unique_ptr<Document> other = read_and_warn(original);
   document.measure_against(other.get());
   return other;
 }

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "app/page_documents.h"
-#include "app/runs.h"
+#include "app/pages/page_documents.h"
+#include "app/runs/runs.h"
 
 namespace gradmesh {
 
@@ -16,7 +16,7 @@ std::string any_document();
 /// Adds --page, --password and --all-layers.
 void add_page_options(CLI::App& command, PageChoice& choice);
 /// Reads a document, and says on stderr what of its pages was left out.
-std::unique_ptr<Document> read_document(const std::filesystem::path& path,
+std::unique_ptr<Document> read_and_warn(const std::filesystem::path& path,
                                         const PageChoice& choice = {});
 
 /// Returns the name of an option of a run on the command line, such as "--max-local-error".

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "app/common_frames.h"
+#include "app/document/common_frames.h"
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -17,7 +17,7 @@ struct CompareArguments {
 
 /// The only mesh of a document.
 struct OnlyMesh {
-  explicit OnlyMesh(const std::filesystem::path& path) : document(read_document(path)) {
+  explicit OnlyMesh(const std::filesystem::path& path) : document(read_and_warn(path)) {
     const auto found = document->selected({});
     if (found.size() > 1)
       throw InputError("{0}: there are {1} meshes, but a document to be compared must hold one.",

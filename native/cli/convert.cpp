@@ -1,8 +1,8 @@
-#include "app/convert.h"
+#include "app/runs/convert.h"
 
 #include <cstdio>
 
-#include "app/one_mesh.h"
+#include "app/document/one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 
@@ -24,7 +24,7 @@ void run_convert(ConvertArguments& a) {
                                 formats_in_words(&Format::extension) + ".");
   a.options.metric = a.measure.metric;
   a.options.resolution = a.measure.resolution;
-  const std::unique_ptr<Document> from = read_document(a.in, a.pages);
+  const std::unique_ptr<Document> from = read_and_warn(a.in, a.pages);
   if (from->pages() && *format == from->format() && a.id.empty()) {
     from->write_file(a.out);
     for (const MeshEntry& entry : from->meshes())

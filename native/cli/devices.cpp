@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include "app/devices.h"
-#include "app/document.h"
+#include "app/document/document.h"
+#include "app/runs/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 
@@ -39,7 +39,7 @@ void print_choice(const DevicesArguments& a, const std::vector<DeviceInfo>& devi
     return;
   }
   std::printf("\n");
-  const std::unique_ptr<Document> document = read_document(a.in);
+  const std::unique_ptr<Document> document = read_and_warn(a.in);
   for (const MeshEntry& entry : document->selected(a.ids)) {
     const Mesh mesh = document->mesh(entry);
     const RendererChoice choice =

@@ -1,5 +1,5 @@
-#include "app/draw_document.h"
-#include "app/one_mesh.h"
+#include "app/document/one_mesh.h"
+#include "app/export/draw_document.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
@@ -29,7 +29,7 @@ void run_draw(DrawArguments& a) {
   a.options.show = show_named(a.show);
   a.options.picture = !a.no_picture;
   if (!a.region.empty()) a.options.region = a.region == "all" ? 0 : std::stoi(a.region);
-  const std::unique_ptr<Document> document = read_document(a.in);
+  const std::unique_ptr<Document> document = read_and_warn(a.in);
   std::string text;
   {
     ProgressBar bar(a.quiet || a.options.show == Show::edges || a.options.show == Show::faces);

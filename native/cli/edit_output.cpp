@@ -3,9 +3,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/info.h"
-#include "app/one_mesh.h"
-#include "app/picture_with_lines.h"
+#include "app/document/one_mesh.h"
+#include "app/export/info.h"
+#include "app/export/picture_with_lines.h"
+#include "app/export/results_json.h"
 #include "cli/common_options.h"
 #include "files/image_file.h"
 
@@ -35,7 +36,7 @@ void write_preview(const Document& document, const std::vector<EditReport>& repo
     return picture_with_lines(of, entry, a.measure.resolution);
   };
   const Image after = picture(document, one_mesh(document, ids));
-  const std::unique_ptr<Document> before = read_document(a.in);
+  const std::unique_ptr<Document> before = read_and_warn(a.in);
   write_png(beside(picture(*before, one_mesh(*before, ids)), after), a.preview);
 }
 
@@ -61,7 +62,7 @@ void add_patches(CLI::App& command, std::vector<int>& patches, const std::string
 
 void run_edit(const EditArguments& a,
               const std::function<std::vector<EditReport>(Document&)>& edit) {
-  const std::unique_ptr<Document> document = read_document(a.in);
+  const std::unique_ptr<Document> document = read_and_warn(a.in);
   const std::unique_ptr<Document> original = take_original(a.original, *document);
   const std::vector<EditReport> reports = edit(*document);
   if (a.preview.empty())

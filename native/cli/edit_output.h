@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/edits.h"
+#include "app/editing/edits.h"
 
 namespace gradmesh {
 

@@ -1,3 +1,4 @@
+#include "app/export/results_json.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 
@@ -9,8 +10,8 @@
 #include <string>
 #include <system_error>
 
-#include "app/editing.h"
-#include "app/info.h"
+#include "app/editing/editing.h"
+#include "app/export/info.h"
 #include "base/utf8_path.h"
 #include "files/atomic_file.h"
 #include "window/view/run.h"
@@ -74,7 +75,7 @@ void write_or_keep(Document& made, const std::filesystem::path& out, const Write
 }
 
 void simplify(const EyeArguments& a) {
-  const auto document = read_document(a.in);
+  const auto document = read_and_warn(a.in);
   if (document->pages() && a.out.empty())
     throw InputError("{0}: please say with --output where the SVG document is to be written.",
                      document->name());

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/info.h"
+#include "app/export/info.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 
@@ -32,7 +32,7 @@ std::string in_words(const nlohmann::ordered_json& found) {
 }
 
 void run_info(const InfoArguments& a) {
-  const std::unique_ptr<Document> document = read_document(a.in, a.pages);
+  const std::unique_ptr<Document> document = read_and_warn(a.in, a.pages);
   if (a.as_json) {
     std::cout << info_text(*document);
     return;

@@ -1,4 +1,4 @@
-#include "app/to_one_mesh.h"
+#include "app/editing/to_one_mesh.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/edit_output.h"

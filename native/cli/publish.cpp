@@ -1,9 +1,9 @@
-#include "app/publish.h"
+#include "app/export/publish.h"
 
 #include <cstdio>
 #include <filesystem>
 
-#include "app/publish_code.h"
+#include "app/export/publish_code.h"
 #include "base/utf8_path.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -34,7 +34,7 @@ void say_left_alone(const Message& refusal) {
 }
 
 void publish_svg(const PublishArguments& a) {
-  const std::unique_ptr<Document> document = read_document(a.in, a.pages);
+  const std::unique_ptr<Document> document = read_and_warn(a.in, a.pages);
   document->check_target(a.out);
   const std::vector<PublishedMesh> meshes = publish(*document, a.options);
   document->write_file(a.out);
@@ -86,7 +86,7 @@ void publish_sources(const PublishArguments& a) {
   const CodeLanguage language = code_language_named(a.as);
   const std::string extension = code_extension(language);
   const bool is_file = is_code_file(a.out, extension);
-  const std::unique_ptr<Document> document = read_document(a.in, a.pages);
+  const std::unique_ptr<Document> document = read_and_warn(a.in, a.pages);
   PublishedSources published = publish_code(*document, language);
   for (const PublishedCode& mesh : published.meshes) {
     if (mesh.refused) say_left_alone(*mesh.refused);

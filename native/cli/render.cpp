@@ -1,5 +1,5 @@
-#include "app/devices.h"
-#include "app/one_mesh.h"
+#include "app/document/one_mesh.h"
+#include "app/runs/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "device/egl_rasterizer.h"
@@ -33,10 +33,10 @@ Image render(const Document& document, const MeshEntry& entry, const RenderArgum
 }
 
 void run_render(const RenderArguments& a) {
-  const std::unique_ptr<Document> document = read_document(a.in);
+  const std::unique_ptr<Document> document = read_and_warn(a.in);
   const MeshEntry entry = one_mesh(*document, a.id);
   std::unique_ptr<Document> other;
-  if (!a.framed_as.empty()) other = read_document(a.framed_as);
+  if (!a.framed_as.empty()) other = read_and_warn(a.framed_as);
   write_png(a.like_inkscape
                 ? document->render_like_inkscape(entry, a.options.resolution, other.get())
                 : render(*document, entry, a, other.get()),

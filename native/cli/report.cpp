@@ -1,8 +1,8 @@
 #include "report/report.h"
 
-#include "app/devices.h"
-#include "app/one_mesh.h"
-#include "app/page_on_mesh.h"
+#include "app/document/one_mesh.h"
+#include "app/export/page_on_mesh.h"
+#include "app/runs/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
@@ -21,7 +21,7 @@ struct ReportArguments {
 void run_report(ReportArguments& a, const CLI::App& command) {
   for (const std::string name : {"metric", "epsilon", "resolution", "color_model"})
     if (command.count(flag_of(name)) > 0) a.options.given.push_back(name);
-  const auto before = read_document(a.before), after = read_document(a.after);
+  const auto before = read_and_warn(a.before), after = read_and_warn(a.after);
   if (!a.run.empty()) {
     a.options.run = read_bytes(a.run);
     a.options.run_name = a.run.string();

@@ -2,11 +2,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/convert_for_run.h"
-#include "app/curves.h"
-#include "app/devices.h"
-#include "app/info.h"
-#include "app/one_mesh.h"
+#include "app/document/one_mesh.h"
+#include "app/export/info.h"
+#include "app/export/results_json.h"
+#include "app/runs/convert_for_run.h"
+#include "app/runs/curves.h"
+#include "app/runs/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 #include "cli/progress_bar.h"
@@ -115,7 +116,7 @@ std::vector<MeshReport> run(Document& document, const SimplifyArguments& a) {
 
 void run_simplify(SimplifyArguments& a) {
   take_renderer(a.renderer, a.options);
-  std::unique_ptr<Document> in = read_document(a.in, a.pages);
+  std::unique_ptr<Document> in = read_and_warn(a.in, a.pages);
   const std::unique_ptr<Document> original = take_original(a.original, *in);
   const std::unique_ptr<Document> document = to_be_written(std::move(in), a);
   std::vector<MeshReport> reports;

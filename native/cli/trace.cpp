@@ -1,9 +1,10 @@
-#include "app/trace.h"
+#include "app/pictures/trace.h"
 
 #include <cstdio>
 
-#include "app/convert.h"
-#include "app/traced_curve.h"
+#include "app/export/results_json.h"
+#include "app/pictures/traced_curve.h"
+#include "app/runs/convert.h"
 #include "base/utf8_path.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "app/document.h"
+#include "app/document/document.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 
@@ -14,7 +14,7 @@ struct UpdateArguments {
 };
 
 void run_update(const UpdateArguments& a) {
-  const std::unique_ptr<Document> document = read_document(a.in);
+  const std::unique_ptr<Document> document = read_and_warn(a.in);
   const std::vector<UpdateReport> reports = document->update(a.ids);
   document->write_file(a.out);
   if (a.quiet) return;

@@ -1,9 +1,11 @@
 #include <stdexcept>
 
-#include "app/convert.h"
-#include "app/info.h"
-#include "app/insert_pages.h"
-#include "app/page_documents.h"
+#include "app/export/info.h"
+#include "app/export/results_json.h"
+#include "app/pages/insert_pages.h"
+#include "app/pages/page_documents.h"
+#include "app/pages/read_document.h"
+#include "app/runs/convert.h"
 #include "base/utf8_path.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"
@@ -29,12 +31,12 @@ Json sentences(const std::vector<Message>& left_out) {
 }  // namespace
 
 Json read_document(const Call& call) {
-  return call.add(Document::read_file(path_argument(call, "path"), page_choice(call)));
+  return call.add(read_document(path_argument(call, "path"), page_choice(call)));
 }
 
 Json parse_document(const Call& call) {
-  auto document = Document::parse(call.get<Bytes>("bytes").bytes, call.get<std::string>("name"),
-                                  page_choice(call));
+  auto document = parse_document(call.get<Bytes>("bytes").bytes, call.get<std::string>("name"),
+                                 page_choice(call));
   std::vector<std::filesystem::path> folders;
   for (const std::string& folder : call.get("folders", std::vector<std::string>{}))
     folders.push_back(utf8_path(folder));

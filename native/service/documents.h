@@ -5,8 +5,8 @@
 #include <mutex>
 #include <vector>
 
-#include "app/document.h"
-#include "app/editing.h"
+#include "app/document/document.h"
+#include "app/editing/editing.h"
 
 namespace gradmesh {
 

@@ -1,7 +1,8 @@
 #include <stdexcept>
 
-#include "app/edits.h"
-#include "app/to_one_mesh.h"
+#include "app/editing/edits.h"
+#include "app/editing/to_one_mesh.h"
+#include "app/export/results_json.h"
 #include "formats/svg/values/color.h"
 #include "service/functions.h"
 #include "service/options.h"

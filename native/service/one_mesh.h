@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/one_mesh.h"
+#include "app/document/one_mesh.h"
 #include "service/call.h"
 
 namespace gradmesh {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/devices.h"
+#include "app/runs/devices.h"
 #include "base/utf8_path.h"
 
 namespace gradmesh {

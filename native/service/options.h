@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/edits.h"
-#include "app/runs.h"
+#include "app/editing/edits.h"
+#include "app/runs/runs.h"
 #include "service/call.h"
 
 namespace gradmesh {

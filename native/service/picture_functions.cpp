@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/draw_document.h"
-#include "app/page_on_mesh.h"
+#include "app/export/draw_document.h"
+#include "app/export/page_on_mesh.h"
 #include "files/atomic_file.h"
 #include "report/report.h"
 #include "service/functions.h"

@@ -1,4 +1,5 @@
 #include "service/results.h"
+#include "app/export/results_json.h"
 
 namespace gradmesh {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "app/info.h"
-#include "app/publish.h"
-#include "app/publish_code.h"
-#include "app/runs.h"
+#include "app/export/info.h"
+#include "app/export/publish.h"
+#include "app/export/publish_code.h"
+#include "app/runs/runs.h"
 #include "service/arguments.h"
 
 namespace gradmesh {

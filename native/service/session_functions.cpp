@@ -1,6 +1,7 @@
 #include <cmath>
 
-#include "app/curves.h"
+#include "app/export/results_json.h"
+#include "app/runs/curves.h"
 #include "draw/heat_scale.h"
 #include "service/functions.h"
 #include "service/one_mesh.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editing.h"
+#include "app/editing/editing.h"
 #include "service/call.h"
 
 namespace gradmesh {

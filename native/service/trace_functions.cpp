@@ -1,6 +1,7 @@
 #include <stdexcept>
 
-#include "app/trace.h"
+#include "app/export/results_json.h"
+#include "app/pictures/trace.h"
 #include "service/functions.h"
 #include "service/options.h"
 

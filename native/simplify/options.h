@@ -44,14 +44,14 @@ struct SimplifyOptions : MethodOptions {
   std::optional<Count> count;
   /// Pixels along the longer side of the frame, as of check_resolution.
   int resolution = usual_resolution;
-  /// The colour model in which a document's mesh is merged (app/runs.h); nothing for the
+  /// The colour model in which a document's mesh is merged (app/runs/runs.h); nothing for the
   /// mesh's own. simplify() itself always uses the mesh's own.
   std::optional<ColorModel> color_model;
   /// The seconds after which the best mesh so far is taken; 0 for no limit.
   double time_budget = 0;
   /// The number of threads; 0 for all cores. The result does not depend on the number.
   int threads = 0;
-  /// True if only the visible area of a document's mesh counts (app/runs.h).
+  /// True if only the visible area of a document's mesh counts (app/runs/runs.h).
   bool visible_only = true;
 
   bool has_target() const { return handles || patches || ratio; }
@@ -101,7 +101,8 @@ const OptionEntry& option_named(const std::string& name);
 struct Amount {
   const char* name;
   double epsilon, max_local_error, max_detail_error;
-  /// The largest error by FLIP of a mesh that is traced (app/trace.h), against its picture.
+  /// The largest error by FLIP of a mesh that is traced (app/pictures/trace.h), against its
+  /// picture.
   double traced_epsilon;
 };
 

@@ -2,9 +2,9 @@
 // Code of its meshes ends in lines of ours.
 #include <cstdlib>
 
-#include "app/publish.h"
-#include "app/publish_code.h"
-#include "app/svg_meshes.h"
+#include "app/document/svg_document.h"
+#include "app/export/publish.h"
+#include "app/export/publish_code.h"
 #include "target.h"
 
 namespace gradmesh::fuzz {
@@ -18,7 +18,7 @@ char limits[] = "GRADMESH_LIMITS=resolution=64";
 
 void check(std::string_view bytes) {
   accepts([&] {
-    SvgMeshes document(bytes, input_name);
+    SvgDocument document(bytes, input_name);
     const std::string before = document.bytes();
     accepts([&] {
       for (const CodeLanguage language : {CodeLanguage::swift, CodeLanguage::compose}) {
@@ -41,7 +41,7 @@ void check(std::string_view bytes) {
     }
     must_accept(
         [&] {
-          const SvgMeshes again(document.bytes(), input_name);
+          const SvgDocument again(document.bytes(), input_name);
           std::size_t left = 0;
           for (const MeshEntry& entry : again.meshes()) left += entry.refused.has_value();
           require(left == again.meshes().size() && left <= refused,

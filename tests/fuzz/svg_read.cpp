@@ -1,8 +1,8 @@
 #include <optional>
 #include <string>
 
-#include "app/info.h"
-#include "app/svg_meshes.h"
+#include "app/document/svg_document.h"
+#include "app/export/info.h"
 #include "formats/svg/gradient/mesh_gradient.h"
 #include "formats/svg/tree/visible.h"
 #include "mesh/build.h"
@@ -16,7 +16,7 @@ constexpr int few = 16;
 
 /// Every mesh of the document as its object's user sees it.
 void check_meshes(std::string_view bytes) {
-  std::optional<SvgMeshes> document;
+  std::optional<SvgDocument> document;
   if (!accepts([&] { document.emplace(bytes, input_name); })) return;
   for (const MeshEntry& entry : document->meshes()) {
     if (entry.index >= few) break;

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "app/svg_rules.h"
+#include "app/document/svg_rules.h"
 #include "form/written_patch.h"
 #include "mesh/build.h"
 #include "meshes.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editing.h"
+#include "app/editing/editing.h"
 #include "session/picture.h"
 #include "window/eye/viewport.h"
 

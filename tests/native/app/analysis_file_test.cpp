@@ -1,4 +1,4 @@
-#include "app/analysis_file.h"
+#include "app/runs/analysis_file.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "app/document.h"
+#include "app/document/document.h"
 #include "base/error.h"
 #include "base/hash.h"
 #include "files/atomic_file.h"

@@ -9,7 +9,8 @@
 #include <new>
 #include <random>
 
-#include "app/runs.h"
+#include "app/pages/read_document.h"
+#include "app/runs/runs.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "mesh/validate.h"
@@ -85,7 +86,7 @@ std::string read_simplify_write(const std::string& bytes) {
   RunOptions options;
   options.resolution = 32;
   options.epsilon = 0.02;
-  const auto document = Document::parse(bytes, "drawing.svg");
+  const auto document = parse_document(bytes, "drawing.svg");
   simplify(*document, {}, options);
   return document->bytes();
 }
@@ -137,7 +138,7 @@ TEST_F(Faults, a_document_whose_run_failed_is_as_it_was) {
   RunOptions options;
   options.resolution = 32;
   for (const long n : {10, 100, 1000, 3000}) {
-    const auto document = Document::parse(bytes_, "drawing.svg");
+    const auto document = parse_document(bytes_, "drawing.svg");
     and_all_after = true;
     left = n;
     EXPECT_THROW(simplify(*document, {}, options), std::bad_alloc);

@@ -4,16 +4,17 @@
 #include <set>
 #include <stdexcept>
 
-#include "app/convert.h"
-#include "app/document.h"
-#include "app/formats.h"
+#include "app/document/document.h"
+#include "app/document/formats.h"
+#include "app/pages/read_document.h"
+#include "app/runs/convert.h"
 
 using namespace gradmesh;
 
 namespace {
 
 std::unique_ptr<Document> sample() {
-  return Document::read_file(GRADMESH_SOURCE_DIR "/samples/ellipse.svg");
+  return read_document(GRADMESH_SOURCE_DIR "/samples/ellipse.svg");
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ TEST(Formats, recognise_what_they_write) {
       EXPECT_EQ(other.recognises(bytes), other == format) << other.name << ", " << format.name;
     // Whatever the name of the file promises.
     EXPECT_EQ(format_of_content(bytes, "mesh.svg"), format);
-    EXPECT_EQ(Document::parse(bytes, "mesh")->format(), format);
+    EXPECT_EQ(parse_document(bytes, "mesh")->format(), format);
   }
 }
 

@@ -1,12 +1,13 @@
 // Meshes of pages that are put into documents.
-#include "app/insert_pages.h"
+#include "app/pages/insert_pages.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 
-#include "app/svg_meshes.h"
+#include "app/document/svg_document.h"
+#include "app/pages/read_document.h"
 #include "complaint.h"
 #include "mesh/boundary.h"
 #include "pdf_shadings.h"
@@ -35,7 +36,7 @@ class InsertPages : public testing::Test {
 
   static std::unique_ptr<Document> svg(const std::string& attributes,
                                        const std::string& inside = "") {
-    return Document::parse(
+    return parse_document(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" " +
             attributes + ">" + inside + "</svg>",
@@ -50,7 +51,7 @@ class InsertPages : public testing::Test {
   /// Where the object with this id is seen, in pixels of the document.
   static Box seen(const Document& document, const std::string& id) {
     const MeshEntry entry = document.selected({id}).front();
-    const SvgMeshes::Place place = document.svg()->place(entry);
+    const SvgDocument::Place place = dynamic_cast<const SvgDocument&>(document).place(entry);
     return bounding_box(document.mesh(entry), place.to_page * place.to_user);
   }
   static void expect_box(const Box& box, glm::dvec2 low, glm::dvec2 high) {

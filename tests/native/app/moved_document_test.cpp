@@ -3,8 +3,9 @@
 
 #include <filesystem>
 
-#include "app/document.h"
-#include "app/folder_move.h"
+#include "app/document/document.h"
+#include "app/document/folder_move.h"
+#include "app/pages/read_document.h"
 #include "files/atomic_file.h"
 #include "files/temporary_folder.h"
 #include "files/zip.h"
@@ -28,7 +29,7 @@ class MovedDocument : public testing::Test {
 
   fs::path home() const { return folder_.path() / "home"; }
   fs::path other() const { return folder_.path() / "other" / "place"; }
-  std::unique_ptr<Document> document() const { return Document::read_file(home() / "drawing.svg"); }
+  std::unique_ptr<Document> document() const { return read_document(home() / "drawing.svg"); }
 
   static bool has(const fs::path& file, std::string_view text) {
     return read_bytes(file).find(text) != std::string::npos;
@@ -60,13 +61,13 @@ TEST_F(MovedDocument, is_right_in_each_folder_it_is_written_to) {
 
 TEST_F(MovedDocument, comes_back_to_the_same_picture) {
   document()->write_file(other() / "copy.svg");
-  Document::read_file(other() / "copy.svg")->write_file(home() / "back.svg");
+  read_document(other() / "copy.svg")->write_file(home() / "back.svg");
   EXPECT_TRUE(has(home() / "back.svg", "\"photo.png\""));
 }
 
 TEST_F(MovedDocument, is_compressed_as_well) {
   write_bytes(home() / "packed.svgz", gzip(linked));
-  Document::read_file(home() / "packed.svgz")->write_file(other() / "copy.svgz");
+  read_document(home() / "packed.svgz")->write_file(other() / "copy.svgz");
   const auto text = gunzip(read_bytes(other() / "copy.svgz"));
   ASSERT_TRUE(text);
   EXPECT_NE(text->find("../../home/photo.png"), text->npos);
@@ -76,13 +77,13 @@ TEST_F(MovedDocument, without_links_has_the_same_bytes) {
   const std::string bare =
       "<svg xmlns='http://www.w3.org/2000/svg'  width='9'><g fill='url(#a)'/></svg>\n";
   write_bytes(home() / "bare.svg", bare);
-  Document::read_file(home() / "bare.svg")->write_file(other() / "bare.svg");
+  read_document(home() / "bare.svg")->write_file(other() / "bare.svg");
   EXPECT_EQ(read_bytes(other() / "bare.svg"), bare);
 }
 
 // Such as Inkscape's copies of a document, whose links begin in the folder of the document.
 TEST_F(MovedDocument, whose_folder_is_not_known_stays_as_it_is) {
-  Document::parse(linked, "drawing.svg")->write_file(other() / "copy.svg");
+  parse_document(linked, "drawing.svg")->write_file(other() / "copy.svg");
   EXPECT_EQ(read_bytes(other() / "copy.svg"), linked);
   const auto looking = document();
   looking->look_in({other()});
@@ -97,7 +98,7 @@ TEST_F(MovedDocument, comes_from_the_folder_that_a_link_stands_for) {
   const fs::path link = other() / "link";
   fs::create_directory_symlink(home(), link);
   EXPECT_FALSE(folder_move(link / "drawing.svg", home() / "copy.svg"));
-  Document::read_file(link / "drawing.svg")->write_file(other() / "copy.svg");
+  read_document(link / "drawing.svg")->write_file(other() / "copy.svg");
   EXPECT_TRUE(has(other() / "copy.svg", "\"../../home/photo.png\""));
 #endif
 }

@@ -1,9 +1,10 @@
 // Documents of pages, read as SVG documents of their meshes.
-#include "app/page_documents.h"
+#include "app/pages/page_documents.h"
 
 #include <gtest/gtest.h>
 
-#include "app/svg_meshes.h"
+#include "app/document/svg_document.h"
+#include "app/pages/read_document.h"
 #include "complaint.h"
 #include "mesh/boundary.h"
 #include "pdf_shadings.h"
@@ -40,7 +41,7 @@ std::unique_ptr<Document> read(const std::vector<std::string>& contents,
   std::vector<PdfPageText> pages;
   for (const std::string& content : contents)
     pages.push_back({entries(3 + 2 * int(contents.size())), content});
-  return Document::parse(pdf_document(pages, objects()), "a.pdf", choice);
+  return parse_document(pdf_document(pages, objects()), "a.pdf", choice);
 }
 
 std::vector<std::string> ids_of(const Document& document) {
@@ -97,7 +98,7 @@ TEST(PageDocuments, are_read_one_page_at_a_time_as_well) {
   EXPECT_EQ(complaint([] { read({"/sh sh"}, {.page = 2}); }),
             "a.pdf: there is no page 2; it has 1.");
   EXPECT_EQ(complaint([] {
-              Document::read_file(GRADMESH_SOURCE_DIR "/samples/two.svg", PageChoice{.page = 1});
+              read_document(GRADMESH_SOURCE_DIR "/samples/two.svg", PageChoice{.page = 1});
             }),
             GRADMESH_SOURCE_DIR "/samples/two.svg: it has no pages to choose from.");
 }

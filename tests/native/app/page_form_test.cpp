@@ -1,5 +1,5 @@
 // Which mesh stands for the patches of a page.
-#include "app/page_form.h"
+#include "app/pages/page_form.h"
 
 #include <gtest/gtest.h>
 

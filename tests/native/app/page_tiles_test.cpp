@@ -6,8 +6,9 @@
 #include <functional>
 #include <glm/common.hpp>
 
-#include "app/page_documents.h"
-#include "app/svg_meshes.h"
+#include "app/document/svg_document.h"
+#include "app/pages/page_documents.h"
+#include "app/pages/read_document.h"
 #include "mesh/boundary.h"
 #include "pdf_shadings.h"
 
@@ -82,7 +83,7 @@ std::unique_ptr<Document> read(const std::vector<Tile>& tiles, const PaintTile& 
   }
   const std::string entries = "/MediaBox [0 0 300 300] /Resources << /Shading << " + shadings +
                               ">> /ExtGState << /half << /ca 0.5 >> >> >>";
-  return Document::parse(pdf_document(entries, content + behind, objects), "a.pdf", {});
+  return parse_document(pdf_document(entries, content + behind, objects), "a.pdf", {});
 }
 
 TEST(PageTiles, are_one_mesh) {

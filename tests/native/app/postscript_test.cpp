@@ -1,6 +1,6 @@
 // PostScript, read as the PDF that Ghostscript makes of it. Most of it by another program in the
 // place of Ghostscript, as that is not everywhere.
-#include "app/postscript.h"
+#include "app/pages/postscript.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,10 @@
 #include <optional>
 #include <sstream>
 
-#include "app/info.h"
-#include "app/page_documents.h"
-#include "app/svg_meshes.h"
+#include "app/document/svg_document.h"
+#include "app/export/info.h"
+#include "app/pages/page_documents.h"
+#include "app/pages/read_document.h"
 #include "complaint.h"
 #include "files/atomic_file.h"
 #include "files/run_program.h"
@@ -103,12 +104,12 @@ std::string page_with_square() {
 
 TEST_F(PostScript, is_read_as_the_pdf_that_is_made_of_it) {
   let_program_make(page_with_square());
-  const auto document = Document::parse(text, "-odd name.eps");
+  const auto document = parse_document(text, "-odd name.eps");
   ASSERT_EQ(document->meshes().size(), 1U);
   EXPECT_EQ(document->meshes()[0].id, "page-1-mesh-1");
   EXPECT_EQ(document->format().name, "svg");
   EXPECT_EQ(info_json(*document).at("kind"), "postscript");
-  EXPECT_EQ(info_json(*Document::parse(page_with_square(), "a.pdf")).at("kind"), "pdf");
+  EXPECT_EQ(info_json(*parse_document(page_with_square(), "a.pdf")).at("kind"), "pdf");
   expect_nothing_left();
 }
 
@@ -157,12 +158,12 @@ TEST_F(PostScript, is_known_by_its_content) {
 
 TEST_F(PostScript, that_cannot_be_read_is_told) {
   let_program_be("exit 3");
-  EXPECT_EQ(complaint([] { Document::parse(text, "a.ps"); }), "a.ps: Ghostscript cannot read it.");
+  EXPECT_EQ(complaint([] { parse_document(text, "a.ps"); }), "a.ps: Ghostscript cannot read it.");
   // A document of which there is a part only, and none.
   let_program_be("echo part > \"$to\"; kill -9 $$");
-  EXPECT_EQ(complaint([] { Document::parse(text, "a.ps"); }), "a.ps: Ghostscript cannot read it.");
+  EXPECT_EQ(complaint([] { parse_document(text, "a.ps"); }), "a.ps: Ghostscript cannot read it.");
   let_program_be("exit 0");
-  EXPECT_EQ(complaint([] { Document::parse(text, "a.ps"); }), "a.ps: Ghostscript cannot read it.");
+  EXPECT_EQ(complaint([] { parse_document(text, "a.ps"); }), "a.ps: Ghostscript cannot read it.");
   expect_nothing_left();
 }
 
@@ -177,14 +178,14 @@ TEST_F(PostScript, that_does_not_end_is_told) {
 
 TEST_F(PostScript, needs_a_program) {
   const Setting none(program_variable, at("nothing").string());
-  EXPECT_EQ(complaint([] { Document::parse(text, "a.ps"); }),
+  EXPECT_EQ(complaint([] { parse_document(text, "a.ps"); }),
             "a.ps: PostScript is read where Ghostscript is installed (the program gs).");
   expect_nothing_left();
 }
 
 TEST_F(PostScript, is_not_written) {
   let_program_make(page_with_square());
-  const auto document = Document::parse(text, "a.eps");
+  const auto document = parse_document(text, "a.eps");
   for (const char* name : {"b.eps", "b.ps", "B.EPS"})
     EXPECT_EQ(complaint([&] { document->check_target(name); }),
               std::string(name) +
@@ -201,7 +202,7 @@ TEST_P(Ghostscript, keeps_the_meshes) {
   if (run_program({"gs", "--version"}, folder.path(), std::chrono::seconds(20)) != ProgramEnd::done)
     GTEST_SKIP() << "Ghostscript is not installed";
   const Setting own(program_variable, "gs");
-  const auto eps = Document::read_file(name + ".eps"), pdf = Document::read_file(name + ".pdf");
+  const auto eps = read_document(name + ".eps"), pdf = read_document(name + ".pdf");
   ASSERT_EQ(eps->meshes().size(), pdf->meshes().size());
   for (std::size_t n = 0; n < pdf->meshes().size(); ++n) {
     const FoundMesh &a = eps->pages()->meshes.at(n), &b = pdf->pages()->meshes.at(n);

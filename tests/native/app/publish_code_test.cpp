@@ -1,13 +1,14 @@
 // Meshes as code of SwiftUI and Compose: what the code says, painted, looks like the mesh.
-#include "app/publish_code.h"
+#include "app/export/publish_code.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "app/convert.h"
-#include "app/runs.h"
-#include "app/svg_meshes.h"
+#include "app/document/svg_document.h"
+#include "app/pages/read_document.h"
+#include "app/runs/convert.h"
+#include "app/runs/runs.h"
 #include "code_reader.h"
 #include "form/smooth_colors.h"
 #include "formats/code/compose_code.h"
@@ -25,9 +26,9 @@ namespace {
 constexpr CodeLanguage both_languages[] = {CodeLanguage::swift, CodeLanguage::compose};
 
 /// Returns the FLIP of what the code paints against the mesh of the document.
-double flip_of_code(const SvgMeshes& document, const MeshEntry& entry, const MeshCode& code) {
+double flip_of_code(const SvgDocument& document, const MeshEntry& entry, const MeshCode& code) {
   const Mesh& mesh = document.mesh(entry);
-  const SvgMeshes::Place place = document.place(entry);
+  const SvgDocument::Place place = document.place(entry);
   const Affine to_page = place.to_page * place.to_user;
   Frame frame = fit_frame(mesh, to_page, 350);
   const Box box = bounding_box(mesh, to_page);
@@ -48,7 +49,7 @@ double flip_of_code(const SvgMeshes& document, const MeshEntry& entry, const Mes
 }
 
 std::unique_ptr<Document> drawing(const std::string& body) {
-  return Document::parse(
+  return parse_document(
       "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><defs>"
       "<meshgradient id='m' gradientUnits='userSpaceOnUse' x='10' y='10'><meshrow><meshpatch>"
       "<stop path='l 80 0' style='stop-color:#ff0000'/>"
@@ -81,14 +82,15 @@ TEST(PublishCode, paints_the_samples) {
   for (const auto& file : std::filesystem::directory_iterator(GRADMESH_SOURCE_DIR "/samples")) {
     if (file.path().extension() != ".svg") continue;
     for (const CodeLanguage language : both_languages) {
-      const auto document = Document::read_file(file.path());
+      const auto document = read_document(file.path());
       const auto published = publish_code(*document, language);
       const auto entries = document->selected({});
       ASSERT_EQ(published.meshes.size(), entries.size());
       for (std::size_t i = 0; i < entries.size(); ++i) {
         const PublishedCode& made = published.meshes[i];
         const MeshCode code = read_code(made.source);
-        const double flip = flip_of_code(*document->svg(), entries[i], code);
+        const double flip =
+            flip_of_code(dynamic_cast<const SvgDocument&>(*document), entries[i], code);
         const bool differs = says(made, "inner points") || says(made, "smooth colours");
         // Opacities of 8 bits change many colours by one level.
         const double rounding = is_translucent(document->mesh(entries[i])) ? 0.006 : 0.002;
@@ -207,7 +209,7 @@ TEST(PublishCode, puts_all_meshes_into_one_file_under_their_names) {
 }
 
 TEST(PublishCode, stacks_the_blocks_of_a_simplified_mesh) {
-  const auto document = Document::read_file(GRADMESH_SOURCE_DIR "/samples/fruit.svg");
+  const auto document = read_document(GRADMESH_SOURCE_DIR "/samples/fruit.svg");
   RunOptions options;
   options.method = "gqe";
   options.epsilon = 0.02;
@@ -219,7 +221,7 @@ TEST(PublishCode, stacks_the_blocks_of_a_simplified_mesh) {
     const MeshCode code = read_code(made.source);
     EXPECT_EQ(int(code.grids.size()), document->objects(entry));
     EXPECT_TRUE(says(made, "side by side"));
-    const double flip = flip_of_code(*document->svg(), entry, code);
+    const double flip = flip_of_code(dynamic_cast<const SvgDocument&>(*document), entry, code);
     EXPECT_LT(flip, 0.002);
   }
 }

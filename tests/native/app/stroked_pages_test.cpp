@@ -1,8 +1,9 @@
 // Strokes that meshes of pages paint, as objects of SVG.
 #include <gtest/gtest.h>
 
-#include "app/document.h"
-#include "app/page_documents.h"
+#include "app/document/document.h"
+#include "app/pages/page_documents.h"
+#include "app/pages/read_document.h"
 #include "base/error.h"
 #include "pdf_shadings.h"
 
@@ -30,7 +31,7 @@ TEST(StrokedPages, HaveTheStrokeInPixels) {
                     "stroke-dasharray:12,6;stroke-dashoffset:2\""))
       << svg;
   EXPECT_FALSE(holds(svg, "clipPath")) << svg;
-  const auto read = Document::parse(svg, "a.svg");
+  const auto read = parse_document(svg, "a.svg");
   ASSERT_EQ(read->meshes().size(), 1U);
   EXPECT_EQ(read->meshes()[0].role, PaintRole::stroke);
   EXPECT_EQ(read->mesh(read->meshes()[0]).face_count(), 1);

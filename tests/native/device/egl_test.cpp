@@ -3,8 +3,9 @@
 #include <filesystem>
 #include <map>
 
-#include "app/devices.h"
-#include "app/runs.h"
+#include "app/pages/read_document.h"
+#include "app/runs/devices.h"
+#include "app/runs/runs.h"
 #include "branch_meshes.h"
 #include "device/device_errors.h"
 #include "device/egl_rasterizer.h"
@@ -62,7 +63,7 @@ TEST_F(OnDevice, paints_the_samples) {
   for (const auto& file : std::filesystem::directory_iterator(samples)) {
     if (file.path().extension() != ".svg") continue;
     SCOPED_TRACE(file.path().filename().string());
-    const auto document = Document::read_file(file.path());
+    const auto document = read_document(file.path());
     for (const MeshEntry& entry : document->meshes()) {
       const Mesh mesh = document->mesh(entry);
       expect_same_picture(*rasterizer, mesh, document->frame(entry, mesh, 400));
@@ -89,7 +90,7 @@ TEST_F(OnDevice, paints_folds_and_t_junctions) {
 
 TEST_F(OnDevice, paints_opacities_and_leaves_hidden_pixels_white) {
   const auto rasterizer = make_egl_rasterizer(device_);
-  const auto document = Document::read_file(samples / "opacity.svg");
+  const auto document = read_document(samples / "opacity.svg");
   for (const MeshEntry& entry : document->meshes()) {
     const Mesh mesh = document->mesh(entry);
     Frame frame = document->frame(entry, mesh, 300);
@@ -149,7 +150,7 @@ TEST_P(SampleOnDevice, is_merged_the_same) {
       options.metric = metric;
       options.resolution = 64;
       options.device_lost = [](const DeviceError& fault) { ADD_FAILURE() << fault.what(); };
-      const auto document = Document::read_file(file);
+      const auto document = read_document(file);
       for (const MeshEntry& entry : document->meshes()) {
         const Problem expected = problem_of(*document, entry, options, none);
         const Problem found = problem_of(*document, entry, options, none);

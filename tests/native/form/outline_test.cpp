@@ -4,7 +4,8 @@
 #include <set>
 #include <sstream>
 
-#include "app/document.h"
+#include "app/document/document.h"
+#include "app/pages/read_document.h"
 #include "branch_meshes.h"
 #include "form/block_outline.h"
 #include "formats/svg/group/new_svg.h"
@@ -124,7 +125,7 @@ std::string written_svg(const Mesh& mesh, const std::optional<SvgStroke>& stroke
 
 /// It as it reads back.
 std::unique_ptr<Document> written(const Mesh& mesh) {
-  return Document::parse(written_svg(mesh), "new.svg");
+  return parse_document(written_svg(mesh), "new.svg");
 }
 
 TEST(NewSvg, a_rectangle_is_one_gradient_and_a_ring_stays_closed) {
@@ -145,7 +146,7 @@ TEST(NewSvg, a_stroke_is_one_gradient_or_a_group_that_it_masks) {
   const SvgStroke stroke{.width = 3, .cap = "round", .dashes = {4, 2}};
   for (const Mesh& mesh : {test::grid_mesh({.rows = 2, .columns = 3}), build_mesh(test::ring(8))}) {
     const std::string svg = written_svg(mesh, stroke);
-    const auto document = Document::parse(svg, "new.svg");
+    const auto document = parse_document(svg, "new.svg");
     ASSERT_EQ(document->meshes().size(), 1u);
     EXPECT_EQ(document->meshes()[0].role, PaintRole::stroke);
     EXPECT_EQ(document->mesh(document->meshes()[0]).face_count(), mesh.face_count());

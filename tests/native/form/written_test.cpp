@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/document.h"
+#include "app/document/document.h"
+#include "app/pages/read_document.h"
 #include "base/error.h"
 #include "corners.h"
 #include "form/blocks.h"
@@ -99,7 +100,7 @@ TEST_P(Documents, cost_nothing_as_blocks) {
   int meshes = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     if (file.path().extension() != ".svg") continue;
-    const auto document = Document::read_file(file.path());
+    const auto document = read_document(file.path());
     for (const MeshEntry& entry : document->meshes()) {
       SCOPED_TRACE(file.path().filename().string() + " " + entry.id);
       const auto mesh = readable_mesh(*document, entry);

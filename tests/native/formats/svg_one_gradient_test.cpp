@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/runs.h"
+#include "app/pages/read_document.h"
+#include "app/runs/runs.h"
 #include "form/written_patch.h"
 #include "formats/svg/gradient/color_texts.h"
 #include "formats/svg/gradient/mesh_gradient.h"
@@ -350,9 +351,9 @@ TEST(OneGradient, and_blocks_that_no_reader_would_take_are_not_written) {
                           "l 0,-1e8\"/></meshpatch><meshpatch>" + stop + "l 1e8,0\"/>" + stop +
                           "l 0,1e8\"/>" + stop + "l -1e8,0\"/></meshpatch></meshrow>";
   const auto document =
-      Document::parse("<svg xmlns='http://www.w3.org/2000/svg'>" + gradient("m", user_space, far) +
-                          "<rect id='r' width='2e8' height='1e8' fill='url(#m)'/></svg>",
-                      "far.svg");
+      parse_document("<svg xmlns='http://www.w3.org/2000/svg'>" + gradient("m", user_space, far) +
+                         "<rect id='r' width='2e8' height='1e8' fill='url(#m)'/></svg>",
+                     "far.svg");
   const std::string before = document->bytes();
   for (const std::string method : {"gqe", "lines"}) {
     RunOptions options;

@@ -5,7 +5,8 @@
 #include <map>
 #include <set>
 
-#include "app/document.h"
+#include "app/document/document.h"
+#include "app/pages/read_document.h"
 #include "corners.h"
 #include "form/block_outline.h"
 #include "form/rounding.h"
@@ -119,7 +120,7 @@ TEST(SvgWrite, read_back_it_is_the_same_mesh) {
     const Mesh mesh = random_mesh(seed);
     const std::string text =
         after_writing("<path id='p' d='M0,0 H400 V400 Z' fill='url(#m)'/>", mesh).serialize();
-    const std::unique_ptr<Document> document = Document::parse(text, "drawing.svg");
+    const std::unique_ptr<Document> document = parse_document(text, "drawing.svg");
     ASSERT_EQ(document->meshes().size(), 1u);
     const Mesh back = document->mesh(document->meshes()[0]);
     ASSERT_EQ(validate(back), std::vector<std::string>{}) << "seed " << seed;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "app/svg_rules.h"
+#include "app/document/svg_rules.h"
 #include "form/written_patch.h"
 #include "mesh/build.h"
 #include "mesh/faces_under.h"

@@ -8,7 +8,8 @@
 #include <ostream>
 #include <set>
 
-#include "app/document.h"
+#include "app/document/document.h"
+#include "app/pages/read_document.h"
 #include "base/error.h"
 #include "branch_meshes.h"
 #include "formats/hemesh/hemesh.h"
@@ -176,8 +177,8 @@ TEST_P(SharedMeshes, are_simplified_by_every_method) {
 class Samples : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Samples, are_simplified_by_every_method) {
-  const auto document = Document::read_file(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" /
-                                            (GetParam() + ".svg"));
+  const auto document =
+      read_document(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" / (GetParam() + ".svg"));
   for (const MeshEntry& entry : document->selected({})) {
     SCOPED_TRACE(entry.id);
     run_all(document->mesh(entry), false);

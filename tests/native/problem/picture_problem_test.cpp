@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "app/document.h"
+#include "app/document/document.h"
+#include "app/pages/read_document.h"
 #include "mesh/validate.h"
 #include "originals.h"
 #include "sessions.h"
@@ -19,7 +20,7 @@ using test::picture_by;
 constexpr int resolution = 120;
 
 Mesh sample(const std::string& name) {
-  const auto document = Document::read_file(GRADMESH_SOURCE_DIR "/samples/" + name + ".svg");
+  const auto document = read_document(GRADMESH_SOURCE_DIR "/samples/" + name + ".svg");
   return document->mesh(document->meshes().front());
 }
 

@@ -9,8 +9,10 @@
 #include <optional>
 #include <thread>
 
-#include "app/info.h"
-#include "app/runs.h"
+#include "app/export/info.h"
+#include "app/export/results_json.h"
+#include "app/pages/read_document.h"
+#include "app/runs/runs.h"
 #include "base/error.h"
 #include "raster/rasterizer.h"
 #include "requests.h"
@@ -143,7 +145,7 @@ Json timeless(Json result) {
 
 /// What simplify() and preview() make of a document without the service.
 struct Direct {
-  explicit Direct(const std::string& bytes) : document(Document::parse(bytes, "drawing.svg")) {
+  explicit Direct(const std::string& bytes) : document(parse_document(bytes, "drawing.svg")) {
     run.resolution = 32;
     run.method = "best";
   }
@@ -317,7 +319,7 @@ TEST(Service, measures_against_another_document) {
     direct.document->measure_against(against);
     return direct.previewed()[0]["error"];
   };
-  const auto direct_original = Document::parse(bytes, "drawing.svg");
+  const auto direct_original = parse_document(bytes, "drawing.svg");
   EXPECT_EQ(error(original), expected(direct_original.get()));
   // What was measured against once is not from then on.
   EXPECT_EQ(error(nullptr), expected(nullptr));
@@ -326,7 +328,7 @@ TEST(Service, measures_against_another_document) {
 
 TEST(Service, paints_and_tells_as_the_core_does) {
   const std::string bytes = sample("tensor.svg");
-  const auto direct_document = Document::parse(bytes, "drawing.svg");
+  const auto direct_document = parse_document(bytes, "drawing.svg");
   const MeshEntry entry = direct_document->meshes().front();
   Service service;
   const Json document = parsed(service, bytes);

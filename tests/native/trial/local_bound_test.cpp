@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <ostream>
 
-#include "app/runs.h"
+#include "app/pages/read_document.h"
+#include "app/runs/runs.h"
 #include "base/error.h"
 #include "mesh/color_model.h"
 #include "mesh/rectangle.h"
@@ -132,7 +133,7 @@ TEST(LocalBound, a_window_above_it_from_the_start_may_stay_and_not_get_worse) {
 /// written; of translucent ones the larger on white and on black.
 double written_largest(const Document& before, const Document& after, const MeshReport& report,
                        MetricKind metric) {
-  const Mesh mesh = Document::parse(after.bytes(), "after")->mesh(after.selected({report.id})[0]);
+  const Mesh mesh = parse_document(after.bytes(), "after")->mesh(after.selected({report.id})[0]);
   Frame frame = report.result.frame;
   const Mesh original = before.mesh(before.selected({report.id})[0]);
   frame.masked_opacity = mesh.color_model() == ColorModel::bilinear && !mesh.is_smooth() &&
@@ -166,7 +167,7 @@ TEST_P(Results, keep_to_the_bound_as_written) {
   const auto& [file, method] = GetParam();
   if (!std::filesystem::exists(file))
     GTEST_SKIP() << file.filename() << " is not among the authors' meshes in ../shared/meshes";
-  const auto before = Document::read_file(file);
+  const auto before = read_document(file);
   RunOptions options;
   options.method = method;
   options.epsilon = 0.03;
@@ -174,7 +175,7 @@ TEST_P(Results, keep_to_the_bound_as_written) {
   for (const MeshEntry& entry : before->selected({})) {
     const Mesh& mesh = before->mesh(entry);
     if (!mesh.is_smooth() && !suits(method_named(method), mesh)) continue;
-    const auto free = Document::read_file(file), bound = Document::read_file(file);
+    const auto free = read_document(file), bound = read_document(file);
     options.max_local_error.reset();
     const auto without = simplify(*free, {entry.id}, options, {}, {}).front();
     EXPECT_NEAR(without.result.local_error,
@@ -241,7 +242,7 @@ TEST(LocalBound, prices_know_nothing_of_it) {
 
 TEST(LocalBound, refuses_a_manual_merge_that_breaks_it_but_tells_the_error) {
   const auto document =
-      Document::read_file(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" / "fruit.svg");
+      read_document(std::filesystem::path(GRADMESH_SOURCE_DIR) / "samples" / "fruit.svg");
   RunOptions options;
   options.method = "manual";
   options.edges = {5, 60};

@@ -1,6 +1,7 @@
 // How a person ends what they do in the window of simplifying by eye, and what of it is kept.
 #include <gtest/gtest.h>
 
+#include "app/pages/read_document.h"
 #include "eye_windows.h"
 
 namespace gradmesh {
@@ -64,7 +65,7 @@ TEST_F(EyeWindows, each_mesh_keeps_what_was_made_of_it) {
 }
 
 TEST_F(EyeWindows, a_mesh_that_cannot_be_opened_takes_nothing_along) {
-  document_ = Document::read_file(std::string(GRADMESH_SOURCE_DIR) + "/samples/two.svg");
+  document_ = read_document(std::string(GRADMESH_SOURCE_DIR) + "/samples/two.svg");
   eye_.emplace(std::vector<std::string>{"stalk", "cap"}, [this](const std::string& id) {
     if (id == "cap") throw InputError("the mesh covers no pixel.");
     return edit_by_eye(*document_, document_->selected({id}).front(), {});

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/document.h"
+#include "app/document/document.h"
+#include "app/pages/read_document.h"
 #include "screen.h"
 
 namespace gradmesh::test {
@@ -30,7 +31,7 @@ class EyeWindows : public testing::Test {
     // What is looked at refers to the document before.
     screen_.reset();
     eye_.reset();
-    document_ = Document::read_file(file);
+    document_ = read_document(file);
     std::vector<std::string> ids;
     for (const MeshEntry& entry : document_->selected({})) ids.push_back(entry.id);
     eye_.emplace(ids, [this](const std::string& id) {

@@ -42,6 +42,7 @@ RANK = {
 
 #: Folders inside of others; those that are not named come before all of these.
 INNER = {
+    "app": {"document": 0, "pages": 1, "pictures": 2, "runs": 3, "editing": 4, "export": 5},
     "formats": {
         "code": 0, "text": 0, "json": 1, "hemesh": 1, "packed": 1,
         "pdf/bits": 0, "pdf/color": 1, "pdf/shading": 1, "pdf/grid": 2, "pdf/records": 3,

@@ -1,0 +1,41 @@
+#include "app/document/folder_move.h"
+
+#include <system_error>
+
+namespace gradmesh {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns true if a path leads to a pipe or the like, or is one of the system's names for what a
+/// program reads and writes.
+bool is_stream(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return true;
+  const fs::path relative = path.relative_path();
+  const bool is_of_system =
+      !relative.empty() && (*relative.begin() == "dev" || *relative.begin() == "proc");
+  return is_of_system && fs::is_symlink(path, ignored);
+}
+
+/// Returns the path with its folder as the disk has it, through whatever links that is named: `..`
+/// leads up from there.
+fs::path on_disk(const fs::path& path) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(path.parent_path(), error);
+  return (error ? path.parent_path().lexically_normal() : folder) / path.filename();
+}
+
+}  // namespace
+
+std::optional<FolderMove> folder_move(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  const fs::path source = fs::absolute(from, error), target = fs::absolute(to, error);
+  if (error || is_stream(source) || is_stream(target)) return std::nullopt;
+  const fs::path file = on_disk(source), folder = on_disk(target).parent_path();
+  if (file.parent_path() == folder) return std::nullopt;
+  return FolderMove{file, folder};
+}
+
+}  // namespace gradmesh

@@ -1,0 +1,263 @@
+#include "app/runs/runs.h"
+
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+#include "app/runs/devices.h"
+#include "mesh/build.h"
+#include "mesh/color_model.h"
+#include "mesh/faces_under.h"
+#include "mesh/subdivide.h"
+#include "ops/fix.h"
+#include "simplify/target.h"
+#include "simplify/tries.h"
+
+namespace gradmesh {
+namespace {
+
+void check_edges(const SimplifyOptions& options) {
+  const bool are_named = method_named(options.method).merges_named_edges;
+  if (are_named && options.edges.empty())
+    throw std::invalid_argument("the method manual needs the edges to merge.");
+  if (!are_named && !options.edges.empty())
+    throw std::invalid_argument("edges can be named for the method manual only.");
+}
+
+void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) {
+  if (!analyses.save.empty() && !method_named(options.method).needs_prices)
+    throw std::invalid_argument("the method " + options.method +
+                                " needs no analysis, so there is none to save.");
+}
+
+/// Returns the mesh in the colour model that is asked for.
+std::shared_ptr<const Mesh> in_color_model(const Mesh& mesh, ColorModel model) {
+  if (model == mesh.color_model()) return std::make_shared<const Mesh>(mesh);
+  MeshParts parts = subdivided(mesh, 1);
+  return std::make_shared<const Mesh>(build_mesh(model == ColorModel::bilinear
+                                                     ? as_bilinear(std::move(parts))
+                                                     : as_bicubic(std::move(parts))));
+}
+
+/// Returns the mesh of an entry with the patches fixed of which what is protected covers something.
+std::shared_ptr<const Mesh> protecting(const Document& document, const MeshEntry& entry,
+                                       std::shared_ptr<const Mesh> mesh,
+                                       const RunOptions& options) {
+  std::vector<FilledOutline> areas = options.protect_areas;
+  if (!options.protect.empty())
+    for (FilledOutline& area : document.covered(options.protect)) areas.push_back(std::move(area));
+  if (areas.empty()) return mesh;
+  const Affine to_mesh = document.view(entry).inverse();
+  std::vector<Face> faces;
+  for (FilledOutline& area : areas) {
+    area.outline = mapped(std::move(area.outline), to_mesh);
+    const std::vector<Face> under = faces_under(*mesh, area);
+    faces.insert(faces.end(), under.begin(), under.end());
+  }
+  return std::make_shared<const Mesh>(with_fixed(*mesh, faces));
+}
+
+/// Returns the areas of the shapes that have weights, in the units of the mesh of an entry.
+std::vector<WeightedArea> weighted_areas(const Document& document, const MeshEntry& entry,
+                                         const RunOptions& options) {
+  std::vector<WeightedArea> areas;
+  for (const auto& [id, factor] : options.weights) {
+    if (!(factor >= least_weight && factor <= most_weight)) {
+      std::ostringstream text;
+      text << "the weight of " << id << " must be between " << least_weight << " and "
+           << most_weight << ".";
+      throw std::invalid_argument(text.str());
+    }
+    areas.push_back({document.covered({id}), factor});
+  }
+  if (areas.empty()) return areas;
+  const Affine to_mesh = document.view(entry).inverse();
+  for (WeightedArea& area : areas)
+    for (FilledOutline& shape : area.shapes)
+      shape.outline = mapped(std::move(shape.outline), to_mesh);
+  return areas;
+}
+
+/// Returns the device on which a run prices merges of the mesh; null for the cores alone.
+std::shared_ptr<Device> device_for(const Mesh& mesh, const RunOptions& options) {
+  if (options.device || !options.device_if_faster) return options.device;
+  const Frame frame = fit_frame(mesh, options.view, options.resolution, options.padding);
+  return automatic_device(mesh, frame, options.metric, options.threads);
+}
+
+/// Throws InputError if the error of a mesh was above epsilon before anything was merged, because
+/// of another colour model or another document.
+void check_start(const Document& document, const MeshEntry& entry, const SimplifyResult& result,
+                 const RunOptions& options, double epsilon) {
+  if (options.has_target() || result.changed || result.error <= epsilon) return;
+  // Earlier runs with a larger epsilon may have moved the mesh away from the original.
+  if (document.may_differ(entry) && !options.original) return;
+  char error[32];
+  std::snprintf(error, sizeof error, "%.5f", result.error);
+  throw InputError(
+      "{0}: before anything is merged, its error in the color model {1} is {2}, above epsilon.",
+      document.describe(entry), name(result.mesh.color_model()), error);
+}
+
+/// Returns the watch of the run of one of several meshes.
+StopWatch watch_of(const RunOptions& options, std::size_t mesh, std::size_t meshes) {
+  if (!options.progress) return watch_of(options);
+  return {options.time_budget, [=, tell = options.progress](Progress now) {
+            now.mesh = mesh;
+            now.meshes = meshes;
+            return tell(now);
+          }};
+}
+
+/// Simplifies meshes of a document, each one once: drawings are full of copies, and one that lies,
+/// is seen and will be written like another becomes what that has become.
+class Runs {
+ public:
+  explicit Runs(const RunOptions& options) : options_(options) {}
+
+  SimplifyResult result_of(const Problem& problem, StopWatch& watch) {
+    const PriceTableKey key = problem.price_key();
+    for (const Run& run : runs_)
+      if (run.key == key && are_like(run.rules, problem.rules) &&
+          are_like(run.gradient_rules, problem.gradient_rules))
+        return as_copy(run.result);
+    SimplifyResult result = simplify_as_asked(problem, options_.method, watch);
+    if (!watch.is_over()) runs_.push_back({key, problem.rules, problem.gradient_rules, result});
+    return result;
+  }
+
+ private:
+  using Rules = std::shared_ptr<const WritingRules>;
+
+  struct Run {
+    PriceTableKey key;
+    Rules rules, gradient_rules;
+    SimplifyResult result;
+  };
+
+  static bool are_like(const Rules& a, const Rules& b) {
+    return a == b || (a && b && a->are_like(*b));
+  }
+
+  static SimplifyResult as_copy(SimplifyResult result) {
+    result.evaluations = 0;
+    result.seconds = {};
+    return result;
+  }
+
+  const RunOptions& options_;
+  std::vector<Run> runs_;
+};
+
+/// What became of the selected meshes, and what of that is to be written.
+struct Simplified {
+  std::vector<MeshReport> reports;
+  std::vector<ChangedMesh> changed;
+};
+
+Simplified simplified(const Document& document, const std::vector<std::string>& ids,
+                      const RunOptions& options, const AnalysisPaths& analyses) {
+  check_edges(options);
+  check_saved(options, analyses);
+  const std::vector<MeshEntry> entries = document.selected(ids);
+  if (method_named(options.method).merges_named_edges && entries.size() > 1)
+    throw InputError("{0}: there are {1} meshes, and edges can be named of one only.",
+                     document.name(), entries.size());
+
+  // All meshes are read before the first run, as a run may take long.
+  AnalysisFiles files(analyses);
+  std::vector<Problem> problems;
+  for (const MeshEntry& entry : entries)
+    problems.push_back(problem_of(document, entry, options, files));
+  Simplified all;
+  Runs runs(options);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const MeshEntry& entry = entries[i];
+    // Its picture is needed no longer than the run.
+    const Problem problem = std::move(problems[i]);
+    StopWatch watch = watch_of(options, i, entries.size());
+    SimplifyResult result = document.naming(entry, [&] { return runs.result_of(problem, watch); });
+    check_start(document, entry, result, options, problem.bounds.epsilon);
+    if (!result.changed)
+      result.objects = document.objects(entry);
+    else
+      all.changed.push_back({entry,
+                             result,
+                             {result.handles_before, result.patches_before},
+                             problem.frame(),
+                             problem.original()->mesh()});
+    all.reports.push_back({entry.id, std::move(result)});
+  }
+  for (const MeshEntry& entry : document.refused(ids)) {
+    MeshReport& report = all.reports.emplace_back();
+    report.id = entry.id;
+    report.refused = entry.refused;
+  }
+  files.save();
+  return all;
+}
+
+}  // namespace
+
+Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& asked,
+                   AnalysisFiles& files) {
+  RunOptions options = asked;
+  const Mesh& read = document.mesh(entry);
+  const ColorModel model = asked.color_model.value_or(read.color_model());
+  if (asked.color_model) document.check_color_model(model);
+  if (!options.original) options.original = original_of(document.given_original(entry));
+  if (!options.original) options.original = document.traced_original(entry, options.resolution);
+  if (!options.original) options.original = original_of(document.original(entry));
+  std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
+  mesh = protecting(document, entry, std::move(mesh), asked);
+  if (!options.original && model != read.color_model())
+    options.original = original_of(std::make_shared<const Mesh>(read));
+  static_cast<Layout&>(options) = document.layout(entry, asked.visible_only);
+  options.weighted = weighted_areas(document, entry, asked);
+  options.count = what_is_counted(asked, document.format().count);
+  options.rules = document.rules(entry, false);
+  if (document.is_one_gradient(entry)) options.gradient_rules = document.rules(entry, true);
+  options.analysis = nullptr;
+  const Problem problem = document.naming(entry, [&] {
+    const Problem made = problem_of(mesh, options);
+    return made.within(made.beyond_start(made.bounds));
+  });
+  problem.price_with({&files.start(problem.price_key(), *mesh),
+                      [=] { return device_for(*mesh, options); }, asked.device_lost});
+  return problem;
+}
+
+std::vector<MeshReport> simplify(Document& document, const std::vector<std::string>& ids,
+                                 const RunOptions& options, const AnalysisPaths& analyses,
+                                 const WriteOptions& writing) {
+  document.check_writing(writing);
+  const Simplified all = simplified(document, ids, options, analyses);
+  if (!all.changed.empty()) document.write(all.changed, options.metric, writing);
+  return all.reports;
+}
+
+std::vector<MeshReport> preview(const Document& document, const std::vector<std::string>& ids,
+                                RunOptions options, const AnalysisPaths& analyses) {
+  if (method_named(options.method).merges_named_edges) {
+    options.epsilon = 1;
+    options.max_local_error.reset();
+    options.max_detail_error.reset();
+  }
+  return simplified(document, ids, options, analyses).reports;
+}
+
+std::size_t analyze(const Document& document, const std::vector<std::string>& ids,
+                    const RunOptions& options, const AnalysisPaths& analyses) {
+  AnalysisFiles files(analyses);
+  std::size_t prices = 0;
+  for (const MeshEntry& entry : document.selected(ids)) {
+    const Problem problem = problem_of(document, entry, options, files);
+    StopWatch watch = watch_of(options);
+    document.naming(entry, [&] { analyze_regions(problem, watch); });
+    prices += problem.prices().prices.size();
+  }
+  files.save();
+  return prices;
+}
+
+}  // namespace gradmesh
