@@ -3,6 +3,7 @@
 #include "app/pages/read_document.h"
 #include "block_mesh.h"
 #include "cases.h"
+#include "raster/rasterizer.h"
 
 namespace gradmesh::bench {
 namespace {

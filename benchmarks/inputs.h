@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/document/frames.h"
 #include "app/runs/runs.h"
 
 namespace gradmesh::bench {
@@ -30,7 +31,7 @@ MeshFile mesh_file(const std::string& name);
 struct Input {
   explicit Input(const MeshFile& file);
 
-  Frame frame(int resolution) const { return document->frame(entry, mesh, resolution); }
+  Frame frame(int resolution) const { return frame_of(*document, entry, mesh, resolution); }
 
   std::unique_ptr<Document> document;
   MeshEntry entry;

@@ -3,6 +3,7 @@
 #include "cases.h"
 #include "mesh/region.h"
 #include "ops/merge/merge_region.h"
+#include "raster/rasterizer.h"
 #include "trial/merge_trial.h"
 
 namespace gradmesh::bench {

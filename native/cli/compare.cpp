@@ -1,6 +1,7 @@
 #include <cstdio>
 
-#include "app/document/common_frames.h"
+#include "app/document/frames.h"
+#include "app/export/mesh_picture.h"
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -26,8 +27,8 @@ struct OnlyMesh {
   }
 
   Image paint_like(const Image& other) const {
-    return document->render(seen.entry, std::max(other.width, other.height),
-                            *make_software_rasterizer());
+    return render(*document, seen.entry, std::max(other.width, other.height),
+                  *make_software_rasterizer());
   }
 
   std::unique_ptr<Document> document;

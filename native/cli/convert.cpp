@@ -2,7 +2,8 @@
 
 #include <cstdio>
 
-#include "app/document/one_mesh.h"
+#include "app/document/mesh_source.h"
+#include "app/document/write_file.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 
@@ -26,14 +27,14 @@ void run_convert(ConvertArguments& a) {
   a.options.resolution = a.measure.resolution;
   const std::unique_ptr<Document> from = read_and_warn(a.in, a.pages);
   if (from->pages() && *format == from->format() && a.id.empty()) {
-    from->write_file(a.out);
+    write_file(*from, a.out);
     for (const MeshEntry& entry : from->meshes())
       std::printf("%s: %d patches\n", entry.id.c_str(), from->mesh(entry).face_count());
     return;
   }
   const MeshEntry entry = one_mesh(*from, a.id);
   const Conversion to = convert(*from, entry, *format, a.options);
-  to.document->write_file(a.out);
+  write_file(*to.document, a.out);
   std::printf("%s: %d patches, %s %.5f%s\n", entry.id.c_str(),
               to.document->mesh(to.document->meshes().front()).face_count(),
               label(a.options.metric), to.error,

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "app/document/document.h"
+#include "app/document/frames.h"
 #include "app/runs/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -43,7 +44,7 @@ void print_choice(const DevicesArguments& a, const std::vector<DeviceInfo>& devi
   for (const MeshEntry& entry : document->selected(a.ids)) {
     const Mesh mesh = document->mesh(entry);
     const RendererChoice choice =
-        choose_renderer(device, mesh, document->frame(entry, mesh, a.options.resolution),
+        choose_renderer(device, mesh, frame_of(*document, entry, mesh, a.options.resolution),
                         a.options.metric, a.options.threads);
     std::printf("%s: auto takes %s: %s.\n", entry.id.c_str(),
                 choice.takes_device ? device->info().name.c_str() : "software",

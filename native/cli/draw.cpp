@@ -1,4 +1,4 @@
-#include "app/document/one_mesh.h"
+#include "app/document/mesh_source.h"
 #include "app/export/draw_document.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"

@@ -3,9 +3,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/document/one_mesh.h"
+#include "app/document/mesh_source.h"
+#include "app/document/write_file.h"
 #include "app/export/info.h"
-#include "app/export/picture_with_lines.h"
+#include "app/export/mesh_picture.h"
 #include "app/export/results_json.h"
 #include "cli/common_options.h"
 #include "files/image_file.h"
@@ -66,7 +67,7 @@ void run_edit(const EditArguments& a,
   const std::unique_ptr<Document> original = take_original(a.original, *document);
   const std::vector<EditReport> reports = edit(*document);
   if (a.preview.empty())
-    document->write_file(a.out);
+    write_file(*document, a.out);
   else
     write_preview(*document, reports, a);
   if (!a.quiet) print_reports(reports, a);

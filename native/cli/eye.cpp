@@ -1,3 +1,4 @@
+#include "app/document/write_file.h"
 #include "app/export/results_json.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -67,7 +68,7 @@ void write_or_keep(Document& made, const std::filesystem::path& out, const Write
     kept += out.extension();
   }
   try {
-    made.write_file(kept);
+    write_file(made, kept);
   } catch (const InputError&) {
     throw InputError(why.message());
   }
@@ -80,11 +81,11 @@ void simplify(const EyeArguments& a) {
     throw InputError("{0}: please say with --output where the SVG document is to be written.",
                      document->name());
   const std::filesystem::path& out = a.out.empty() ? a.in : a.out;
-  document->check_target(out);
+  check_target(*document, out);
   document->set_translation(translation_for(choices(a)));
   std::vector<std::filesystem::path> folders;
   for (const std::string& folder : a.folders) folders.push_back(utf8_path(folder));
-  if (!folders.empty()) document->look_in(std::move(folders));
+  if (!folders.empty()) document->file().look_in(std::move(folders));
   std::vector<std::string> names;
   const std::map<std::string, MeshEntry> entries = named_entries(document->selected(a.ids), names);
   Eye eye(names, [&](const std::string& name) {
@@ -100,7 +101,7 @@ void simplify(const EyeArguments& a) {
     // The report first: where it cannot be written the document is still as it was.
     if (!a.report.empty())
       write_bytes(a.report, nlohmann::ordered_json{{"meshes", meshes}}.dump(2) + "\n");
-    document->write_file(out);
+    write_file(*document, out);
   });
 }
 

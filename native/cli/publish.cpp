@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/document/write_file.h"
 #include "app/export/publish_code.h"
 #include "base/utf8_path.h"
 #include "cli/commands.h"
@@ -35,9 +36,9 @@ void say_left_alone(const Message& refusal) {
 
 void publish_svg(const PublishArguments& a) {
   const std::unique_ptr<Document> document = read_and_warn(a.in, a.pages);
-  document->check_target(a.out);
+  check_target(*document, a.out);
   const std::vector<PublishedMesh> meshes = publish(*document, a.options);
-  document->write_file(a.out);
+  write_file(*document, a.out);
   for (const PublishedMesh& mesh : meshes) {
     if (mesh.refused)
       say_left_alone(*mesh.refused);

@@ -1,4 +1,5 @@
-#include "app/document/one_mesh.h"
+#include "app/document/mesh_source.h"
+#include "app/export/mesh_picture.h"
 #include "app/runs/devices.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
@@ -18,18 +19,18 @@ struct RenderArguments {
 
 /// Paints the picture. Uses a device only if it was asked for, as one picture is not worth starting
 /// it.
-Image render(const Document& document, const MeshEntry& entry, const RenderArguments& a,
-             const Document* other) {
+Image paint(const Document& document, const MeshEntry& entry, const RenderArguments& a,
+            const Document* other) {
   RunOptions options = a.options;
   if (a.renderer == name(Renderer::egl)) take_renderer(a.renderer, options);
   try {
     if (options.device)
-      return document.render(entry, a.options.resolution, *make_egl_rasterizer(options.device),
-                             other);
+      return render(document, entry, a.options.resolution, *make_egl_rasterizer(options.device),
+                    other);
   } catch (const DeviceError& error) {
     say_without_device(error.what());
   }
-  return document.render(entry, a.options.resolution, *make_software_rasterizer(), other);
+  return render(document, entry, a.options.resolution, *make_software_rasterizer(), other);
 }
 
 void run_render(const RenderArguments& a) {
@@ -38,8 +39,8 @@ void run_render(const RenderArguments& a) {
   std::unique_ptr<Document> other;
   if (!a.framed_as.empty()) other = read_and_warn(a.framed_as);
   write_png(a.like_inkscape
-                ? document->render_like_inkscape(entry, a.options.resolution, other.get())
-                : render(*document, entry, a, other.get()),
+                ? render_like_inkscape(*document, entry, a.options.resolution, other.get())
+                : paint(*document, entry, a, other.get()),
             a.out);
 }
 

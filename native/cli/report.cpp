@@ -1,6 +1,6 @@
 #include "report/report.h"
 
-#include "app/document/one_mesh.h"
+#include "app/document/mesh_source.h"
 #include "app/export/page_on_mesh.h"
 #include "app/runs/devices.h"
 #include "cli/commands.h"

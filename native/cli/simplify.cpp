@@ -2,7 +2,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/document/one_mesh.h"
+#include "app/document/mesh_source.h"
+#include "app/document/write_file.h"
 #include "app/export/info.h"
 #include "app/export/results_json.h"
 #include "app/runs/convert_for_run.h"
@@ -127,7 +128,7 @@ void run_simplify(SimplifyArguments& a) {
   }
   // The report first: where it cannot be written the document is still as it was.
   if (!a.report.empty()) write_bytes(a.report, results_text(*document, reports, a));
-  if (!a.out.empty()) document->write_file(a.out);
+  if (!a.out.empty()) write_file(*document, a.out);
   tell_refused(reports);
   if (!a.quiet) print_results(reports, a.options);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/document/write_file.h"
 #include "app/export/results_json.h"
 #include "app/pictures/traced_curve.h"
 #include "app/runs/convert.h"
@@ -44,9 +45,10 @@ void print_result(const Tracing& traced, double detail) {
 void write(const TracedDocument& traced, const std::filesystem::path& path) {
   const Document& document = *traced.document;
   const Format* format = format_of(path);
-  if (!format || *format == document.format()) return document.write_file(path);
-  convert(document, document.selected({traced.tracing.id}).front(), *format, {})
-      .document->write_file(path);
+  if (!format || *format == document.format()) return write_file(document, path);
+  write_file(
+      *convert(document, document.selected({traced.tracing.id}).front(), *format, {}).document,
+      path);
 }
 
 TracedDocument traced(const TraceArguments& a) {

@@ -1,6 +1,9 @@
 #include <cstdio>
 
 #include "app/document/document.h"
+#include "app/document/svg_document.h"
+#include "app/document/write_file.h"
+#include "app/editing/edits.h"
 #include "cli/commands.h"
 #include "cli/common_options.h"
 
@@ -15,8 +18,8 @@ struct UpdateArguments {
 
 void run_update(const UpdateArguments& a) {
   const std::unique_ptr<Document> document = read_and_warn(a.in);
-  const std::vector<UpdateReport> reports = document->update(a.ids);
-  document->write_file(a.out);
+  const std::vector<UpdateReport> reports = update(*document, a.ids);
+  write_file(*document, a.out);
   if (a.quiet) return;
   for (const auto& [id, counts, objects, changed] : reports)
     std::printf("%s: %d handles, %d patches, %d object%s, %s\n", id.c_str(), counts.handles,

@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "app/document/write_file.h"
 #include "app/export/info.h"
 #include "app/export/results_json.h"
 #include "app/pages/insert_pages.h"
@@ -40,7 +41,7 @@ Json parse_document(const Call& call) {
   std::vector<std::filesystem::path> folders;
   for (const std::string& folder : call.get("folders", std::vector<std::string>{}))
     folders.push_back(utf8_path(folder));
-  document->look_in(std::move(folders));
+  document->file().look_in(std::move(folders));
   if (call.get("translated", false)) document->set_translation(callers_translation());
   return call.add(std::move(document));
 }
@@ -82,7 +83,7 @@ Json insert_pages_into(const Call& call) {
 }
 
 Json write_document(const Call& call) {
-  call.document().write_file(path_argument(call, "path"));
+  write_file(call.document(), path_argument(call, "path"));
   return nullptr;
 }
 

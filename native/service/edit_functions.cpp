@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "app/document/svg_document.h"
 #include "app/editing/edits.h"
 #include "app/editing/to_one_mesh.h"
 #include "app/export/results_json.h"
@@ -34,7 +35,7 @@ PointChoice point_choice(const Call& call) {
 Json update_document(const Call& call) {
   Json list = Json::array();
   for (const UpdateReport& report :
-       call.document().update(call.get<std::vector<std::string>>("ids", {})))
+       update(call.document(), call.get<std::vector<std::string>>("ids", {})))
     list.push_back(update_json(report));
   return list;
 }

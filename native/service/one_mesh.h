@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/document/one_mesh.h"
+#include "app/document/mesh_source.h"
 #include "service/call.h"
 
 namespace gradmesh {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/export/draw_document.h"
+#include "app/export/mesh_picture.h"
 #include "app/export/page_on_mesh.h"
 #include "files/atomic_file.h"
 #include "report/report.h"
@@ -46,8 +47,8 @@ Json render_mesh(const Call& call) {
   const MeshEntry entry = one_mesh(document, call);
   const Image image =
       call.get("like_inkscape", false)
-          ? document.render_like_inkscape(entry, resolution, framed_as)
-          : document.render(entry, resolution, *make_software_rasterizer(), framed_as);
+          ? render_like_inkscape(document, entry, resolution, framed_as)
+          : render(document, entry, resolution, *make_software_rasterizer(), framed_as);
   return {{"width", image.width},
           {"height", image.height},
           {"bytes", Json::binary(interleaved(image))}};

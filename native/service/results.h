@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "app/document/svg_document.h"
 #include "app/export/info.h"
 #include "app/export/publish.h"
 #include "app/export/publish_code.h"

@@ -1,6 +1,7 @@
 #include <optional>
 #include <string>
 
+#include "app/document/frames.h"
 #include "app/document/svg_document.h"
 #include "app/export/info.h"
 #include "formats/svg/gradient/mesh_gradient.h"
@@ -23,7 +24,7 @@ void check_meshes(std::string_view bytes) {
     accepts([&] {
       const Mesh mesh = document->mesh(entry);
       require_sound(mesh);
-      const Frame frame = document->frame(entry, mesh, 100);
+      const Frame frame = frame_of(*document, entry, mesh, 100);
       require(frame.width >= 1 && frame.height >= 1 && frame.width <= 100 && frame.height <= 100,
               "the picture has the size that was asked for");
     });

@@ -55,13 +55,13 @@ DocumentPicture::DocumentPicture(const SvgDocument& svg, const std::string& id,
     : name_(svg.name()), file_(svg.image_file(id, image)) {
   auto* const place = std::get_if<std::filesystem::path>(&file_);
   if (!place) return;
-  for (const std::filesystem::path& folder : svg.folders()) {
+  for (const std::filesystem::path& folder : svg.file().folders()) {
     std::error_code error;
     if (!std::filesystem::exists(folder / *place, error)) continue;
     *place = folder / *place;
     return;
   }
-  *place = likeliest_place(*place, svg.folders());
+  *place = likeliest_place(*place, svg.file().folders());
 }
 
 Picture DocumentPicture::read(int longest) const {

@@ -32,7 +32,7 @@ class HemeshRules : public WritingRules {
 }  // namespace
 
 HemeshDocument::HemeshDocument(std::string_view bytes, const std::string& name)
-    : Document(name, bytes) {
+    : Document(DocumentFile(name, bytes)) {
   entries_ = {{0, "mesh", std::nullopt, false}};
   const MeshParts parts = read_hemesh(bytes, name);
   mesh_ = naming(entries_.front(), [&] { return build_mesh(parts); });

@@ -22,7 +22,10 @@ class HemeshDocument : public Document {
   Affine view(const MeshEntry&) const override { return {}; }
   /// Returns the padding that the authors of the paper use.
   FramePadding padding() const override { return {.share = 0, .length = 0.03}; }
+  Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
   ChosenPatches rectangle(const std::string& id) const override;
+  std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
+  void check_writing(const WriteOptions& writing) const override;
   bool can_be_one(const MeshEntry& entry) const override;
   /// Does nothing, as the format holds meshes of any shape, and several colours at one point.
   void check_one(const Mesh&) const override {}
@@ -32,11 +35,8 @@ class HemeshDocument : public Document {
   void write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& meshes, int) override;
 
  protected:
-  Message describe(const MeshEntry&) const override { return Message("{0}", name()); }
-  std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
-  void check_writing(const WriteOptions& writing) const override;
   std::string changed_bytes() const override { return text_; }
 
  private:

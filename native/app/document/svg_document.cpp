@@ -1,5 +1,6 @@
 #include "app/document/svg_document.h"
 
+#include "app/document/frames.h"
 #include "app/document/mesh_label.h"
 #include "app/document/svg_rules.h"
 #include "app/document/traced_original.h"
@@ -46,7 +47,7 @@ std::vector<Overlap> all_overlaps(const Mesh& mesh, Frame frame) {
 }  // namespace
 
 SvgDocument::SvgDocument(std::string_view bytes, const std::string& name)
-    : Document(name, bytes), svg_(SvgTree::parse(bytes, name)) {
+    : Document(DocumentFile(name, bytes)), svg_(SvgTree::parse(bytes, name)) {
   list_meshes();
 }
 
@@ -117,7 +118,7 @@ void SvgDocument::list_meshes(const std::vector<MeshEntry>& written) {
 
 std::optional<Message> SvgDocument::refusal(const MeshEntry& entry) const {
   try {
-    frame(entry, mesh(entry), 1);
+    frame_of(*this, entry, mesh(entry), 1);
     return std::nullopt;
   } catch (const InputError& error) {
     return error.message();
@@ -294,7 +295,7 @@ std::shared_ptr<const Original> SvgDocument::traced_original(const MeshEntry& en
 MeshEntry SvgDocument::remember_picture(const MeshEntry& entry, RememberedPicture picture,
                                         glm::dvec2 pixels) {
   picture.to_mesh = picture_to_mesh(entry, picture.image, pixels);
-  const double tolerance = coons_tolerance(frame(entry, mesh(entry), usual_resolution));
+  const double tolerance = coons_tolerance(frame_of(*this, entry, mesh(entry), usual_resolution));
   gradmesh::remember_picture(object(entry), picture);
   remember_original(changing(), object(entry), mesh(entry), tolerance, "");
   list_meshes({entry});
@@ -342,7 +343,7 @@ std::string SvgDocument::new_memory(const ChangedMesh& m) const {
   if (!m.original) return "";
   const bool stays_one = !m.written.form.blocks;
   const bool stays_what_it_is = stays_one != m.entry.simplified;
-  if (stays_what_it_is && !has_given_originals() && remembered_original(m.entry))
+  if (stays_what_it_is && !originals() && remembered_original(m.entry))
     return *memory_of(object(m.entry));
   const std::vector<Overlap> overlaps = all_overlaps(*m.original, m.frame);
   const Affine place = stays_one ? mesh_to_gradient(svg_, object(m.entry)) : Affine();
@@ -395,7 +396,7 @@ ChosenPatches SvgDocument::rectangle(const std::string& id) const {
   return block(id);
 }
 
-bool SvgDocument::is_to_remember(const MeshEntry& entry) const {
+bool SvgDocument::remembers_when_edited(const MeshEntry& entry) const {
   return !entry.simplified || memory_of(object(entry));
 }
 
@@ -439,7 +440,7 @@ void SvgDocument::write_as_one(const std::vector<std::pair<MeshEntry, Mesh>>& me
                                int resolution) {
   std::vector<double> tolerances;
   for (const auto& [entry, mesh] : meshes)
-    tolerances.push_back(coons_tolerance(frame(entry, mesh, resolution)));
+    tolerances.push_back(coons_tolerance(frame_of(*this, entry, mesh, resolution)));
   // All are looked at before the first is changed.
   for (const auto& [entry, mesh] : meshes) check_restorable(svg_, object(entry));
   std::vector<MeshEntry> written;
@@ -462,9 +463,16 @@ Message SvgDocument::updated_label(const MeshEntry& group, const WrittenForm& fo
   const std::shared_ptr<const Mesh> original = recalled(group);
   if (!original) return mesh_label(now, before);
   const SimplifyOptions usual;
-  const Reference reference(*original, frame(group, *original, usual.resolution), usual.metric);
+  const Reference reference(*original, frame_of(*this, group, *original, usual.resolution),
+                            usual.metric);
   const MeasuredSurface measured(reference, form.surface, form.masks_opacity(), nullptr);
   return mesh_label(now, before, usual.metric, measured.error().mean);
+}
+
+std::vector<UpdateReport> SvgDocument::update(const std::vector<std::string>& ids) {
+  std::vector<UpdateReport> reports = update_edited(selected(ids));
+  if (std::ranges::any_of(reports, &UpdateReport::changed)) mark_changed();
+  return reports;
 }
 
 std::vector<UpdateReport> SvgDocument::update_edited(const std::vector<MeshEntry>& entries) {
@@ -487,7 +495,7 @@ std::vector<UpdateReport> SvgDocument::update_edited(const std::vector<MeshEntry
       reports.push_back({entry.id, counts_of(mesh), objects(entry), false});
       continue;
     }
-    const Frame frame = this->frame(entry, mesh, SimplifyOptions().resolution);
+    const Frame frame = frame_of(*this, entry, mesh, SimplifyOptions().resolution);
     // Painted in the order of before, in which the person has seen them.
     WrittenForm form = naming(entry, [&] { return rules(entry, false)->form(mesh, frame); });
     reports.push_back({entry.id, counts_of(form.surface), form.object_count(), true});

@@ -16,6 +16,16 @@
 
 namespace gradmesh {
 
+/// What an update has found of one mesh.
+struct UpdateReport {
+  std::string id;
+  MeshCounts counts;
+  /// The number of objects that paint the mesh, its blocks.
+  int objects = 0;
+  /// True if a person had edited the mesh.
+  bool changed = false;
+};
+
 /// An SVG document: its meshes are the objects that a mesh gradient paints, and groups of blocks.
 class SvgDocument : public Document {
  public:
@@ -30,12 +40,19 @@ class SvgDocument : public Document {
   std::vector<MeshEntry> refused(const std::vector<std::string>& ids) const override;
   std::vector<UnusedMesh> unused() const override;
   const Mesh& mesh(const MeshEntry& entry) const override { return read(entry).mesh; }
+  Message describe(const MeshEntry& entry) const override;
+  std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
+  std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
+  std::vector<FilledOutline> covered(const std::vector<std::string>& ids) const override;
   Affine view(const MeshEntry& entry) const override;
   FramePadding padding() const override { return {}; }
   int objects(const MeshEntry& entry) const override;
   /// Returns the block whose path has this id. Throws InputError if the id names something else.
   ChosenPatches block(const std::string& id) const;
   ChosenPatches rectangle(const std::string& id) const override;
+  std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
+  bool remembers_when_edited(const MeshEntry& entry) const override;
+  bool is_one_gradient(const MeshEntry& entry) const override { return !object(entry).is_group(); }
   bool can_be_one(const MeshEntry& entry) const override { return entry.simplified; }
   void check_one(const Mesh& mesh) const override;
   std::shared_ptr<const WritingRules> rules_of_one(const MeshEntry& entry) const override;
@@ -46,6 +63,14 @@ class SvgDocument : public Document {
   std::shared_ptr<const Original> traced_original(const MeshEntry& entry,
                                                   int resolution) const override;
   std::string bytes_over(std::string_view shown) const override;
+  std::string bytes_in(const FolderMove& move) const override;
+
+  /// Makes the selected meshes that are simplified fit together again if a person has edited their
+  /// blocks (form/reconcile.h), and fits the paths of the blocks to the new outlines. The labels of
+  /// the meshes get the error against the originals that the meshes remember. From then on the
+  /// meshes remember themselves as edited. Throws if no selected mesh is simplified. The document
+  /// is unchanged after an exception.
+  std::vector<UpdateReport> update(const std::vector<std::string>& ids);
 
   /// Returns where the shape with this id, or what is seen of the image with this id, and lines to
   /// follow lie on the picture of an image, whose file is `pixels` large (formats/svg/picture/
@@ -110,19 +135,10 @@ class SvgDocument : public Document {
   void replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks);
 
  protected:
-  Message describe(const MeshEntry& entry) const override;
-  std::shared_ptr<const Mesh> remembered_original(const MeshEntry& entry) const override;
-  std::optional<VisibleArea> visible_area(const MeshEntry& entry) const override;
-  std::vector<FilledOutline> covered(const std::vector<std::string>& ids) const override;
-  bool is_to_remember(const MeshEntry& entry) const override;
-  bool is_one_gradient(const MeshEntry& entry) const override { return !object(entry).is_group(); }
-  std::shared_ptr<const WritingRules> rules(const MeshEntry& entry, bool stays_one) const override;
   void replace(const std::vector<ChangedMesh>& meshes, MetricKind metric,
                const WriteOptions& writing) override;
   Message why_not(ColorModel model) const override;
-  std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries) override;
   std::string changed_bytes() const override { return text(); }
-  std::string bytes_in(const FolderMove& move) const override;
 
  private:
   /// Returns the map from pixels of a picture to the mesh of an object on it.
@@ -153,6 +169,8 @@ class SvgDocument : public Document {
   std::shared_ptr<const Mesh> recalled(const MeshEntry& entry) const;
   /// Returns why none of these entries can be changed: a sentence for each of the first.
   Message all_refusals(const std::vector<std::size_t>& places) const;
+  /// Does the work of update() for these meshes.
+  std::vector<UpdateReport> update_edited(const std::vector<MeshEntry>& entries);
   /// Returns what a simplified mesh remembers from now on, as the value of the attribute.
   std::string new_memory(const ChangedMesh& mesh) const;
   /// Writes a mesh as one mesh gradient. It remembers its original if it did so before, or if the

@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/document/one_mesh.h"
+#include "app/document/frames.h"
+#include "app/document/originals.h"
+#include "app/document/svg_document.h"
 #include "form/counts.h"
 #include "mesh/build.h"
 #include "mesh/subdivide.h"
@@ -18,13 +20,27 @@
 namespace gradmesh {
 namespace {
 
-EditReport write(Document& document, const MeshEntry& entry, const Mesh& mesh,
+/// Writes an edited mesh in the place of the entry's mesh. If it is `meant_to_differ`, it forgets
+/// its original, so that it counts as the original itself.
+EditReport write(Document& document, const MeshEntry& entry, const Mesh& edited,
                  const MeasureOptions& measure, bool meant_to_differ = false) {
-  const std::string id = entry.id;
-  const MeshCounts before = counts_of(document.mesh(entry));
-  const auto [after, objects, error] =
-      document.rewrite(entry, mesh, measure.metric, measure.resolution, meant_to_differ);
-  return {id, before, after, objects, error};
+  EditReport report{entry.id, counts_of(document.mesh(entry)), {}, 0, 0};
+  std::shared_ptr<const Mesh> against = known_original(document, entry);
+  if (!against) against = std::make_shared<const Mesh>(document.mesh(entry));
+  const auto [written, frame] = document.naming(entry, [&] {
+    Problem problem(against, nullptr, layout_of(document, entry, true), measure.resolution,
+                    measure.metric);
+    // A rectangle that was one mesh gradient stays one, unless its colours are sharp somewhere.
+    problem.rules = document.rules(entry, find_grid(edited) && has_one_color_at_each_point(edited));
+    return std::pair(problem.measure(edited), problem.frame());
+  });
+  WriteOptions writing;
+  writing.remember_original = !meant_to_differ && document.remembers_when_edited(entry);
+  document.write({{entry, written, counts_of(*against), frame, against}}, measure.metric, writing);
+  report.after = written.counts();
+  report.objects = written.form.object_count();
+  report.error = written.error;
+  return report;
 }
 
 /// Splits along lines across the whole mesh that start on `side` of the faces, at `place`. A face
@@ -102,6 +118,13 @@ ChosenCorners chosen_corners(const Document& document, const PointChoice& choice
 }
 
 }  // namespace
+
+std::vector<UpdateReport> update(Document& document, const std::vector<std::string>& ids) {
+  return as_svg(document,
+                Message("{0}: only meshes that were simplified in an SVG document can be updated.",
+                        document.name()))
+      .update(ids);
+}
 
 EditReport merge(Document& document, const PatchChoice& choice, const MeasureOptions& measure) {
   if (choice.is_empty())

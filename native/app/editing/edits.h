@@ -9,6 +9,8 @@
 
 namespace gradmesh {
 
+struct UpdateReport;
+
 /// Edits of single patches and points, as a person asks for them. All throw InputError; the
 /// document is then unchanged.
 
@@ -24,7 +26,7 @@ struct EditReport {
   MeshCounts before, after;
   /// The number of objects that paint the mesh afterwards.
   int objects = 0;
-  /// Error against the original (Document::original), or else against the mesh as it was.
+  /// Error against the original (known_original), or else against the mesh as it was.
   double error = 0;
 };
 
@@ -61,5 +63,9 @@ EditReport recolor(Document& document, const PointChoice& choice, const glm::dve
 /// Gives all patches around each of the points one colour there again.
 EditReport join_colors(Document& document, const PointChoice& choice,
                        const MeasureOptions& measure = {});
+
+/// Makes the selected meshes that are simplified fit together again if a person has edited their
+/// blocks (SvgDocument::update). Throws also if the document is none of SVG.
+std::vector<UpdateReport> update(Document& document, const std::vector<std::string>& ids);
 
 }  // namespace gradmesh

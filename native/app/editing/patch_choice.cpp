@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/document/one_mesh.h"
 #include "formats/text/excerpt.h"
 
 namespace gradmesh {
@@ -34,7 +33,7 @@ void append_faces(const Mesh& mesh, const Rectangle& rectangle, const PatchChoic
       faces.push_back(mesh.face(rectangle.top(i - 1, j - 1)));
 }
 
-ChosenFaces faces_numbered(const Document& document, const PatchChoice& choice) {
+ChosenFaces faces_numbered(const MeshSource& document, const PatchChoice& choice) {
   if (choice.rows || choice.columns)
     throw std::invalid_argument("patches are chosen by numbers, or by rows and columns.");
   ChosenFaces chosen{one_mesh(document, choice.ids), {}};
@@ -45,7 +44,7 @@ ChosenFaces faces_numbered(const Document& document, const PatchChoice& choice) 
   return chosen;
 }
 
-ChosenFaces faces_of_rectangles(const Document& document, const PatchChoice& choice) {
+ChosenFaces faces_of_rectangles(const MeshSource& document, const PatchChoice& choice) {
   std::vector<std::string> ids = choice.ids;
   if (ids.empty()) ids = {one_mesh(document, ids).id};
   std::ranges::sort(ids);
@@ -70,14 +69,14 @@ ChosenFaces faces_of_rectangles(const Document& document, const PatchChoice& cho
 
 }  // namespace
 
-ChosenFaces chosen_faces(const Document& document, const PatchChoice& choice) {
+ChosenFaces chosen_faces(const MeshSource& document, const PatchChoice& choice) {
   ChosenFaces chosen = choice.patches.empty() ? faces_of_rectangles(document, choice)
                                               : faces_numbered(document, choice);
   check_editable(document, chosen.entry);
   return chosen;
 }
 
-Face face_numbered(const Document& document, const MeshEntry& entry, int number) {
+Face face_numbered(const MeshSource& document, const MeshEntry& entry, int number) {
   const int count = int(document.mesh(entry).face_slots());
   if (number < 0 || number >= count)
     throw InputError("{0}: there is no patch {1}; the last is {2}.", document.name(), number,
@@ -85,7 +84,7 @@ Face face_numbered(const Document& document, const MeshEntry& entry, int number)
   return Face{number};
 }
 
-void check_editable(const Document& document, const MeshEntry& entry) {
+void check_editable(const MeshSource& document, const MeshEntry& entry) {
   if (document.mesh(entry).is_smooth())
     throw InputError(
         "{0}: its colours follow those of the neighbours (type=\"bicubic\"), so that its patches "

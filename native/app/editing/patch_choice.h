@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/document/document.h"
+#include "app/document/mesh_source.h"
 
 namespace gradmesh {
 
@@ -36,13 +36,13 @@ struct ChosenFaces {
 /// Returns the patches that are chosen. Throws InputError, which names the document, if there are
 /// none of that name or number, or if they are of several meshes, and std::invalid_argument if rows
 /// or columns run backwards or are chosen beside numbers.
-ChosenFaces chosen_faces(const Document& document, const PatchChoice& choice);
+ChosenFaces chosen_faces(const MeshSource& document, const PatchChoice& choice);
 
 /// Returns the face with a number in the mesh of an entry. Throws InputError if there is none.
-Face face_numbered(const Document& document, const MeshEntry& entry, int number);
+Face face_numbered(const MeshSource& document, const MeshEntry& entry, int number);
 
 /// Throws InputError if the patches of the mesh of an entry are not edited one by one: if its
 /// colours follow those of the neighbours.
-void check_editable(const Document& document, const MeshEntry& entry);
+void check_editable(const MeshSource& document, const MeshEntry& entry);
 
 }  // namespace gradmesh

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/document/frames.h"
 #include "mesh/build.h"
 #include "mesh/subdivide.h"
 #include "ops/split/split_line.h"
@@ -31,8 +32,8 @@ std::vector<EditReport> to_one_mesh(Document& document, const std::vector<std::s
     document.naming(entry, [&] {
       const Mesh& one = ordinary.emplace_back(entry, without_junctions(before)).second;
       document.check_one(one);
-      Problem problem(std::make_shared<const Mesh>(before), nullptr, document.layout(entry, false),
-                      measure.resolution, measure.metric);
+      Problem problem(std::make_shared<const Mesh>(before), nullptr,
+                      layout_of(document, entry, false), measure.resolution, measure.metric);
       problem.rules = document.rules_of_one(entry);
       const Candidate written = problem.measure(one);
       reports.push_back({entry.id, counts_of(before), written.counts(), 1, written.error});

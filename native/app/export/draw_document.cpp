@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/document/frames.h"
 #include "app/editing/patch_choice.h"
 #include "draw/backdrop.h"
 #include "draw/draw.h"
@@ -31,7 +32,7 @@ class Draw {
     drawing.title = "Gradient mesh " + entry_.id;
     // The patches are pictures themselves.
     if (options_.picture && options_.show != Show::faces) {
-      const Frame frame = document_.frame(entry_, mesh_, options_.simplify.resolution);
+      const Frame frame = frame_of(document_, entry_, mesh_, options_.simplify.resolution);
       drawing.picture = backdrop(make_software_rasterizer()->paint(mesh_, frame), frame,
                                  document_.view(entry_), options_.show != Show::edges);
     }

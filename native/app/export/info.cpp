@@ -33,7 +33,7 @@ void append_text(const ordered_json& value, int depth, const std::string& indent
 }
 
 /// Returns what was found of an entry's mesh on a page; null if it was read from none.
-const FoundMesh* found_of(const Document& document, const MeshEntry& entry) {
+const FoundMesh* found_of(const MeshSource& document, const MeshEntry& entry) {
   if (!document.pages()) return nullptr;
   const auto& meshes = document.pages()->meshes;
   const auto found = std::ranges::find(meshes, entry.id, &FoundMesh::id);
@@ -42,7 +42,7 @@ const FoundMesh* found_of(const Document& document, const MeshEntry& entry) {
 
 }  // namespace
 
-ordered_json info_json(const Document& document) {
+ordered_json info_json(const MeshSource& document) {
   ordered_json meshes = ordered_json::array(), unused = ordered_json::array();
   for (const MeshEntry& entry : document.meshes()) {
     if (entry.kept) continue;
@@ -71,7 +71,7 @@ ordered_json info_json(const Document& document) {
   return json;
 }
 
-std::string info_text(const Document& document) {
+std::string info_text(const MeshSource& document) {
   // file, meshes / mesh / elements / points / point
   constexpr int depth_of_elements = 5;
   std::string text;

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/document/document.h"
+#include "app/document/mesh_source.h"
 
 namespace gradmesh {
 
@@ -16,9 +16,9 @@ namespace gradmesh {
 /// "postscript", there is "left_out": [sentences], and each mesh has "found": {"page", "number",
 /// "type", "shadings", "patches", "handles", "rows", "columns", "joined", "record", "smooth",
 /// "difference"}, as of FoundMesh.
-nlohmann::ordered_json info_json(const Document& document);
+nlohmann::ordered_json info_json(const MeshSource& document);
 
 /// Returns what info_json() returns as text, with one element on each line.
-std::string info_text(const Document& document);
+std::string info_text(const MeshSource& document);
 
 }  // namespace gradmesh

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "app/document/common_frames.h"
+#include "app/document/frames.h"
 #include "base/utf8_path.h"
 #include "raster/hidden.h"
 
@@ -81,7 +81,7 @@ Page page_on_mesh(const Document& before, const MeshEntry& entry, const Document
   std::tie(first, second) = common_frames(
       {&before, entry, problem.mesh()}, {&after, entry_after, page.after.mesh}, pricing.resolution);
   // What the run did not count is not shown either.
-  const Layout layout = before.layout(entry, pricing.visible_only);
+  const Layout layout = layout_of(before, entry, pricing.visible_only);
   if (layout.visible && before.format() == after.format())
     for (Frame* frame : {&first, &second})
       frame->hidden = std::make_shared<HiddenPixels>(*layout.visible, *frame);

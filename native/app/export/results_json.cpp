@@ -33,14 +33,14 @@ ordered_json found_json(const FoundMesh& found) {
           {"smooth", found.is_smooth}, {"difference", found.difference}};
 }
 
-ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
+ordered_json mesh_json(const MeshSource& document, const MeshEntry& entry) {
   ordered_json role = nullptr;
   if (entry.role) role = *entry.role == PaintRole::fill ? "fill" : "stroke";
   ordered_json json = {{"id", entry.id}, {"role", role}, {"simplified", entry.simplified}};
   if (entry.refused) return json;
   const Mesh& mesh = document.mesh(entry);
   const auto is_junction = [&](Point p) { return mesh[p].is_junction(); };
-  json.update({{"remembers", document.remembers(entry)},
+  json.update({{"remembers", document.remembered_original(entry) != nullptr},
                {"color_model", name(mesh.color_model())},
                {"smooth", mesh.is_smooth()},
                {"handles", count_handles(mesh)},
@@ -51,7 +51,7 @@ ordered_json mesh_json(const Document& document, const MeshEntry& entry) {
   return json;
 }
 
-ordered_json result_json(const Document& document, const MeshReport& report,
+ordered_json result_json(const MeshSource& document, const MeshReport& report,
                          const RunOptions& options, const std::string& original) {
   const SimplifyResult& result = report.result;
   const auto& seconds = result.seconds;

@@ -18,7 +18,7 @@ namespace gradmesh {
 /// "simplified", "remembers", "color_model", "smooth", "handles", "patches", "objects", "points",
 /// "t_junctions"}, with counts from "handles", as of count_handles, on. Only the first three if the
 /// mesh cannot be read.
-nlohmann::ordered_json mesh_json(const Document& document, const MeshEntry& entry);
+nlohmann::ordered_json mesh_json(const MeshSource& document, const MeshEntry& entry);
 
 /// Returns what is told of a run on one mesh of a document: {"id", "method", "color_model",
 /// "metric", "epsilon", "max_local_error" or null, "original" or null, "resolution", "seed",
@@ -26,7 +26,7 @@ nlohmann::ordered_json mesh_json(const Document& document, const MeshEntry& entr
 /// "objects", "error", "local_error", "evaluations", "renderer", "seconds": {"total", "rasterize",
 /// "select"}, "stopped"}, and "weights": [{"id", "factor"}] if there are any. `original` names the
 /// document that was measured against; empty if none was named.
-nlohmann::ordered_json result_json(const Document& document, const MeshReport& report,
+nlohmann::ordered_json result_json(const MeshSource& document, const MeshReport& report,
                                    const RunOptions& options, const std::string& original);
 
 /// Returns what is told of an edit: {"id", "handles_before", "handles_after", "patches_before",

@@ -25,7 +25,7 @@ std::string unpacked(std::string_view bytes, const std::string& name) {
 std::unique_ptr<Document> read_document(const std::filesystem::path& path,
                                         const PageChoice& choice) {
   std::unique_ptr<Document> document = parse_document(read_bytes(path), path.string(), choice);
-  document->set_file(path);
+  document->file().set_path(path);
   return document;
 }
 
@@ -33,7 +33,7 @@ std::unique_ptr<Document> parse_document(std::string_view bytes, const std::stri
                                          const PageChoice& choice) {
   if (is_gzip(bytes)) {
     std::unique_ptr<Document> document = parse_document(unpacked(bytes, name), name, choice);
-    if (!document->pages()) document->set_compressed(bytes);
+    if (!document->pages()) document->file().set_compressed(bytes);
     return document;
   }
   if (holds_pages(bytes)) return read_pages(bytes, name, choice);

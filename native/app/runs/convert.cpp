@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "app/document/frames.h"
 #include "form/smooth_colors.h"
 #include "mesh/boundary.h"
 #include "mesh/build.h"
@@ -64,7 +65,7 @@ class Converter {
         options_(options),
         read_(from.mesh(entry)),
         source_(read_.is_smooth() ? build_mesh(with_smooth_colors(read_)) : read_) {
-    from.frame(entry, source_, options.resolution);  // Throws where the mesh has no size.
+    frame_of(from, entry, source_, options.resolution);  // Throws where the mesh has no size.
   }
 
   Conversion run() {

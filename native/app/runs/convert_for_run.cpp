@@ -1,5 +1,6 @@
 #include "app/runs/convert_for_run.h"
 
+#include "app/document/originals.h"
 #include "app/runs/convert.h"
 
 namespace gradmesh {
@@ -13,7 +14,7 @@ constexpr double for_splitting = 0.9;
 ConvertedRun convert_for_run(const Document& from, const MeshEntry& entry, const Format& to,
                              RunOptions options) {
   ConvertOptions how;
-  how.original = from.given_original(entry);
+  how.original = given_original(from, entry);
   how.metric = options.metric;
   how.resolution = options.resolution;
   if (!options.has_target()) how.epsilon = for_splitting * options.epsilon;

@@ -4,6 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "app/document/frames.h"
+#include "app/document/originals.h"
 #include "app/runs/devices.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
@@ -91,7 +93,7 @@ void check_start(const Document& document, const MeshEntry& entry, const Simplif
                  const RunOptions& options, double epsilon) {
   if (options.has_target() || result.changed || result.error <= epsilon) return;
   // Earlier runs with a larger epsilon may have moved the mesh away from the original.
-  if (document.may_differ(entry) && !options.original) return;
+  if (may_differ(document, entry) && !options.original) return;
   char error[32];
   std::snprintf(error, sizeof error, "%.5f", result.error);
   throw InputError(
@@ -205,14 +207,14 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   const Mesh& read = document.mesh(entry);
   const ColorModel model = asked.color_model.value_or(read.color_model());
   if (asked.color_model) document.check_color_model(model);
-  if (!options.original) options.original = original_of(document.given_original(entry));
+  if (!options.original) options.original = original_of(given_original(document, entry));
   if (!options.original) options.original = document.traced_original(entry, options.resolution);
-  if (!options.original) options.original = original_of(document.original(entry));
+  if (!options.original) options.original = original_of(known_original(document, entry));
   std::shared_ptr<const Mesh> mesh = in_color_model(read, model);
   mesh = protecting(document, entry, std::move(mesh), asked);
   if (!options.original && model != read.color_model())
     options.original = original_of(std::make_shared<const Mesh>(read));
-  static_cast<Layout&>(options) = document.layout(entry, asked.visible_only);
+  static_cast<Layout&>(options) = layout_of(document, entry, asked.visible_only);
   options.weighted = weighted_areas(document, entry, asked);
   options.count = what_is_counted(asked, document.format().count);
   options.rules = document.rules(entry, false);

@@ -20,10 +20,10 @@ struct MeshReport {
 
 /// Returns the problem of a run over one mesh of a document: the mesh in the colour model that is
 /// asked for, what it is measured against and how it will be written. It is measured against the
-/// first of these that there is: `options.original`, Document::given_original, the picture that the
-/// mesh was traced from (traced_original), Document::original, and the mesh as it was
+/// first of these that there is: `options.original`, given_original, the picture that the
+/// mesh was traced from (MeshSource::traced_original), known_original, and the mesh as it was
 /// before it was converted to another colour model. Prices are in one of `files`. Throws as
-/// problem_of() does, with InputErrors that name the mesh, as Document::covered does, and
+/// problem_of() does, with InputErrors that name the mesh, as MeshSource::covered does, and
 /// std::invalid_argument if a weight is out of range.
 Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& options,
                    AnalysisFiles& files);

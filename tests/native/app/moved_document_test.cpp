@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/document/document.h"
-#include "app/document/folder_move.h"
+#include "app/document/write_file.h"
 #include "app/pages/read_document.h"
 #include "files/atomic_file.h"
 #include "files/temporary_folder.h"
@@ -42,17 +42,17 @@ class MovedDocument : public testing::Test {
 }  // namespace
 
 TEST_F(MovedDocument, stays_as_it_is_in_its_folder) {
-  document()->write_file(home() / "copy.svg");
+  write_file(*document(), home() / "copy.svg");
   EXPECT_EQ(read_bytes(home() / "copy.svg"), linked);
-  document()->write_file(home() / ".." / "home" / "copy.svg");
+  write_file(*document(), home() / ".." / "home" / "copy.svg");
   EXPECT_EQ(read_bytes(home() / "copy.svg"), linked);
 }
 
 TEST_F(MovedDocument, is_right_in_each_folder_it_is_written_to) {
   const auto written = document();
-  written->write_file(other() / "copy.svg");
-  written->write_file(other().parent_path() / "copy.svg");
-  written->write_file(home() / "copy.svg");
+  write_file(*written, other() / "copy.svg");
+  write_file(*written, other().parent_path() / "copy.svg");
+  write_file(*written, home() / "copy.svg");
   EXPECT_TRUE(has(other() / "copy.svg", "\"../../home/photo.png\""));
   EXPECT_TRUE(has(other().parent_path() / "copy.svg", "\"../home/photo.png\""));
   EXPECT_EQ(read_bytes(home() / "copy.svg"), linked);
@@ -60,14 +60,14 @@ TEST_F(MovedDocument, is_right_in_each_folder_it_is_written_to) {
 }
 
 TEST_F(MovedDocument, comes_back_to_the_same_picture) {
-  document()->write_file(other() / "copy.svg");
-  read_document(other() / "copy.svg")->write_file(home() / "back.svg");
+  write_file(*document(), other() / "copy.svg");
+  write_file(*read_document(other() / "copy.svg"), home() / "back.svg");
   EXPECT_TRUE(has(home() / "back.svg", "\"photo.png\""));
 }
 
 TEST_F(MovedDocument, is_compressed_as_well) {
   write_bytes(home() / "packed.svgz", gzip(linked));
-  read_document(home() / "packed.svgz")->write_file(other() / "copy.svgz");
+  write_file(*read_document(home() / "packed.svgz"), other() / "copy.svgz");
   const auto text = gunzip(read_bytes(other() / "copy.svgz"));
   ASSERT_TRUE(text);
   EXPECT_NE(text->find("../../home/photo.png"), text->npos);
@@ -77,17 +77,17 @@ TEST_F(MovedDocument, without_links_has_the_same_bytes) {
   const std::string bare =
       "<svg xmlns='http://www.w3.org/2000/svg'  width='9'><g fill='url(#a)'/></svg>\n";
   write_bytes(home() / "bare.svg", bare);
-  read_document(home() / "bare.svg")->write_file(other() / "bare.svg");
+  write_file(*read_document(home() / "bare.svg"), other() / "bare.svg");
   EXPECT_EQ(read_bytes(other() / "bare.svg"), bare);
 }
 
 // Such as Inkscape's copies of a document, whose links begin in the folder of the document.
 TEST_F(MovedDocument, whose_folder_is_not_known_stays_as_it_is) {
-  parse_document(linked, "drawing.svg")->write_file(other() / "copy.svg");
+  write_file(*parse_document(linked, "drawing.svg"), other() / "copy.svg");
   EXPECT_EQ(read_bytes(other() / "copy.svg"), linked);
   const auto looking = document();
-  looking->look_in({other()});
-  looking->write_file(other() / "looking.svg");
+  looking->file().look_in({other()});
+  write_file(*looking, other() / "looking.svg");
   EXPECT_EQ(read_bytes(other() / "looking.svg"), linked);
 }
 
@@ -98,7 +98,7 @@ TEST_F(MovedDocument, comes_from_the_folder_that_a_link_stands_for) {
   const fs::path link = other() / "link";
   fs::create_directory_symlink(home(), link);
   EXPECT_FALSE(folder_move(link / "drawing.svg", home() / "copy.svg"));
-  read_document(link / "drawing.svg")->write_file(other() / "copy.svg");
+  write_file(*read_document(link / "drawing.svg"), other() / "copy.svg");
   EXPECT_TRUE(has(other() / "copy.svg", "\"../../home/photo.png\""));
 #endif
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/document/svg_document.h"
+#include "app/document/write_file.h"
 #include "app/pages/read_document.h"
 #include "complaint.h"
 #include "mesh/boundary.h"
@@ -192,10 +193,10 @@ TEST(PageDocuments, are_known_by_their_content) {
 TEST(PageDocuments, are_not_written) {
   const auto document = read({"/sh sh"});
   for (const char* name : {"b.pdf", "b.ai", "B.PDF"})
-    EXPECT_EQ(complaint([&] { document->check_target(name); }),
+    EXPECT_EQ(complaint([&] { check_target(*document, name); }),
               std::string(name) +
                   ": such documents are only read; write an SVG document or a .hemesh file.");
-  document->check_target("b.svg");
+  check_target(*document, "b.svg");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "app/document/svg_document.h"
+#include "app/document/write_file.h"
 #include "app/export/info.h"
 #include "app/pages/page_documents.h"
 #include "app/pages/read_document.h"
@@ -187,7 +188,7 @@ TEST_F(PostScript, is_not_written) {
   let_program_make(page_with_square());
   const auto document = parse_document(text, "a.eps");
   for (const char* name : {"b.eps", "b.ps", "B.EPS"})
-    EXPECT_EQ(complaint([&] { document->check_target(name); }),
+    EXPECT_EQ(complaint([&] { check_target(*document, name); }),
               std::string(name) +
                   ": such documents are only read; write an SVG document or a .hemesh file.");
 }

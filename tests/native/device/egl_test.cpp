@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/document/frames.h"
 #include "app/pages/read_document.h"
 #include "app/runs/devices.h"
 #include "app/runs/runs.h"
@@ -66,7 +67,7 @@ TEST_F(OnDevice, paints_the_samples) {
     const auto document = read_document(file.path());
     for (const MeshEntry& entry : document->meshes()) {
       const Mesh mesh = document->mesh(entry);
-      expect_same_picture(*rasterizer, mesh, document->frame(entry, mesh, 400));
+      expect_same_picture(*rasterizer, mesh, frame_of(*document, entry, mesh, 400));
     }
   }
 }
@@ -93,7 +94,7 @@ TEST_F(OnDevice, paints_opacities_and_leaves_hidden_pixels_white) {
   const auto document = read_document(samples / "opacity.svg");
   for (const MeshEntry& entry : document->meshes()) {
     const Mesh mesh = document->mesh(entry);
-    Frame frame = document->frame(entry, mesh, 300);
+    Frame frame = frame_of(*document, entry, mesh, 300);
     frame.masked_opacity = true;
     expect_same_picture(*rasterizer, mesh, frame);
     const double radius = 80;

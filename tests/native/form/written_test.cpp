@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/document/document.h"
+#include "app/document/frames.h"
 #include "app/pages/read_document.h"
 #include "base/error.h"
 #include "corners.h"
@@ -105,7 +106,7 @@ TEST_P(Documents, cost_nothing_as_blocks) {
       SCOPED_TRACE(file.path().filename().string() + " " + entry.id);
       const auto mesh = readable_mesh(*document, entry);
       if (!mesh || mesh->is_smooth()) continue;
-      expect_free(*mesh, document->frame(entry, *mesh, 700));
+      expect_free(*mesh, frame_of(*document, entry, *mesh, 700));
       ++meshes;
     }
   }

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/export/info.h"
+#include "app/export/mesh_picture.h"
 #include "app/export/results_json.h"
 #include "app/pages/read_document.h"
 #include "app/runs/runs.h"
@@ -335,7 +336,7 @@ TEST(Service, paints_and_tells_as_the_core_does) {
   const Json named = {{"document", document}};
   EXPECT_EQ(result_of(service, request("info", named)), info_text(*direct_document));
 
-  const Image image = direct_document->render(entry, 40, *make_software_rasterizer());
+  const Image image = render(*direct_document, entry, 40, *make_software_rasterizer());
   const Json picture =
       result_of(service, request("render", {{"document", document}, {"resolution", 40}}));
   EXPECT_EQ(picture["width"], image.width);

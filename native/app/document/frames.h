@@ -2,13 +2,22 @@
 
 #include <utility>
 
-#include "app/document/document.h"
+#include "app/document/mesh_source.h"
+#include "problem/problem.h"
+#include "raster/frame.h"
 
 namespace gradmesh {
 
+/// Returns the frame in which a mesh of a document is painted and measured.
+Frame frame_of(const MeshSource& document, const MeshEntry& entry, const Mesh& mesh,
+               int resolution);
+/// Returns how a mesh is laid out on pictures. Leaves out what is visible of it if all of the mesh
+/// counts.
+Layout layout_of(const MeshSource& document, const MeshEntry& entry, bool visible_only);
+
 /// A mesh of a document, which must outlive the SeenMesh.
 struct SeenMesh {
-  const Document* document = nullptr;
+  const MeshSource* document = nullptr;
   MeshEntry entry;
   Mesh mesh;
 
@@ -17,7 +26,7 @@ struct SeenMesh {
 
 /// Returns the mesh of `other` that corresponds to a mesh of `document`: the one with the same id
 /// or, if `only`, the only one that there is. Throws InputError naming `other` if there is none.
-MeshEntry counterpart(const Document& document, const MeshEntry& entry, const Document& other,
+MeshEntry counterpart(const MeshSource& document, const MeshEntry& entry, const MeshSource& other,
                       bool only);
 
 /// Returns the map from the units of the mesh `b` to those of `a`. Two documents of one format
@@ -31,7 +40,7 @@ std::pair<Frame, Frame> common_frames(const SeenMesh& a, const SeenMesh& b, int 
 
 /// Returns the frame in which `document` paints a mesh so that its picture can be laid on the
 /// picture that `other` paints of the mesh's counterpart.
-Frame framed_as(const Document& other, const Document& document, const MeshEntry& entry,
+Frame framed_as(const MeshSource& other, const MeshSource& document, const MeshEntry& entry,
                 int resolution);
 
 }  // namespace gradmesh

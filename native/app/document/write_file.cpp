@@ -1,6 +1,8 @@
-#include "app/document/folder_move.h"
+#include "app/document/write_file.h"
 
 #include <system_error>
+
+#include "files/atomic_file.h"
 
 namespace gradmesh {
 namespace {
@@ -28,6 +30,27 @@ fs::path on_disk(const fs::path& path) {
 }
 
 }  // namespace
+
+void check_target(const Document& document, const fs::path& path) {
+  if (is_of_pages(path))
+    throw InputError("{0}: such documents are only read; write an SVG document or a .hemesh file.",
+                     path.string());
+  const Format* promised = format_of(path);
+  if (promised && *promised != document.format())
+    throw InputError(
+        "{0} is not of the kind of {1}: gradmesh convert makes a .hemesh file of an SVG document, "
+        "and the reverse.",
+        document.name(), path.string());
+}
+
+void write_file(const Document& document, const fs::path& path) {
+  check_target(document, path);
+  const fs::path& source = document.file().path();
+  const std::optional<FolderMove> move = source.empty() ? std::nullopt : folder_move(source, path);
+  const std::string content = move ? document.bytes_in(*move) : document.bytes();
+  const bool is_packed = path.extension().string() == document.format().compressed_extension;
+  write_bytes(path, is_packed ? document.file().compressed(content) : content);
+}
 
 std::optional<FolderMove> folder_move(const fs::path& from, const fs::path& to) {
   std::error_code error;

@@ -1,4 +1,4 @@
-#include "app/document/common_frames.h"
+#include "app/document/frames.h"
 
 #include <algorithm>
 
@@ -24,7 +24,19 @@ Frame moved(Frame frame, const Affine& from_mesh) {
 
 }  // namespace
 
-MeshEntry counterpart(const Document& document, const MeshEntry& entry, const Document& other,
+Frame frame_of(const MeshSource& document, const MeshEntry& entry, const Mesh& mesh,
+               int resolution) {
+  const Affine seen = document.view(entry);  // Names the element itself.
+  return document.naming(entry,
+                         [&] { return fit_frame(mesh, seen, resolution, document.padding()); });
+}
+
+Layout layout_of(const MeshSource& document, const MeshEntry& entry, bool visible_only) {
+  return {document.view(entry), document.padding(),
+          visible_only ? document.visible_area(entry) : std::nullopt};
+}
+
+MeshEntry counterpart(const MeshSource& document, const MeshEntry& entry, const MeshSource& other,
                       bool only) {
   const std::vector<MeshEntry> entries = other.selected({});
   if (only && entries.size() == 1) return entries.front();
@@ -44,16 +56,16 @@ Affine onto(const SeenMesh& a, const SeenMesh& b) {
 
 std::pair<Frame, Frame> common_frames(const SeenMesh& a, const SeenMesh& b, int resolution) {
   const bool same_format = a.document->format() == b.document->format();
-  const Frame first = same_format ? a.document->frame(a.entry, a.mesh, resolution)
+  const Frame first = same_format ? frame_of(*a.document, a.entry, a.mesh, resolution)
                                   : fit_frame(a.mesh, a.view(), resolution);
   return {first, moved(first, onto(a, b))};
 }
 
-Frame framed_as(const Document& other, const Document& document, const MeshEntry& entry,
+Frame framed_as(const MeshSource& other, const MeshSource& document, const MeshEntry& entry,
                 int resolution) {
   const MeshEntry match = counterpart(document, entry, other, true);
   const SeenMesh a{&other, match, other.mesh(match)}, b{&document, entry, document.mesh(entry)};
-  return moved(other.frame(match, a.mesh, resolution), onto(a, b));
+  return moved(frame_of(other, match, a.mesh, resolution), onto(a, b));
 }
 
 }  // namespace gradmesh
