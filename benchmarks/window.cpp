@@ -26,7 +26,7 @@ struct Case {
 Case& opened() {
   static Case c;
   c.eye.attempt([](Session& session) {
-    session.set_form(CurveKind::one_gradient);
+    session.hands().set_form(CurveKind::one_gradient);
     session.show(CurveKind::one_gradient, 0, false);
   });
   c.screen.settle();
@@ -65,8 +65,8 @@ void slider(benchmark::State& state) {
 /// is there.
 void pointing(benchmark::State& state, CurveKind form) {
   Case& c = opened();
-  c.eye.attempt([&](Session& session) { session.set_form(form); });
-  const Mesh& mesh = c.eye.session().now().mesh;
+  c.eye.attempt([&](Session& session) { session.hands().set_form(form); });
+  const Mesh& mesh = c.eye.session().mesh();
   std::vector<glm::dvec2> places;
   for (const Halfedge curve : mesh.curves())
     if (mesh[curve].twin.valid())
@@ -76,7 +76,7 @@ void pointing(benchmark::State& state, CurveKind form) {
     // Far from the one before.
     next = (next + 97) % places.size();
     c.screen.move(places[next]);
-    if (!c.eye.session().proposal()) state.SkipWithError("nothing was pointed at");
+    if (!c.eye.session().hands().proposal()) state.SkipWithError("nothing was pointed at");
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// Returns the patch whose number is the argument `patch`; an invalid one if there is no argument.
 Face one_face(const Call& call) {
   const auto number = call.get<std::optional<int>>("patch");
-  return number ? session(call).faces_numbered({*number}).front() : Face{};
+  return number ? session(call).shown().faces_numbered({*number}).front() : Face{};
 }
 
 /// Returns the places of a closed line, whose argument is x, y, x, y, ... in pixels.
@@ -31,7 +31,7 @@ std::vector<glm::dvec2> lasso(const Call& call) {
 Json curves_json(const Editing& editing) {
   const Session& session = editing.session;
   Json all = Json::object();
-  for (const CurveKind kind : session.kinds()) {
+  for (const CurveKind kind : session.shown().kinds()) {
     const auto found = session.curves().found(kind);
     Json& json = all[name(kind)] = found ? Json(curve_json(kind, found->curve)) : Json::object();
     if (found && !found->curve.states.empty())
@@ -64,7 +64,7 @@ Json region_json(const RegionPrice& region) {
 }
 
 Json prices_json(const Analysis& analysis, const Editing& editing) {
-  const Mesh& mesh = editing.session.now().mesh;
+  const Mesh& mesh = editing.session.mesh();
   bool has_scale = false;
   Json prices = Json::array();
   for (const auto& [curve, error] : analysis.prices) {
@@ -91,12 +91,6 @@ Json regions_json(const Analysis& analysis, const Call& call, Face patch) {
   if (number >= 0 && std::size_t(number) < regions.size())
     json["region"] = region_json(regions[std::size_t(number)]);
   return json;
-}
-
-/// Does what needs no arguments, and returns how the session is then.
-Json done(const Call& call, void (Session::*edit)()) {
-  (session(call).*edit)();
-  return status_json(editing(call));
 }
 
 }  // namespace
@@ -140,7 +134,7 @@ Json show_state(const Call& call) {
 
 Json set_session_form(const Call& call) {
   Session& s = session(call);
-  s.set_form(kind_named(call.get<std::string>("form")));
+  s.hands().set_form(kind_named(call.get<std::string>("form")));
   return status_json(editing(call));
 }
 
@@ -148,34 +142,45 @@ Json protect_marked(const Call& call) {
   Session& s = session(call);
   const std::vector<Face> patches = faces(call, "patches");
   if (call.get("others", false))
-    s.protect_others(patches);
+    s.protection().protect_others(patches);
   else
-    s.protect(patches, call.get("protect", true));
+    s.protection().protect(patches, call.get("protect", true));
   return status_json(editing(call));
 }
 
 Json weigh_marked(const Call& call) {
-  session(call).weigh(faces(call, "patches"), call.get<double>("factor"));
+  session(call).protection().weigh(faces(call, "patches"), call.get<double>("factor"));
   return status_json(editing(call));
 }
 
-Json fit_session(const Call& call) { return done(call, &Session::fit); }
-Json undo_edit(const Call& call) { return done(call, &Session::undo); }
-Json redo_edit(const Call& call) { return done(call, &Session::redo); }
+Json fit_session(const Call& call) {
+  session(call).hands().fit();
+  return status_json(editing(call));
+}
+
+Json undo_edit(const Call& call) {
+  session(call).undo();
+  return status_json(editing(call));
+}
+
+Json redo_edit(const Call& call) {
+  session(call).redo();
+  return status_json(editing(call));
+}
 
 Json find_patches(const Call& call) {
   const auto patches_in = call.get("touched", false) ? faces_touched : faces_covered;
-  return numbers(patches_in(session(call).now().mesh, to_pixels(call), lasso(call)));
+  return numbers(patches_in(session(call).mesh(), to_pixels(call), lasso(call)));
 }
 
 Json find_out(const Call& call) {
   Session& s = session(call);
-  s.set_fits(call.get("fits", true));
+  s.hands().set_fits(call.get("fits", true));
   const AnalysisKind kind = analysis_named(call.get<std::string>("kind"));
   const Face patch = one_face(call);
   s.analyses().want(kind);
   if (call.get("wait", false)) s.analyses().wait();
-  const std::shared_ptr<const Analysis> found = s.analysis(kind);
+  const std::shared_ptr<const Analysis> found = s.shown().analysis(kind);
   Json json{{"complete", found != nullptr},
             {"failure", found && found->failure ? message_json(*found->failure) : Json()}};
   if (!found) return json;
@@ -188,7 +193,7 @@ Json find_out(const Call& call) {
 Json worst_places(const Call& call) {
   const Editing& e = editing(call);
   Json list = Json::array();
-  for (const WorstPlace& worst : e.session.worst_places(call.get("most", 8))) {
+  for (const WorstPlace& worst : e.session.shown().worst_places(call.get("most", 8))) {
     const glm::dvec2 seen = e.view.point(worst.place);
     list.push_back({{"x", seen.x}, {"y", seen.y}, {"error", worst.error}});
   }
@@ -225,7 +230,7 @@ Json write_session(const Call& call) {
   writing.keep_original = call.get("keep_original", writing.keep_original);
   const MeshReport report = write_shown(call.document(), editing(call), writing);
   RunOptions options;
-  options.metric = session(call).problem().metric();
+  options.metric = session(call).shown().problem().metric();
   Json json = results_json(call.document(), {report}, options, "").front();
   // The mesh of the session is no longer the document's.
   call.sessions().erase(call.get<std::string>("id"));

@@ -39,7 +39,7 @@ Affine to_pixels(const Call& call) {
 
 /// Returns the patches of the mesh that is shown whose numbers are an argument.
 std::vector<Face> faces(const Call& call, const std::string& name) {
-  return session(call).faces_numbered(call.get<std::vector<int>>(name, {}));
+  return session(call).shown().faces_numbered(call.get<std::vector<int>>(name, {}));
 }
 
 Json numbers(const std::vector<Face>& faces) {
@@ -59,15 +59,15 @@ Json counts_json(const Candidate& shown, int objects) {
 
 Json status_json(const Editing& editing) {
   const Session& session = editing.session;
-  Json json = counts_json(session.now(), editing.objects());
-  json["before"] = counts_json(session.start(), editing.objects_before);
-  json["form"] = name(session.form());
-  json["state"] = session.state();
-  json["unchanged"] = session.is_unchanged();
-  json["undo"] = name_json(session.undo_name());
-  json["redo"] = name_json(session.redo_name());
-  json["weighted"] = session.problem().frame().weights != nullptr;
-  json["protected"] = numbers(session.protected_faces());
+  Json json = counts_json(session.shown().now(), editing.objects());
+  json["before"] = counts_json(session.shown().start(), editing.objects_before);
+  json["form"] = name(session.shown().form());
+  json["state"] = session.shown().state();
+  json["unchanged"] = session.shown().is_unchanged();
+  json["undo"] = name_json(session.history().undo_name());
+  json["redo"] = name_json(session.history().redo_name());
+  json["weighted"] = session.shown().problem().frame().weights != nullptr;
+  json["protected"] = numbers(session.shown().protected_faces());
   return json;
 }
 

@@ -46,7 +46,8 @@ class PicturePainter {
     if (known) draw_known(canvas, *known);
     if (view_.lines && !known) draw_lines(canvas, shown(), view_.to_pixels);
     if (view_.handles) draw_handles(canvas);
-    if (view_.proposal && session_.proposal()) draw_proposal(canvas, *session_.proposal());
+    if (view_.proposal && session_.hands().proposal())
+      draw_proposal(canvas, *session_.hands().proposal());
     canvas.lines({view_.lasso}, below_lines);
     canvas.lines({view_.lasso}, come_ink);
     copy(original, original.window(), image);
@@ -68,7 +69,7 @@ class PicturePainter {
 
   /// What of the mesh is not seen in the document is pale.
   void veil_hidden(Image& image) const {
-    const std::optional<VisibleArea>& seen = session_.problem().layout().visible;
+    const std::optional<VisibleArea>& seen = session_.shown().problem().layout().visible;
     if (!seen) return;
     constexpr int share = 5;
     const HiddenPixels hidden(*seen, frame_);
@@ -84,7 +85,7 @@ class PicturePainter {
   Image painted(const Mesh& mesh) const { return paint_whole(mesh, frame_).image; }
   /// Returns the faces of the mesh as it is now that are seen at the pixels, as of Painting::top.
   Raster<std::uint32_t, 1> top_faces() const {
-    const Mesh& mesh = session_.now().mesh;
+    const Mesh& mesh = session_.mesh();
     Raster<std::uint32_t, 1> top = paint_whole(mesh, frame_).top;
     if (!mesh.is_smooth()) return top;
     const std::vector<Face> faces = faces_of_painted_mesh(mesh);
@@ -94,8 +95,8 @@ class PicturePainter {
     return top;
   }
   const Mesh& shown() const {
-    const Session::Proposal* const proposal = view_.proposal ? session_.proposal() : nullptr;
-    return (proposal ? proposal->written : session_.now()).surface();
+    const Proposal* const proposal = view_.proposal ? session_.hands().proposal() : nullptr;
+    return (proposal ? proposal->written : session_.shown().now()).surface();
   }
 
   Image ground() const {
@@ -103,7 +104,7 @@ class PicturePainter {
       case Ground::result:
         return painted(shown());
       case Ground::original:
-        return session_.problem().original()->painted(frame_).image;
+        return session_.shown().problem().original()->painted(frame_).image;
       case Ground::error:
         return error_map();
       case Ground::halves:
@@ -112,7 +113,7 @@ class PicturePainter {
     Image image = painted(shown());
     const int split = split_pixel();
     Painting left(Window{0, 0, split, view_.height});
-    session_.problem().original()->paint(frame_, left);
+    session_.shown().problem().original()->paint(frame_, left);
     copy(left.image, left.window(), image);
     Canvas(image, view_.density)
         .lines({{glm::dvec2(split, 0), glm::dvec2(split, view_.height)}},
@@ -123,8 +124,8 @@ class PicturePainter {
   /// Shows the metric's map, which has the pixels of the problem's frame.
   Image error_map() const {
     constexpr double most = 0.3;
-    const Plane& map = session_.now().measured->map();
-    const Affine to_map = session_.problem().frame().to_pixels * view_.to_pixels.inverse();
+    const Plane& map = session_.shown().now().measured->map();
+    const Affine to_map = session_.shown().problem().frame().to_pixels * view_.to_pixels.inverse();
     Image image(view_.width, view_.height, 255);
     for (int y = 0; y < view_.height; ++y)
       for (int x = 0; x < view_.width; ++x) {
@@ -166,10 +167,9 @@ class PicturePainter {
     canvas.squares(corners, size, {glm::dvec3(1.0), 1.0}, glm::dvec3(0.1, 0.1, 0.1));
   }
 
-  void draw_proposal(Canvas& canvas, const Session::Proposal& proposal) const {
+  void draw_proposal(Canvas& canvas, const Proposal& proposal) const {
     std::vector<std::vector<glm::dvec2>> gone, come;
-    for (const Halfedge curve : proposal.made.gone)
-      gone.push_back(points(session_.now().mesh, curve));
+    for (const Halfedge curve : proposal.made.gone) gone.push_back(points(session_.mesh(), curve));
     for (const Halfedge curve : proposal.made.come)
       come.push_back(points(proposal.made.mesh, curve));
     canvas.lines(come, come_ink);
@@ -180,12 +180,12 @@ class PicturePainter {
   std::shared_ptr<const Analysis> what_is_known() const {
     if (!view_.analysis) return nullptr;
     if (*view_.analysis == AnalysisKind::regions && !view_.patch.valid()) return nullptr;
-    const std::shared_ptr<const Analysis> known = session_.analysis(*view_.analysis);
+    const std::shared_ptr<const Analysis> known = session_.shown().analysis(*view_.analysis);
     return known && !known->failure ? known : nullptr;
   }
 
   void draw_known(Canvas& canvas, const Analysis& known) const {
-    const Mesh& mesh = session_.now().mesh;
+    const Mesh& mesh = session_.mesh();
     const Raster<std::uint32_t, 1> top = top_faces();
     Overlay overlay(canvas, mesh, view_.to_pixels, top);
     switch (*view_.analysis) {
@@ -202,7 +202,7 @@ class PicturePainter {
   }
 
   void draw_hatched(Canvas& canvas) const {
-    const std::vector<Face> fixed = session_.protected_faces();
+    const std::vector<Face> fixed = session_.shown().protected_faces();
     if (fixed.empty() && view_.marked.empty()) return;
     const Raster<std::uint32_t, 1> top = top_faces();
     hatch(canvas, top, fixed, fixed_ink, 10);
@@ -210,7 +210,7 @@ class PicturePainter {
   }
 
   void draw_weights(Canvas& canvas) const {
-    const auto weights = weights_in(frame_, session_.problem().layout().weighted);
+    const auto weights = weights_in(frame_, session_.shown().problem().layout().weighted);
     if (!weights) return;
     canvas.hatch(14, more_ink, [&](int x, int y) { return *weights->at(x, y) > 1; });
     canvas.hatch(14, less_ink, [&](int x, int y) { return *weights->at(x, y) < 1; });
@@ -218,7 +218,7 @@ class PicturePainter {
 
   void hatch(Canvas& canvas, const Raster<std::uint32_t, 1>& top, const std::vector<Face>& faces,
              const Ink& ink, double distance) const {
-    std::vector<char> is_one(session_.now().mesh.face_slots(), false);
+    std::vector<char> is_one(session_.mesh().face_slots(), false);
     for (const Face face : faces)
       if (std::size_t(face.value) < is_one.size()) is_one[std::size_t(face.value)] = true;
     canvas.hatch(distance, ink, [&](int x, int y) {
@@ -238,8 +238,8 @@ glm::dvec3 color_at(const Session& session, const SessionView& view, glm::dvec2 
   const Frame frame{1, 1, Affine::translation(-glm::floor(pixel)) * view.to_pixels};
   const bool is_original = view.ground == Ground::original ||
                            (view.ground == Ground::halves && pixel.x < view.split * view.width);
-  const Image image = is_original ? session.problem().original()->painted(frame).image
-                                  : paint_whole(session.now().surface(), frame).image;
+  const Image image = is_original ? session.shown().problem().original()->painted(frame).image
+                                  : paint_whole(session.shown().now().surface(), frame).image;
   const auto [red, green, blue] = image.pixel(0, 0);
   return glm::dvec3(red, green, blue) / 255.0;
 }

@@ -18,12 +18,12 @@ namespace gradmesh::test {
 class AnyDeeds {
  public:
   AnyDeeds(Session& session, std::function<unsigned()> byte)
-      : session_(session), byte_(std::move(byte)), first_(session.now().mesh) {}
+      : session_(session), byte_(std::move(byte)), first_(session.mesh()) {}
 
   /// Does the next deed. What cannot be done must say so in one sentence and change nothing.
   void next() {
-    const Mesh before = session_.now().mesh;
-    const auto fixed = session_.protected_faces();
+    const Mesh before = session_.mesh();
+    const auto fixed = session_.shown().protected_faces();
     problem_.clear();
     changes_protection_ = false;
     try {
@@ -31,7 +31,7 @@ class AnyDeeds {
     } catch (const InputError& why_not) {
       const std::string text = why_not.what();
       if (text.empty() || text.back() != '.') problem_ = "no sentence: " + text;
-      if (!(session_.now().mesh == before)) problem_ = "changed, but: " + text;
+      if (!(session_.mesh() == before)) problem_ = "changed, but: " + text;
     }
     if (!changes_protection_ && !keeps(before, fixed))
       problem_ = "what is protected has changed by deed " + std::to_string(deed_);
@@ -40,31 +40,31 @@ class AnyDeeds {
   /// Returns what of the session is not as it must be; empty if all is.
   std::string broken() const {
     if (!problem_.empty()) return problem_;
-    const Mesh& mesh = session_.now().mesh;
+    const Mesh& mesh = session_.mesh();
     for (const std::string& each : validate(mesh)) return each;
-    if (session_.is_unchanged()) return "";
-    const Problem& problem = session_.problem();
-    const bool is_blocks = session_.form() == CurveKind::blocks;
+    if (session_.shown().is_unchanged()) return "";
+    const Problem& problem = session_.shown().problem();
+    const bool is_blocks = session_.shown().form() == CurveKind::blocks;
     const double again = (is_blocks ? problem : problem.as_gradient()).measure(mesh).error;
-    return std::abs(session_.now().error - again) < 1e-9 ? "" : "the error is another";
+    return std::abs(session_.shown().now().error - again) < 1e-9 ? "" : "the error is another";
   }
 
   /// Takes all back and does it again. Returns what is then not as it was; empty if all is.
   std::string broken_by_going_back() {
     // What was shown last may not have been taken down.
-    if (!session_.can_undo() && !session_.can_redo()) return "";
+    if (!session_.history().can_undo() && !session_.history().can_redo()) return "";
     session_.undo();
     session_.redo();
     std::vector<Mesh> done;
-    while (session_.can_undo()) {
-      if (!session_.undo_name()) return "a deed has no name";
-      done.push_back(session_.now().mesh);
+    while (session_.history().can_undo()) {
+      if (!session_.history().undo_name()) return "a deed has no name";
+      done.push_back(session_.mesh());
       session_.undo();
     }
-    if (!(session_.now().mesh == first_)) return "all undone, the mesh is another";
+    if (!(session_.mesh() == first_)) return "all undone, the mesh is another";
     for (std::size_t i = done.size(); i > 0; --i) {
       session_.redo();
-      if (!(session_.now().mesh == done[i - 1])) return "done again, the mesh is another";
+      if (!(session_.mesh() == done[i - 1])) return "done again, the mesh is another";
     }
     return "";
   }
@@ -77,7 +77,7 @@ class AnyDeeds {
 
   std::vector<Face> faces() {
     const glm::dvec2 a = place(), b = a + place() / 2.0;
-    return faces_covered(session_.now().mesh, view_of(session_).to_pixels,
+    return faces_covered(session_.mesh(), view_of(session_).to_pixels,
                          {a, {b.x, a.y}, b, {a.x, b.y}});
   }
 
@@ -92,28 +92,28 @@ class AnyDeeds {
         changes_protection_ = true;
         return session_.redo();
       case 3:
-        return session_.set_form(byte_() % 2 ? CurveKind::blocks : CurveKind::one_gradient);
+        return session_.hands().set_form(byte_() % 2 ? CurveKind::blocks : CurveKind::one_gradient);
       case 4:
-        return session_.fit();
+        return session_.hands().fit();
       case 5:
         changes_protection_ = true;
-        return byte_() % 4 ? session_.protect(faces(), byte_() % 2)
-                           : session_.protect_others(faces());
+        return byte_() % 4 ? session_.protection().protect(faces(), byte_() % 2)
+                           : session_.protection().protect_others(faces());
       case 10: {
         constexpr double factors[] = {0.25, 1, 4};
-        return session_.weigh(faces(), factors[byte_() % 3]);
+        return session_.protection().weigh(faces(), factors[byte_() % 3]);
       }
       case 6:
-        session_.propose_merge(faces());
+        session_.hands().propose_merge(faces());
         break;
       case 7:
         move();
         break;
       default:
-        session_.set_fits(byte_() % 2);
+        session_.hands().set_fits(byte_() % 2);
         point();
     }
-    session_.make();
+    session_.hands().make();
   }
 
   void show() {
@@ -128,34 +128,35 @@ class AnyDeeds {
   void move() {
     const Affine to_pixels = view_of(session_).to_pixels;
     const glm::dvec2 from = place(), by = place() / 10.0 - 10.0;
-    if (const auto grip = grip_at(session_.now().mesh, to_pixels, from, 60))
-      session_.propose_move(*grip, to_pixels.inverse().point(from + by));
+    if (const auto grip = grip_at(session_.mesh(), to_pixels, from, 60))
+      session_.hands().propose_move(*grip, to_pixels.inverse().point(from + by));
   }
 
   void point() {
-    const auto pointed = pointed_at(session_.now().mesh, view_of(session_).to_pixels, place(), 60);
+    const auto pointed = pointed_at(session_.mesh(), view_of(session_).to_pixels, place(), 60);
     if (!pointed) return;
-    const bool may_grow = session_.now().mesh.face_count() < many_faces;
+    const bool may_grow = session_.mesh().face_count() < many_faces;
     switch (const unsigned which = byte_() % 8; which) {
       case 0:
-        session_.propose_straight(*pointed);
+        session_.hands().propose_straight(*pointed);
         return;
       case 1:
-        session_.propose_curve(*pointed);
+        session_.hands().propose_curve(*pointed);
         return;
       case 2:
-        session_.propose_color(*pointed, {byte_() / 255.0, byte_() / 255.0, 0.5}, byte_() % 2);
+        session_.hands().propose_color(*pointed, {byte_() / 255.0, byte_() / 255.0, 0.5},
+                                       byte_() % 2);
         return;
       case 3:
-        session_.propose_joined(*pointed);
+        session_.hands().propose_joined(*pointed);
         return;
       default:
-        session_.propose(*pointed, may_grow ? HandEdit(which % 4) : HandEdit::merge);
+        session_.hands().propose(*pointed, may_grow ? HandEdit(which % 4) : HandEdit::merge);
     }
   }
 
   bool keeps(const Mesh& before, const std::vector<Face>& fixed) const {
-    const Mesh& after = session_.now().mesh;
+    const Mesh& after = session_.mesh();
     for (const Face face : fixed) {
       const Patch patch = before.patch(face);
       // A grid that is built anew may begin its patches at other corners.

@@ -33,7 +33,7 @@ inline Mesh mesh_for(unsigned seed) {
 inline SessionView view_of(const Session& session, int size = 200) {
   SessionView view;
   view.width = view.height = size;
-  const Frame& frame = session.problem().frame();
+  const Frame& frame = session.shown().problem().frame();
   view.to_pixels = Affine::scaling(glm::dvec2(double(size) / frame.width)) * frame.to_pixels;
   return view;
 }

@@ -6,7 +6,7 @@ namespace gradmesh {
 
 Box Editing::box() const {
   Box box;
-  const Mesh& mesh = session.start().surface();
+  const Mesh& mesh = session.shown().start().surface();
   for (const Halfedge curve : mesh.curves())
     for (const glm::dvec2 point : points_along(mesh.curve_of(curve), view)) box.add(point);
   return box;
@@ -24,11 +24,12 @@ std::unique_ptr<Editing> edit_by_eye(const Document& document, const MeshEntry& 
 
 MeshReport write_shown(Document& document, const Editing& editing, const WriteOptions& writing) {
   const Session& session = editing.session;
-  Candidate shown = session.is_unchanged() ? session.problem().unchanged() : session.now();
-  return write_states(
-             document,
-             {{editing.entry, session.problem_as_written(), session.form(), std::move(shown)}},
-             writing)
+  Candidate shown = session.shown().is_unchanged() ? session.shown().problem().unchanged()
+                                                   : session.shown().now();
+  return write_states(document,
+                      {{editing.entry, session.shown().problem_as_written(), session.shown().form(),
+                        std::move(shown)}},
+                      writing)
       .front();
 }
 

@@ -24,7 +24,8 @@ struct Editing {
   Box box() const;
   /// Returns the number of objects that will paint the mesh as it is shown.
   int objects() const {
-    return session.is_unchanged() ? objects_before : session.now().form.object_count();
+    return session.shown().is_unchanged() ? objects_before
+                                          : session.shown().now().form.object_count();
   }
 };
 

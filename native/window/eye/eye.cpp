@@ -46,7 +46,7 @@ void Eye::look_at_mesh(std::size_t which) {
 std::vector<const Editing*> Eye::changed() const {
   std::vector<const Editing*> changed;
   for (const auto& one : open_ones_)
-    if (one && !one->session.is_unchanged()) changed.push_back(one.get());
+    if (one && !one->session.shown().is_unchanged()) changed.push_back(one.get());
   return changed;
 }
 
@@ -54,8 +54,8 @@ bool Eye::has_hand_work() const {
   return std::ranges::any_of(open_ones_, [](const auto& one) {
     if (!one) return false;
     const Session& session = one->session;
-    return session.state() < 0 || session.is_made_by_hand() || session.problem().frame().weights ||
-           session.now().mesh.has_fixed_faces();
+    return session.shown().state() < 0 || session.shown().is_made_by_hand() ||
+           session.shown().problem().frame().weights || session.mesh().has_fixed_faces();
   });
 }
 
@@ -95,7 +95,7 @@ void Eye::forget_reasons() {
 void Eye::attempt(const std::function<void(Session&)>& deed) {
   forget_reasons();
   try {
-    session().set_fits(fits);
+    session().hands().set_fits(fits);
     deed(session());
     forget();
   } catch (const InputError& error) {
@@ -108,10 +108,10 @@ void Eye::attempt(const std::function<void(Session&)>& deed) {
 void Eye::propose(const std::function<void(Session&)>& work_out) {
   forget_reasons();
   try {
-    session().set_fits(fits);
+    session().hands().set_fits(fits);
     work_out(session());
   } catch (const InputError& error) {
-    session().forget_proposal();
+    session().hands().forget_proposal();
     why_not_ = error.message();
     forbids_ = forbidding(error);
   }
@@ -120,41 +120,41 @@ void Eye::propose(const std::function<void(Session&)>& work_out) {
 
 void Eye::forget_proposal() {
   if (!refusal_) forget_reasons();
-  if (!session().proposal()) return;
-  session().forget_proposal();
+  if (!session().hands().proposal()) return;
+  session().hands().forget_proposal();
   ++revision_;
 }
 
 bool Eye::make() {
-  if (!session().proposal()) return false;
-  attempt([](Session& session) { session.make(); });
+  if (!session().hands().proposal()) return false;
+  attempt([](Session& session) { session.hands().make(); });
   return true;
 }
 
 std::optional<Pointed> Eye::pointed_at(glm::dvec2 pixel) const {
-  return gradmesh::pointed_at(session().now().mesh, to_pixels(), pixel, reach * density);
+  return gradmesh::pointed_at(session().mesh(), to_pixels(), pixel, reach * density);
 }
 
 std::optional<CurveSearch::Found> Eye::curve() const {
-  return session().curves().found(session().form());
+  return session().curves().found(session().shown().form());
 }
 
 void Eye::slide(int state, bool moves_on) {
   const auto found = curve();
   if (!found || found->curve.states.empty()) return;
   state = std::clamp(state, 0, int(found->curve.states.size()) - 1);
-  if (moves_on && state == session().state()) return;
-  attempt([&](Session& s) { s.show(s.form(), state, moves_on); });
+  if (moves_on && state == session().shown().state()) return;
+  attempt([&](Session& s) { s.show(s.shown().form(), state, moves_on); });
 }
 
 void Eye::step(int by) {
-  if (session().state() >= 0) return slide(session().state() + by);
+  if (session().shown().state() >= 0) return slide(session().shown().state() + by);
   const auto found = curve();
   if (!found) return;
   const std::vector<CurveState>& states = found->curve.states;
   // What was made by hand is where its own curve begins.
-  if (session().now().mesh == *states.front().mesh) return slide(by);
-  const int handles = session().now().counts().handles;
+  if (session().mesh() == *states.front().mesh) return slide(by);
+  const int handles = session().shown().now().counts().handles;
   const auto closest = std::ranges::min_element(states, {}, [&](const CurveState& state) {
     return std::abs(state.counts.handles - handles);
   });
@@ -182,16 +182,15 @@ void Eye::unmark() {
 void Eye::price_marks() {
   marks_price_.reset();
   if (marked_.size() < 2) return;
-  propose([&](Session& session) { session.propose_merge(marked_); });
-  const Session::Proposal* const proposal = session().proposal();
+  propose([&](Session& session) { session.hands().propose_merge(marked_); });
+  const Proposal* const proposal = session().hands().proposal();
   marks_price_ = MarksPrice{proposal ? proposal->written.error : 0, why_not_};
   forget_proposal();
 }
 
 bool Eye::marks_are_protected() const {
-  return !marked_.empty() && std::ranges::all_of(marked_, [&](Face face) {
-    return session().now().mesh.is_fixed(face);
-  });
+  return !marked_.empty() &&
+         std::ranges::all_of(marked_, [&](Face face) { return session().mesh().is_fixed(face); });
 }
 
 std::vector<Face> Eye::to_merge() const {
@@ -202,27 +201,27 @@ std::vector<Face> Eye::to_merge() const {
 
 void Eye::merge_marked() {
   attempt([faces = to_merge()](Session& session) {
-    session.propose_merge(faces);
-    session.make();
+    session.hands().propose_merge(faces);
+    session.hands().make();
   });
 }
 
 void Eye::protect_marked() {
   const bool is_release = marks_are_protected();
-  attempt([&](Session& session) { session.protect(marked_, !is_release); });
+  attempt([&](Session& session) { session.protection().protect(marked_, !is_release); });
 }
 
 void Eye::protect_others() {
-  attempt([&](Session& session) { session.protect_others(marked_); });
+  attempt([&](Session& session) { session.protection().protect_others(marked_); });
 }
 
 const std::vector<WorstPlace>& Eye::worst_places() {
-  if (!worst_) worst_ = session().worst_places(worst_count);
+  if (!worst_) worst_ = session().shown().worst_places(worst_count);
   return *worst_;
 }
 
 std::shared_ptr<const Analysis> Eye::known() const {
-  return looks.known ? session().analysis(*looks.known) : nullptr;
+  return looks.known ? session().shown().analysis(*looks.known) : nullptr;
 }
 
 std::vector<RegionPrice> Eye::regions() const {
@@ -237,14 +236,14 @@ void Eye::step_region(int by) {
 }
 
 void Eye::propose_color(const glm::dvec3& color) {
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const std::vector<Halfedge> corners = corners_at(mesh, element.point);
   if (corners.empty()) return;
   chosen_color = color;
   Pointed pointed;
   pointed.face = mesh.face(corners.front());
   pointed.corner = corners.front();
-  propose([&](Session& session) { session.propose_color(pointed, color, false); });
+  propose([&](Session& session) { session.hands().propose_color(pointed, color, false); });
 }
 
 void Eye::make_color() {
@@ -266,7 +265,7 @@ void Eye::look_for_news(bool is_moving) {
   is_busy_ = found && !found->is_complete;
   if (!looks.known) return;
   if (!is_moving) {
-    session().set_fits(fits);
+    session().hands().set_fits(fits);
     session().analyses().want(*looks.known);
   }
   const bool is_known = known() != nullptr;

@@ -58,8 +58,8 @@ Message error_after(double error, double before) {
 
 std::vector<Message> words_of_mesh(const Eye& eye) {
   const Session& session = eye.session();
-  const Candidate& now = session.now();
-  const MeshCounts counts = now.counts(), before = session.start().counts();
+  const Candidate& now = session.shown().now();
+  const MeshCounts counts = now.counts(), before = session.shown().start().counts();
   const int objects = eye.editing().objects();
   const int fixed_patches = now.mesh.fixed_face_count();
   // Blocks may have more of both than the mesh as it was.
@@ -76,20 +76,20 @@ std::vector<Message> words_of_mesh(const Eye& eye) {
 }
 
 Message words_of_proposal(const Eye& eye) {
-  const Candidate& written = eye.session().proposal()->written;
+  const Candidate& written = eye.session().hands().proposal()->written;
   const MeshCounts counts = written.counts();
   return Message("A click: {0} handles, {1} patches, error {2}", counts.handles, counts.patches,
-                 error_after(written.error, eye.session().now().error));
+                 error_after(written.error, eye.session().shown().now().error));
 }
 
 Message words_of_undo(const Session& session) {
-  if (!session.undo_name()) return Message("Nothing to take back");
-  return Message("Take back: {0} (Ctrl+Z)", *session.undo_name());
+  if (!session.history().undo_name()) return Message("Nothing to take back");
+  return Message("Take back: {0} (Ctrl+Z)", *session.history().undo_name());
 }
 
 Message words_of_redo(const Session& session) {
-  if (!session.redo_name()) return Message("Nothing to make again");
-  return Message("Make again: {0} (Ctrl+Shift+Z)", *session.redo_name());
+  if (!session.history().redo_name()) return Message("Nothing to make again");
+  return Message("Make again: {0} (Ctrl+Shift+Z)", *session.history().redo_name());
 }
 
 Message words_of_regions(const Eye& eye) {

@@ -46,7 +46,7 @@ void EditTool::propose(Eye& eye, glm::dvec2 at, HandEdit edit) {
   if (!pointed || (is_line && !pointed->edge.valid())) return leave(eye);
   const Asked now{eye.revision(), edit, pointed->edge, is_line ? glm::dvec2(0.0) : at};
   if (now == asked_) return;
-  eye.propose([&](Session& session) { session.propose(*pointed, edit); });
+  eye.propose([&](Session& session) { session.hands().propose(*pointed, edit); });
   asked_ = now;
   asked_.revision = eye.revision();
 }
@@ -72,7 +72,7 @@ void EditTool::drag(Eye& eye, glm::dvec2 from, glm::dvec2 to, const Held& held, 
 }
 
 std::optional<Message> EditTool::hint(const Eye& eye) const {
-  if (eye.session().proposal()) return words_of_proposal(eye);
+  if (eye.session().hands().proposal()) return words_of_proposal(eye);
   if (const auto marked = Marking::hint(eye)) return marked;
   if (edit_ == HandEdit::merge) return Message("Point at a line to see what taking it out costs.");
   return Message("Point at a patch to see where the line goes, and what it does.");

@@ -11,7 +11,7 @@ void LookTool::click(Eye& eye, glm::dvec2 at, const Held&) {
   eye.element = {};
   if (!pointed) return;
   if (pointed->corner.valid())
-    eye.element.point = eye.session().now().mesh.origin(pointed->corner);
+    eye.element.point = eye.session().mesh().origin(pointed->corner);
   else if (pointed->side.valid())
     eye.element.halfedge = pointed->side;
   else
@@ -23,7 +23,7 @@ void LookTool::drag(Eye& eye, glm::dvec2 from, glm::dvec2 to, const Held&, bool)
 }
 
 void LookTool::draw(const Eye& eye, const Pen& pen) const {
-  const Mesh& mesh = eye.session().now().mesh;
+  const Mesh& mesh = eye.session().mesh();
   const Affine map = eye.to_pixels();
   const Element& picked = eye.element;
   if (picked.point.valid()) pen.dot(map.point(mesh.position(picked.point)), Pen::Ink::picked);

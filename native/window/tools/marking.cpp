@@ -16,12 +16,12 @@ void Marking::drag(Eye& eye, glm::dvec2 from, glm::dvec2 to, const Held& held, b
   }
   if (brushes() || held.alt) {
     way_.clear();
-    eye.mark(faces_touched(eye.session().now().mesh, eye.to_pixels(), {from, to}), true);
+    eye.mark(faces_touched(eye.session().mesh(), eye.to_pixels(), {from, to}), true);
     return;
   }
   if (way_.empty()) way_.push_back(from);
   way_.push_back(to);
-  inside_ = faces_covered(eye.session().now().mesh, eye.to_pixels(), outline());
+  inside_ = faces_covered(eye.session().mesh(), eye.to_pixels(), outline());
 }
 
 void Marking::drop(Eye& eye, const Held&) {
@@ -32,7 +32,7 @@ void Marking::drop(Eye& eye, const Held&) {
 
 void Marking::draw(const Eye& eye, const Pen& pen) const {
   if (way_.size() < 2) return;
-  const Mesh& mesh = eye.session().now().mesh;
+  const Mesh& mesh = eye.session().mesh();
   for (const Face face : inside_)
     pen.line(points_around(mesh, face, eye.to_pixels()), true, Pen::Ink::picked);
   pen.line(outline(), true, Pen::Ink::outline);
@@ -61,7 +61,7 @@ std::optional<Message> Marking::hint(const Eye& eye) const {
     return Message("Marked patches: {0}. P protects them. Enter does nothing: {1}", count,
                    *price->why_not);
   return Message("Marked patches: {0}. P protects them, Enter makes them one: error {1}", count,
-                 error_after(price->error, eye.session().now().error));
+                 error_after(price->error, eye.session().shown().now().error));
 }
 
 }  // namespace gradmesh

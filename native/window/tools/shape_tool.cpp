@@ -11,11 +11,11 @@ constexpr double reach = 10;
 }  // namespace
 
 void ShapeTool::point(Eye& eye, glm::dvec2 at, const Held&) {
-  grip_ = grip_at(eye.session().now().mesh, eye.to_pixels(), at, reach * eye.density);
+  grip_ = grip_at(eye.session().mesh(), eye.to_pixels(), at, reach * eye.density);
 }
 
 glm::dvec2 ShapeTool::place_of_grip(const Eye& eye) const {
-  const Mesh& mesh = eye.session().now().mesh;
+  const Mesh& mesh = eye.session().mesh();
   if (grip_->point.valid()) return eye.to_pixels().point(mesh.position(grip_->point));
   const Cubic<Value> c = mesh.curve_of(grip_->curve);
   return eye.to_pixels().point((grip_->is_at_end ? c.bezier2() : c.bezier1()).position);
@@ -29,7 +29,7 @@ void ShapeTool::drag(Eye& eye, glm::dvec2 from, glm::dvec2 to, const Held& held,
   if (!grip_) return eye.viewport().pan(to - from);
   at_ = to + aside_;
   eye.propose([&](Session& session) {
-    session.propose_move(*grip_, eye.to_pixels().inverse().point(at_));
+    session.hands().propose_move(*grip_, eye.to_pixels().inverse().point(at_));
   });
 }
 
@@ -40,11 +40,11 @@ void ShapeTool::drop(Eye& eye, const Held&) {
 
 void ShapeTool::draw(const Eye& eye, const Pen& pen) const {
   if (!grip_) return;
-  pen.dot(eye.session().proposal() ? at_ : place_of_grip(eye), Pen::Ink::picked);
+  pen.dot(eye.session().hands().proposal() ? at_ : place_of_grip(eye), Pen::Ink::picked);
 }
 
 std::optional<Message> ShapeTool::hint(const Eye& eye) const {
-  if (eye.session().proposal()) return words_of_proposal(eye);
+  if (eye.session().hands().proposal()) return words_of_proposal(eye);
   if (grip_) return Message("Drag what is lit up. A drag beside it moves the picture.");
   return Message("Point at a point of the mesh, or at a handle, and drag it.");
 }

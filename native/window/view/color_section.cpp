@@ -144,7 +144,7 @@ class ColorFields {
 void show_color(const Panel& panel) {
   Eye& eye = panel.eye;
   const Point point = eye.element.point;
-  const Mesh& mesh = eye.session().now().mesh;
+  const Mesh& mesh = eye.session().mesh();
   if (!point.valid()) return;
   const std::vector<Halfedge> corners = corners_at(mesh, point);
   if (corners.empty()) return;

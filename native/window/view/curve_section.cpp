@@ -17,13 +17,13 @@ Message name_of(const std::string& amount) {
 
 void show_forms(const Panel& panel) {
   Eye& eye = panel.eye;
-  if (eye.session().kinds().size() < 2) return;
+  if (eye.session().shown().kinds().size() < 2) return;
   const float width = Ui::share(2);
   const auto choose = [&](const Message& label, const Message& tip, CurveKind form) {
-    const bool is_chosen = eye.session().form() == form;
+    const bool is_chosen = eye.session().shown().form() == form;
     if (!panel.ui.choice(label, tip, is_chosen, width) || is_chosen) return;
     eye.attempt([&](Session& session) {
-      session.set_form(form);
+      session.hands().set_form(form);
       session.curves().want(form);
     });
   };
@@ -74,7 +74,7 @@ void draw_curve(const Curve& curve, const Chart& chart, const Eye& eye, ImVec2 l
   std::vector<ImVec2> line;
   for (const CurveState& state : curve.states) line.push_back(chart.place(state));
   list.AddPolyline(line.data(), int(line.size()), color(ImGuiCol_PlotLines), 0, 0.12F * em);
-  const Candidate& now = eye.session().now();
+  const Candidate& now = eye.session().shown().now();
   const ImVec2 at = chart.place(now.counts(), now.error);
   list.AddLine({at.x, at.y}, {at.x, track}, color(ImGuiCol_PlotLines, 0.6F), 1);
   list.AddCircleFilled(at, 0.28F * em, IM_COL32(230, 120, 0, 255));
@@ -101,7 +101,7 @@ void show_slider(const Panel& panel) {
     const std::string words = panel.ui.said(
         found && found->failure       ? *found->failure
         : found && found->is_complete ? Message("There is nothing that could be taken out.")
-        : eye.session().is_made_by_hand()
+        : eye.session().shown().is_made_by_hand()
             ? Message("Simpler meshes are looked for, of the mesh as you made it …")
             : Message("Simpler meshes are looked for …"));
     list.AddText(ImGui::GetFont(), em, low, color(ImGuiCol_TextDisabled), words.c_str(), nullptr,
@@ -144,7 +144,7 @@ void show_amounts(const Panel& panel) {
       alike.push_back(Message("{0} is the same as {1}.", name_of(amount), name_of(same->amount)));
     else if (mark)
       same = mark;
-    const bool is_shown = mark && mark == same && mark->state == eye.session().state();
+    const bool is_shown = mark && mark == same && mark->state == eye.session().shown().state();
     if (panel.ui.choice(name_of(amount), tip, is_shown, width, mark != nullptr))
       eye.slide(mark->state);
   }
@@ -159,7 +159,7 @@ void show_curve(const Panel& panel) {
   show_forms(panel);
   show_slider(panel);
   show_amounts(panel);
-  if (panel.eye.session().is_made_by_hand())
+  if (panel.eye.session().shown().is_made_by_hand())
     panel.ui.text(
         panel.ui.said(Message("What was made by hand stays, and is what errors are measured by.")));
   panel.ui.check(Message("By patches"), Message("Draw the curve by patches, not by handles"),

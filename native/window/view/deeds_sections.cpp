@@ -12,10 +12,10 @@ namespace {
 void show_history(const Panel& panel) {
   const Session& session = panel.eye.session();
   const float width = Ui::share(2);
-  if (panel.ui.button(Message("Undo"), words_of_undo(session), session.can_undo(), width))
+  if (panel.ui.button(Message("Undo"), words_of_undo(session), session.history().can_undo(), width))
     panel.eye.attempt([](Session& s) { s.undo(); });
   Ui::beside();
-  if (panel.ui.button(Message("Redo"), words_of_redo(session), session.can_redo(), width))
+  if (panel.ui.button(Message("Redo"), words_of_redo(session), session.history().can_redo(), width))
     panel.eye.attempt([](Session& s) { s.redo(); });
 }
 
@@ -27,7 +27,7 @@ void show_fits(const Panel& panel) {
   Ui::beside();
   if (panel.ui.button(Message("Fit all"),
                       Message("Move all points and handles so that the picture is closest")))
-    panel.eye.attempt([](Session& s) { s.fit(); });
+    panel.eye.attempt([](Session& s) { s.hands().fit(); });
 }
 
 /// Shows how often errors in what is marked count, and lets a person choose how often.
@@ -37,7 +37,7 @@ void show_weights(const Panel& panel) {
   ImGui::TextUnformatted(panel.ui.said(Message("Errors there ×")).c_str());
   const auto is_everywhere = [&](double factor) {
     return !eye.marked().empty() && std::ranges::all_of(eye.marked(), [&](Face face) {
-      return eye.session().weight_at(face) == factor;
+      return eye.session().shown().weight_at(face) == factor;
     });
   };
   const auto add = [&](const char* label, double factor) {
@@ -48,17 +48,17 @@ void show_weights(const Panel& panel) {
                 "than the rest: blue lines show where more, orange lines where less"),
         is_everywhere(factor), 0, !eye.marked().empty());
     panel.ui.note(std::string("weight ") + label);
-    if (is_pressed) eye.attempt([&](Session& s) { s.weigh(eye.marked(), factor); });
+    if (is_pressed) eye.attempt([&](Session& s) { s.protection().weigh(eye.marked(), factor); });
   };
   add("¼", 0.25);
   add("½", 0.5);
   add("1", 1);
   add("2", 2);
   add("4", 4);
-  if (eye.session().is_weighted() &&
+  if (eye.session().shown().is_weighted() &&
       panel.ui.button(Message("Errors count alike everywhere"),
                       Message("Let errors count once everywhere again")))
-    eye.attempt([](Session& s) { s.weigh_alike(); });
+    eye.attempt([](Session& s) { s.protection().weigh_alike(); });
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void PictureArea::draw_words(Eye& eye, const Pen& pen, const Ui& ui) const {
     pen.words({line.x, size.y / 2}, "‹ ›", 0.5);
   }
   if (eye.forbids().valid())
-    pen.line(points_around(eye.session().now().mesh, eye.forbids(), eye.to_pixels()), true,
+    pen.line(points_around(eye.session().mesh(), eye.forbids(), eye.to_pixels()), true,
              Pen::Ink::forbids);
   if (!eye.circles_worst) return;
   constexpr double radius = 18;

@@ -44,7 +44,7 @@ Message name_of(const Mesh& mesh, Halfedge h) {
 }
 
 void show_face(const Panel& panel, Face face) {
-  const Mesh& mesh = panel.eye.session().now().mesh;
+  const Mesh& mesh = panel.eye.session().mesh();
   panel.ui.text(panel.ui.said(mesh.is_fixed(face) ? Message("Patch {0}, protected", face.value)
                                                   : Message("Patch {0}", face.value)));
   Neighbours near(panel);
@@ -56,9 +56,9 @@ void show_face(const Panel& panel, Face face) {
 }
 
 void show_halfedge(const Panel& panel, Halfedge h) {
-  const Mesh& mesh = panel.eye.session().now().mesh;
+  const Mesh& mesh = panel.eye.session().mesh();
   panel.ui.text(panel.ui.said(name_of(mesh, h)));
-  if (const auto known = panel.eye.session().analysis(AnalysisKind::prices))
+  if (const auto known = panel.eye.session().shown().analysis(AnalysisKind::prices))
     for (const CurvePrice& price : known->prices)
       if (price.curve == mesh.curve(h))
         panel.ui.text(
@@ -77,7 +77,7 @@ void show_halfedge(const Panel& panel, Halfedge h) {
 }
 
 void show_point(const Panel& panel, Point point) {
-  const Mesh& mesh = panel.eye.session().now().mesh;
+  const Mesh& mesh = panel.eye.session().mesh();
   const glm::dvec2 at = panel.eye.editing().view.point(mesh.position(point));
   const Message x = fixed(at.x, 2), y = fixed(at.y, 2);
   panel.ui.text(panel.ui.said(mesh[point].is_junction()

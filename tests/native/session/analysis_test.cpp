@@ -26,21 +26,21 @@ Mesh calm_mesh(unsigned seed) {
 Analysis analysis(Session& session, AnalysisKind kind) {
   session.analyses().want(kind);
   session.analyses().wait();
-  return *session.analysis(kind);
+  return *session.shown().analysis(kind);
 }
 
 TEST(Analysis, prices_of_lines_are_what_clicks_on_them_cost) {
   Session session(problem_for(calm_mesh(2)));
-  session.protect({{0}}, true);
+  session.protection().protect({{0}}, true);
   const std::vector<CurvePrice> prices = analysis(session, AnalysisKind::prices).prices;
   ASSERT_EQ(prices.size(), 40u);
-  const double before = session.now().error;
+  const double before = session.shown().now().error;
   int stay = 0;
   for (const CurvePrice& price : prices) {
-    const Mesh& mesh = session.now().mesh;
+    const Mesh& mesh = session.mesh();
     const Pointed pointed{.face = mesh.face(price.curve), .edge = price.curve};
     try {
-      const double error = session.propose(pointed, HandEdit::merge).written.error;
+      const double error = session.hands().propose(pointed, HandEdit::merge).written.error;
       EXPECT_NEAR(price.error, error - before, 1e-9);
     } catch (const InputError&) {
       EXPECT_EQ(price.error, std::numeric_limits<double>::infinity());
@@ -52,10 +52,10 @@ TEST(Analysis, prices_of_lines_are_what_clicks_on_them_cost) {
 
 TEST(Analysis, prices_of_blocks_are_those_of_single_edges) {
   Session session(problem_for(mesh_for(3)));
-  session.set_form(CurveKind::blocks);
+  session.hands().set_form(CurveKind::blocks);
   const std::vector<CurvePrice> prices = analysis(session, AnalysisKind::prices).prices;
   StopWatch watch(0, {});
-  const std::vector<EdgePrice> edges = analyze_edges(session.problem(), watch);
+  const std::vector<EdgePrice> edges = analyze_edges(session.shown().problem(), watch);
   ASSERT_EQ(prices.size(), edges.size());
   for (std::size_t i = 0; i < prices.size(); ++i) {
     EXPECT_EQ(prices[i].curve, edges[i].edge);
@@ -67,22 +67,22 @@ TEST(Analysis, what_is_found_out_is_forgotten_as_soon_as_the_mesh_is_another) {
   Session session(problem_for(mesh_for(4)));
   for (const AnalysisKind kind :
        {AnalysisKind::prices, AnalysisKind::regions, AnalysisKind::parts}) {
-    EXPECT_FALSE(session.analysis(kind));
+    EXPECT_FALSE(session.shown().analysis(kind));
     analysis(session, kind);
-    EXPECT_TRUE(session.analysis(kind));
+    EXPECT_TRUE(session.shown().analysis(kind));
   }
-  session.propose(*pointed_at(session.now().mesh, view_of(session).to_pixels, {100, 100}, 1000),
-                  HandEdit::merge);
-  EXPECT_TRUE(session.analysis(AnalysisKind::prices)) << "it is only shown";
-  session.make();
-  EXPECT_FALSE(session.analysis(AnalysisKind::prices));
+  session.hands().propose(*pointed_at(session.mesh(), view_of(session).to_pixels, {100, 100}, 1000),
+                          HandEdit::merge);
+  EXPECT_TRUE(session.shown().analysis(AnalysisKind::prices)) << "it is only shown";
+  session.hands().make();
+  EXPECT_FALSE(session.shown().analysis(AnalysisKind::prices));
   analysis(session, AnalysisKind::prices);
   session.undo();
-  EXPECT_FALSE(session.analysis(AnalysisKind::prices));
+  EXPECT_FALSE(session.shown().analysis(AnalysisKind::prices));
   // One that is left while it goes on does no harm.
   session.analyses().want(AnalysisKind::regions);
   session.redo();
-  EXPECT_FALSE(session.analysis(AnalysisKind::regions));
+  EXPECT_FALSE(session.shown().analysis(AnalysisKind::regions));
 }
 
 TEST(Analysis, regions_of_a_patch_hold_it_the_largest_first) {

@@ -21,7 +21,7 @@ std::vector<glm::dvec2> rectangle(double x0, double y0, double x1, double y1) {
 TEST(Pointing, patches_in_a_lasso_are_those_of_which_a_third_is_inside) {
   // A grid of five by five patches of 36 pixels, from 10 on.
   Session session(problem_for(test::grid_mesh({.rows = 5, .columns = 5, .color_noise = 0.05}, 1)));
-  const Mesh& mesh = session.now().mesh;
+  const Mesh& mesh = session.mesh();
   const Affine to_pixels = view_of(session).to_pixels;
   const auto box = bounding_box(mesh, to_pixels);
   const double side = box.size().x / 5, left = box.low().x;
@@ -37,7 +37,7 @@ TEST(Pointing, patches_in_a_lasso_are_those_of_which_a_third_is_inside) {
 
 TEST(Pointing, patches_on_a_line_are_those_that_it_touches) {
   Session session(problem_for(test::grid_mesh({.rows = 5, .columns = 5, .color_noise = 0.05}, 1)));
-  const Mesh& mesh = session.now().mesh;
+  const Mesh& mesh = session.mesh();
   const Affine to_pixels = view_of(session).to_pixels;
   const auto box = bounding_box(mesh, to_pixels);
   const auto touched = [&](glm::dvec2 from, glm::dvec2 to) {
@@ -54,16 +54,16 @@ TEST(Pointing, patches_on_a_line_are_those_that_it_touches) {
 TEST(Pointing, patches_in_a_lasso_can_be_merged) {
   Session session(problem_for(mesh_for(1)));
   const Affine to_pixels = view_of(session).to_pixels;
-  const Box box = bounding_box(session.now().mesh, to_pixels);
+  const Box box = bounding_box(session.mesh(), to_pixels);
   const glm::dvec2 low = box.low() + 0.2 * box.size(), high = box.low() + 0.6 * box.size();
-  session.propose_merge(
-      faces_covered(session.now().mesh, to_pixels, rectangle(low.x, low.y, high.x, high.y)));
-  EXPECT_EQ(session.proposal()->written.surface().face_count(), 22);
-  EXPECT_EQ(session.now().mesh.face_count(), 25) << "it is only shown";
-  session.make();
-  EXPECT_EQ(session.undo_name()->english(), "Merge 4 patches");
-  EXPECT_EQ(session.now().mesh.face_count(), 22);
-  EXPECT_EQ(session.form(), CurveKind::blocks);
+  session.hands().propose_merge(
+      faces_covered(session.mesh(), to_pixels, rectangle(low.x, low.y, high.x, high.y)));
+  EXPECT_EQ(session.hands().proposal()->written.surface().face_count(), 22);
+  EXPECT_EQ(session.mesh().face_count(), 25) << "it is only shown";
+  session.hands().make();
+  EXPECT_EQ(session.history().undo_name()->english(), "Merge 4 patches");
+  EXPECT_EQ(session.mesh().face_count(), 22);
+  EXPECT_EQ(session.shown().form(), CurveKind::blocks);
 }
 
 }  // namespace

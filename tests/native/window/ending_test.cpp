@@ -58,7 +58,7 @@ TEST_F(EyeWindows, each_mesh_keeps_what_was_made_of_it) {
   screen_->click("meshes");
   screen_->click("mesh 2");
   EXPECT_EQ(eye_->id(), eye_->ids()[1]);
-  EXPECT_TRUE(session().is_unchanged());
+  EXPECT_TRUE(session().shown().is_unchanged());
   eye_->choose(0);
   EXPECT_EQ(handles(), first);
   EXPECT_EQ(eye_->changed().size(), 1u);

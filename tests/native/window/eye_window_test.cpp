@@ -33,10 +33,10 @@ TEST_F(EyeWindows, the_slider_goes_along_the_curve_and_is_one_step_of_undo) {
   const glm::dvec2 middle = *screen_->window().ui().place_of("curve");
   screen_->drag({middle - glm::dvec2(100, 0), middle, middle + glm::dvec2(80, 0)});
   EXPECT_LT(handles(), before);
-  EXPECT_GT(session().state(), 0);
+  EXPECT_GT(session().shown().state(), 0);
   screen_->click("Undo");
   EXPECT_EQ(handles(), before);
-  EXPECT_FALSE(session().can_undo());
+  EXPECT_FALSE(session().history().can_undo());
   screen_->click("Redo");
   EXPECT_LT(handles(), before);
 }
@@ -46,32 +46,32 @@ TEST_F(EyeWindows, arrows_and_amounts_choose_states) {
   wait_for_curve();
   screen_->key("Right");
   screen_->key("Right");
-  EXPECT_EQ(session().state(), 2);
+  EXPECT_EQ(session().shown().state(), 2);
   screen_->key("Left");
-  EXPECT_EQ(session().state(), 1);
+  EXPECT_EQ(session().shown().state(), 1);
   const auto found = eye_->curve();
   ASSERT_EQ(found->curve.marks.size(), 3u);
   for (const auto& [label, number] : {std::pair("Gentle", 0), {"Balanced", 1}, {"Strong", 2}}) {
     screen_->click(label);
-    EXPECT_EQ(session().state(), found->curve.marks[std::size_t(number)].state) << label;
+    EXPECT_EQ(session().shown().state(), found->curve.marks[std::size_t(number)].state) << label;
   }
   screen_->key("End");
-  EXPECT_EQ(session().state(), int(found->curve.states.size()) - 1);
+  EXPECT_EQ(session().shown().state(), int(found->curve.states.size()) - 1);
   screen_->key("Home");
-  EXPECT_TRUE(session().is_unchanged());
+  EXPECT_TRUE(session().shown().is_unchanged());
 }
 
 TEST_F(EyeWindows, pointing_at_a_line_shows_what_it_costs_and_a_click_takes_it_out) {
   open("ellipse");
   const auto untouched = pixels();
   screen_->move(on_a_line());
-  ASSERT_TRUE(session().proposal());
-  const int promised = session().proposal()->written.counts().handles;
+  ASSERT_TRUE(session().hands().proposal());
+  const int promised = session().hands().proposal()->written.counts().handles;
   EXPECT_NE(pixels(), untouched);
-  EXPECT_TRUE(session().is_unchanged()) << "nothing is made by pointing";
+  EXPECT_TRUE(session().shown().is_unchanged()) << "nothing is made by pointing";
   screen_->click(on_a_line());
   EXPECT_EQ(handles(), promised);
-  EXPECT_EQ(session().undo_name()->english(), "Take out a line");
+  EXPECT_EQ(session().history().undo_name()->english(), "Take out a line");
 }
 
 TEST_F(EyeWindows, escape_lets_go_of_one_thing_after_another) {
@@ -80,7 +80,7 @@ TEST_F(EyeWindows, escape_lets_go_of_one_thing_after_another) {
     return screen_->window().ui().place_of("What lines cost").has_value();
   };
   screen_->key("K");
-  screen_->click(middle_of(*session().now().mesh.faces().begin()));
+  screen_->click(middle_of(*session().mesh().faces().begin()));
   screen_->click("known");
   EXPECT_TRUE(is_list_open());
   screen_->key("Escape");
@@ -89,11 +89,11 @@ TEST_F(EyeWindows, escape_lets_go_of_one_thing_after_another) {
   screen_->key("Escape");
   EXPECT_TRUE(eye_->marked().empty());
   screen_->move(on_a_line());
-  EXPECT_FALSE(session().proposal()) << "the tool is still that for marks";
+  EXPECT_FALSE(session().hands().proposal()) << "the tool is still that for marks";
   screen_->key("Escape");
-  screen_->move(middle_of(*session().now().mesh.faces().begin()));
+  screen_->move(middle_of(*session().mesh().faces().begin()));
   screen_->move(on_a_line());
-  EXPECT_TRUE(session().proposal()) << "a click takes a line out again";
+  EXPECT_TRUE(session().hands().proposal()) << "a click takes a line out again";
   EXPECT_TRUE(screen_->frame());
   screen_->key("Escape");
   EXPECT_FALSE(screen_->frame());
@@ -102,7 +102,7 @@ TEST_F(EyeWindows, escape_lets_go_of_one_thing_after_another) {
 TEST_F(EyeWindows, escape_closes_the_picker_of_colours_alone) {
   open("ellipse");
   screen_->click("Look");
-  screen_->click(seen_at(session().now().mesh.patch(Face{0}).at(1, 1).position));
+  screen_->click(seen_at(session().mesh().patch(Face{0}).at(1, 1).position));
   ASSERT_TRUE(eye_->element.point.valid());
   screen_->settle();
   const auto colour = screen_->window().ui().place_of("colour");
@@ -120,9 +120,9 @@ TEST_F(EyeWindows, a_new_cross_goes_where_the_pointer_is) {
   open("ellipse");
   const int before = handles();
   screen_->key("B");
-  const Face face = *session().now().mesh.faces().begin();
+  const Face face = *session().mesh().faces().begin();
   screen_->move(middle_of(face));
-  ASSERT_TRUE(session().proposal());
+  ASSERT_TRUE(session().hands().proposal());
   screen_->click(middle_of(face));
   EXPECT_GT(handles(), before);
 }
@@ -130,15 +130,15 @@ TEST_F(EyeWindows, a_new_cross_goes_where_the_pointer_is) {
 TEST_F(EyeWindows, what_is_marked_and_protected_stays_whatever_the_slider_does) {
   open("ellipse");
   screen_->click("Mark");
-  const Face face = *session().now().mesh.faces().begin();
-  const Patch patch = session().now().mesh.patch(face);
+  const Face face = *session().mesh().faces().begin();
+  const Patch patch = session().mesh().patch(face);
   screen_->click(middle_of(face));
   EXPECT_EQ(eye_->marked(), std::vector{face});
   screen_->click("Protect");
-  EXPECT_TRUE(session().now().mesh.is_fixed(face));
+  EXPECT_TRUE(session().mesh().is_fixed(face));
   wait_for_curve();
   screen_->key("End");
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const auto is_same = [&](Face each) {
     return mesh.is_fixed(each) &&
            mesh.patch(each).at(0.5, 0.5).position == patch.at(0.5, 0.5).position;
@@ -151,7 +151,7 @@ TEST_F(EyeWindows, a_drag_around_patches_marks_them_and_enter_makes_them_one) {
   screen_->click("Blocks");
   screen_->key("K");
   // Around two patches side by side: from above the first to below the second.
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const Face first = *mesh.faces().begin();
   const Halfedge right = mesh.sides(first)[1];
   ASSERT_TRUE(mesh.other_side(right).valid());
@@ -168,15 +168,15 @@ TEST_F(EyeWindows, a_drag_around_patches_marks_them_and_enter_makes_them_one) {
   for (const Face face : two) screen_->click(middle_of(face));
   EXPECT_EQ(eye_->marked(), two);
   ASSERT_TRUE(eye_->marks_price());
-  const int patches = session().now().counts().patches;
+  const int patches = session().shown().now().counts().patches;
   screen_->key("Return");
-  EXPECT_EQ(session().now().counts().patches, patches - 1);
+  EXPECT_EQ(session().shown().now().counts().patches, patches - 1);
 }
 
 TEST_F(EyeWindows, the_brush_marks_what_it_touches) {
   open("ellipse");
   screen_->key("T");
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const Face first = *mesh.faces().begin();
   const Face second = mesh.face(mesh.other_side(mesh.sides(first)[1]));
   screen_->drag({middle_of(first), middle_of(second)});
@@ -187,7 +187,7 @@ TEST_F(EyeWindows, the_brush_marks_what_it_touches) {
 TEST_F(EyeWindows, a_point_is_dragged_and_the_picture_follows) {
   open("ellipse");
   screen_->key("G");
-  const Mesh mesh = session().now().mesh;
+  const Mesh mesh = session().mesh();
   // A point inside the mesh.
   const auto is_inside = [&](Halfedge curve) { return mesh[curve].twin.valid(); };
   Halfedge curve;
@@ -196,8 +196,8 @@ TEST_F(EyeWindows, a_point_is_dragged_and_the_picture_follows) {
   const Point point = mesh.end(curve);
   const glm::dvec2 at = seen_at(mesh.position(point));
   screen_->drag({at, at + glm::dvec2(8, 6), at + glm::dvec2(10, 7)});
-  EXPECT_EQ(session().undo_name()->english(), "Move a point");
-  const glm::dvec2 now = seen_at(session().now().mesh.position(point));
+  EXPECT_EQ(session().history().undo_name()->english(), "Move a point");
+  const glm::dvec2 now = seen_at(session().mesh().position(point));
   EXPECT_NEAR(now.x, at.x + 10, 0.1);
   EXPECT_NEAR(now.y, at.y + 7, 0.1);
 }
@@ -258,7 +258,7 @@ TEST_F(EyeWindows, what_is_known_comes_once_it_is_found_out) {
   screen_->settle();
   EXPECT_TRUE(eye_->known());
   EXPECT_NE(pixels(), untouched);
-  EXPECT_FALSE(session().problem().mesh().is_smooth());
+  EXPECT_FALSE(session().shown().problem().mesh().is_smooth());
   screen_->key("S");
   EXPECT_EQ(eye_->looks.known, AnalysisKind::regions);
 }
@@ -278,7 +278,7 @@ TEST_F(EyeWindows, nobody_stops_drawing_before_what_was_found_is_seen) {
 TEST_F(EyeWindows, the_structure_is_walked_by_buttons) {
   open("ellipse");
   screen_->click("Look");
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const Face face = *mesh.faces().begin();
   screen_->click(middle_of(face));
   EXPECT_EQ(eye_->element.face, face);
@@ -298,12 +298,12 @@ TEST_F(EyeWindows, the_structure_is_walked_by_buttons) {
 
 TEST_F(EyeWindows, a_colour_is_chosen_for_a_point) {
   open("ellipse");
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const Point point = mesh.origin(mesh.sides(*mesh.faces().begin())[0]);
   eye_->element.point = point;
   screen_->settle();
   const auto green = [&] {
-    const Mesh& now = session().now().mesh;
+    const Mesh& now = session().mesh();
     return now[now[point].halfedge].color.g;
   };
   const double before = green();
@@ -313,19 +313,19 @@ TEST_F(EyeWindows, a_colour_is_chosen_for_a_point) {
   screen_->hold(true);
   screen_->move(at - glm::dvec2(30, 0));
   screen_->settle();
-  EXPECT_TRUE(session().proposal());
+  EXPECT_TRUE(session().hands().proposal());
   EXPECT_EQ(green(), before);
   screen_->hold(false);
   screen_->settle();
   EXPECT_LT(green(), before);
-  EXPECT_EQ(session().undo_name()->english(), "Set the colour of a point");
+  EXPECT_EQ(session().history().undo_name()->english(), "Set the colour of a point");
   EXPECT_EQ(eye_->element.point, point) << "another colour can be chosen at once";
 }
 
 TEST_F(EyeWindows, a_colour_is_taken_from_the_picture) {
   open("ellipse");
   screen_->click("Look");
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const Face face = *mesh.faces().begin();
   eye_->element.point = mesh.origin(mesh.sides(face)[0]);
   screen_->key("L");
@@ -338,7 +338,7 @@ TEST_F(EyeWindows, a_colour_is_taken_from_the_picture) {
   ASSERT_TRUE(screen_->click("From the picture"));
   screen_->click(there);
   EXPECT_FALSE(eye_->picks_color);
-  const Mesh& now = session().now().mesh;
+  const Mesh& now = session().mesh();
   const glm::dvec4 color = now[corners_at(now, eye_->element.point).front()].color;
   for (const int channel : {0, 1, 2})
     EXPECT_NEAR(255 * color[channel], seen >> (16 - 8 * channel) & 255, 0.5);
@@ -346,16 +346,16 @@ TEST_F(EyeWindows, a_colour_is_taken_from_the_picture) {
 
 TEST_F(EyeWindows, weights_are_read_back_and_taken_away) {
   open("ellipse");
-  const Face face = *session().now().mesh.faces().begin();
+  const Face face = *session().mesh().faces().begin();
   EXPECT_FALSE(screen_->window().ui().place_of("Errors count alike everywhere"));
   eye_->mark({face}, false);
   screen_->settle();
   ASSERT_TRUE(screen_->click("weight 4"));
-  EXPECT_EQ(session().weight_at(face), 4);
+  EXPECT_EQ(session().shown().weight_at(face), 4);
   ASSERT_TRUE(screen_->click("Errors count alike everywhere"));
-  EXPECT_EQ(session().weight_at(face), 1);
+  EXPECT_EQ(session().shown().weight_at(face), 1);
   screen_->key("Z", {.control = true});
-  EXPECT_EQ(session().weight_at(face), 4);
+  EXPECT_EQ(session().shown().weight_at(face), 4);
 }
 
 TEST_F(EyeWindows, what_a_drag_would_mark_is_seen_while_it_goes_on) {
@@ -377,15 +377,15 @@ TEST_F(EyeWindows, what_a_drag_would_mark_is_seen_while_it_goes_on) {
 
 TEST_F(EyeWindows, a_patch_that_forbids_an_edit_is_lit_up) {
   open("ellipse");
-  const Mesh& mesh = session().now().mesh;
+  const Mesh& mesh = session().mesh();
   const std::vector<Halfedge> curves = mesh.curves();
   const Halfedge curve =
       *std::ranges::find_if(curves, [&](Halfedge h) { return mesh[h].twin.valid(); });
   const Face face = mesh.face(curve);
-  session().protect({face}, true);
+  session().protection().protect({face}, true);
   screen_->key("M");
-  screen_->move(seen_at(session().now().mesh.curve_of(curve).at(0.5).position));
-  EXPECT_TRUE(session().now().mesh.is_fixed(eye_->forbids()));
+  screen_->move(seen_at(session().mesh().curve_of(curve).at(0.5).position));
+  EXPECT_TRUE(session().mesh().is_fixed(eye_->forbids()));
   screen_->move({-50, -50});
   screen_->settle();
   EXPECT_FALSE(eye_->forbids().valid());
@@ -412,9 +412,9 @@ TEST_F(EyeWindows, what_cannot_be_done_is_said_and_nothing_is_lost) {
   open("smooth");
   const int before = handles();
   screen_->key("R");
-  screen_->move(middle_of(*session().now().mesh.faces().begin()));
+  screen_->move(middle_of(*session().mesh().faces().begin()));
   EXPECT_TRUE(eye_->why_not());
-  screen_->click(middle_of(*session().now().mesh.faces().begin()));
+  screen_->click(middle_of(*session().mesh().faces().begin()));
   EXPECT_EQ(handles(), before);
 }
 
@@ -443,7 +443,7 @@ TEST_F(EyeWindows, no_words_are_cut_off) {
         const auto expect_all_fits = [&] {
           EXPECT_EQ(screen_->window().ui().clipped(), std::set<std::string>());
         };
-        const Mesh& mesh = session().now().mesh;
+        const Mesh& mesh = session().mesh();
         expect_all_fits();
         eye_->element.point = mesh.origin(mesh.sides(*mesh.faces().begin())[0]);
         screen_->settle();
@@ -451,7 +451,7 @@ TEST_F(EyeWindows, no_words_are_cut_off) {
         ASSERT_TRUE(screen_->click("details"));
         expect_all_fits();
         eye_->mark({*mesh.faces().begin()}, false);
-        session().weigh(eye_->marked(), 4);
+        session().protection().weigh(eye_->marked(), 4);
         screen_->settle();
         expect_all_fits();
         for (const char* key : {"S", "S", "S"}) {
@@ -520,9 +520,9 @@ TEST_F(EyeWindows, all_tools_work_on_documents_that_people_have_made) {
     screen_->key("T");
     screen_->drag({middle, middle + glm::dvec2(90, 40)});
     screen_->key("P");
-    while (session().can_undo()) screen_->key("Z", {.control = true});
-    EXPECT_TRUE(session().is_unchanged());
-    EXPECT_EQ(session().now().error, 0);
+    while (session().history().can_undo()) screen_->key("Z", {.control = true});
+    EXPECT_TRUE(session().shown().is_unchanged());
+    EXPECT_EQ(session().shown().now().error, 0);
   }
   EXPECT_GE(opened, 20);
 }

@@ -48,18 +48,18 @@ class EyeWindows : public testing::Test {
   }
 
   Session& session() { return eye_->session(); }
-  int handles() { return session().now().counts().handles; }
+  int handles() { return session().shown().now().counts().handles; }
   /// Returns where a place in mesh units is in the window.
   glm::dvec2 seen_at(glm::dvec2 place) const { return eye_->to_pixels().point(place); }
   /// Returns the middle of the curve of a line inside the mesh that costs little to take out.
   glm::dvec2 on_a_line() {
-    const Mesh& mesh = session().now().mesh;
+    const Mesh& mesh = session().mesh();
     for (const Halfedge curve : mesh.curves())
       if (mesh[curve].twin.valid()) return seen_at(mesh.curve_of(curve).at(0.5).position);
     return {};
   }
   glm::dvec2 middle_of(Face face) {
-    return seen_at(session().now().mesh.patch(face).at(0.5, 0.5).position);
+    return seen_at(session().mesh().patch(face).at(0.5, 0.5).position);
   }
   std::vector<std::uint32_t> pixels() const {
     const Surface& s = screen_->surface();
