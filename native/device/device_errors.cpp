@@ -8,7 +8,7 @@ namespace gradmesh {
 struct DeviceErrors::Objects {
   TilePainter painter;
   TileMetric metric;
-  FramePicture picture;
+  FrameImage picture;
   Atlas atlas;
 
   Objects(const Device::Use& use, MetricKind kind, const Image& original)

@@ -89,7 +89,7 @@ TileMetric::TileMetric(const Device::Use& use, MetricKind kind, const Image& ima
       distances_(use.program(pass_source(kind, Pass::distances))),
       rises_(use.program(pass_source(kind, Pass::rises))),
       total_(use.program(shader_source({tiles_source(), shaders::total_glsl}))) {
-  FramePicture picture;
+  FrameImage picture;
   picture.set(image);
   const MetricShader& shader = shader_of(kind);
   shader.write_table(table_, image);
@@ -103,7 +103,7 @@ TileMetric::TileMetric(const Device::Use& use, MetricKind kind, const Image& ima
 }
 
 void TileMetric::run(const Program& program, const Buffer& tiles, int blocks,
-                     const FramePicture& picture, const Buffer& colors) {
+                     const FrameImage& picture, const Buffer& colors) {
   program.use();
   program.set("count", blocks);
   program.set("frame_size", picture.width, picture.height);
@@ -118,14 +118,14 @@ void TileMetric::run(const Program& program, const Buffer& tiles, int blocks,
   program.run(blocks);
 }
 
-void TileMetric::run_whole(const Program& program, const FramePicture& picture) {
+void TileMetric::run_whole(const Program& program, const FrameImage& picture) {
   run(program, whole_, blocks_of_frame(picture.width, picture.height), picture, picture.colors);
 }
 
-void TileMetric::start(const FramePicture& picture) { run_whole(distances_, picture); }
+void TileMetric::start(const FrameImage& picture) { run_whole(distances_, picture); }
 
 void TileMetric::measure(const Atlas& atlas, const TilePainter& painter,
-                         const FramePicture& picture) {
+                         const FrameImage& picture) {
   block_rises_.reserve(std::size_t(atlas.metric_blocks) * sizeof(float));
   totals_.reserve(atlas.tiles.size() * sizeof(float));
   run(rises_, painter.tiles(), atlas.metric_blocks, picture, painter.colors());

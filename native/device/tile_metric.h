@@ -14,19 +14,19 @@ class TileMetric {
   TileMetric(const Device::Use& use, MetricKind kind, const Image& reference);
 
   /// Measures the whole picture, from which edits start.
-  void start(const FramePicture& picture);
+  void start(const FrameImage& picture);
   /// Measures by how much the sum of the distances rises with each tile of the atlas, which
   /// `painter` has painted. The rises stay on the device until read_rises.
-  void measure(const Atlas& atlas, const TilePainter& painter, const FramePicture& picture);
+  void measure(const Atlas& atlas, const TilePainter& painter, const FrameImage& picture);
   void read_rises(std::span<float> rises) const { totals_.read(rises); }
 
   int reach() const { return reach_; }
 
  private:
-  void run(const Program& program, const Buffer& tiles, int blocks, const FramePicture& picture,
+  void run(const Program& program, const Buffer& tiles, int blocks, const FrameImage& picture,
            const Buffer& colors);
   /// Runs a pass over the whole frame.
-  void run_whole(const Program& program, const FramePicture& picture);
+  void run_whole(const Program& program, const FrameImage& picture);
 
   int reach_;
   const Program &distances_, &rises_, &total_;

@@ -77,7 +77,7 @@ void Atlas::add(const EditTile& tile, Window measured) {
   metric_blocks = metric_end;
 }
 
-void FramePicture::set(const Frame& frame, const Painting& painting) {
+void FrameImage::set(const Frame& frame, const Painting& painting) {
   set(painting.image);
   std::vector<std::uint32_t> numbers(painting.top.samples.size());
   std::ranges::transform(painting.top.samples, numbers.begin(), [](std::uint32_t sample) {
@@ -91,7 +91,7 @@ void FramePicture::set(const Frame& frame, const Painting& painting) {
   tops.write(std::span<const std::uint32_t>(numbers));
 }
 
-void FramePicture::set(const Image& image) {
+void FrameImage::set(const Image& image) {
   width = image.width;
   height = image.height;
   colors.write(std::span<const std::uint32_t>(packed(image)));
@@ -109,7 +109,7 @@ TilePainter::TilePainter(const Device::Use& use)
   bases_.write(std::span<const float>(bases));
 }
 
-void TilePainter::paint(const Atlas& atlas, const FramePicture* picture) {
+void TilePainter::paint(const Atlas& atlas, const FrameImage* picture) {
   tiles_.write(std::span(atlas.tiles));
   touched_.write(std::span(atlas.touched));
   patches_.write(std::span(atlas.patches));

@@ -32,7 +32,7 @@ struct Atlas {
 };
 
 /// The picture that edits start from, on the device.
-struct FramePicture {
+struct FrameImage {
   int width = 0, height = 0;
   /// For each pixel the colour as r + 256 g + 65536 b, and the number of the face on top
   /// (TilePatch), or `hidden_number` where the pixel stays white whatever covers it.
@@ -51,10 +51,10 @@ class TilePainter {
 
   /// Paints the tiles over the picture. If `picture` is null the tiles begin white, with nothing on
   /// top.
-  void paint(const Atlas& atlas, const FramePicture* picture);
+  void paint(const Atlas& atlas, const FrameImage* picture);
 
   const Buffer& tiles() const { return tiles_; }
-  /// Returns the colours of the atlas, as in FramePicture.
+  /// Returns the colours of the atlas, as in FrameImage.
   const Buffer& colors() const { return colors_; }
 
  private:

@@ -5,9 +5,9 @@
 
 #include "draw/drawing.h"
 #include "draw/subject.h"
-#include "methods/edges.h"
-#include "methods/motorcycle.h"
-#include "methods/regions.h"
+#include "methods/merging/edges.h"
+#include "methods/merging/motorcycle.h"
+#include "methods/merging/regions.h"
 
 namespace gradmesh {
 

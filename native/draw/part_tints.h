@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "methods/motorcycle.h"
+#include "methods/merging/motorcycle.h"
 
 namespace gradmesh {
 

@@ -30,7 +30,7 @@ Mesh opaque(const Mesh& mesh, bool shows_opacities) {
 
 /// Gives all pixels that are not covered the samples of a nearest one that is, counted in steps to
 /// the side, up and down.
-void spread(MeshPicture& picture) {
+void spread(MeshImage& picture) {
   RgbaImage& samples = picture.samples;
   Raster<std::uint8_t, 1> known = picture.covered;
   struct Pixel {
@@ -56,12 +56,12 @@ void spread(MeshPicture& picture) {
 
 }  // namespace
 
-MeshPicture picture_of(const Mesh& mesh, Frame frame) {
+MeshImage picture_of(const Mesh& mesh, Frame frame) {
   frame.hidden = nullptr;
   const Mesh painted = mesh.is_smooth() ? painted_mesh(mesh) : mesh;
   const std::unique_ptr<Rasterizer> inkscape = make_cairo_like_rasterizer();
-  MeshPicture picture{RgbaImage(frame.width, frame.height, 255),
-                      Raster<std::uint8_t, 1>(frame.width, frame.height)};
+  MeshImage picture{RgbaImage(frame.width, frame.height, 255),
+                    Raster<std::uint8_t, 1>(frame.width, frame.height)};
   std::ranges::copy(inkscape->paint(opaque(painted, false), frame).samples,
                     picture.samples.samples.begin());
   if (is_translucent(painted)) {
@@ -75,7 +75,7 @@ MeshPicture picture_of(const Mesh& mesh, Frame frame) {
   return picture;
 }
 
-bool covers_beyond(const MeshPicture& picture, const std::vector<FilledOutline>& set,
+bool covers_beyond(const MeshImage& picture, const std::vector<FilledOutline>& set,
                    const Frame& frame) {
   const HiddenPixels beyond(VisibleArea{{set}}, frame);
   const auto is_beyond = [&](int x, int y) {

@@ -11,7 +11,7 @@
 namespace gradmesh {
 
 /// A picture of a mesh alone, with nothing behind it.
-struct MeshPicture {
+struct MeshImage {
   /// Red, green, blue and opacity, colours not multiplied by it. Where the mesh is not they are
   /// those of a nearest pixel where it is: a picture that a path cuts off shows no edge of its own
   /// then, at whatever size it is shown.
@@ -22,11 +22,11 @@ struct MeshPicture {
 
 /// Paints a mesh alone, with the colours that Inkscape's own picture has at this size
 /// (make_cairo_like_rasterizer). Hidden pixels are painted too.
-MeshPicture picture_of(const Mesh& mesh, Frame frame);
+MeshImage picture_of(const Mesh& mesh, Frame frame);
 
 /// Returns true if the mesh of a picture, which was painted in that frame, covers pixels that are
 /// more than a pixel beyond all outlines of a set, in mesh units.
-bool covers_beyond(const MeshPicture& picture, const std::vector<FilledOutline>& set,
+bool covers_beyond(const MeshImage& picture, const std::vector<FilledOutline>& set,
                    const Frame& frame);
 
 }  // namespace gradmesh

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "methods/edges.h"
-#include "methods/regions.h"
+#include "methods/merging/edges.h"
+#include "methods/merging/regions.h"
 #include "metric/metric.h"
 #include "raster/frame.h"
 #include "reference/original.h"

@@ -126,7 +126,7 @@ Json show_state(const Call& call) {
   // Whoever asks for no state wants the curve.
   const int state = call.get("state", -1);
   if (state < 0)
-    s.curves().want(kind);
+    s.curves().request(kind);
   else
     s.show(kind, state, call.get("moving", false));
   return status_json(editing(call));
@@ -178,7 +178,7 @@ Json find_out(const Call& call) {
   s.hands().set_fits(call.get("fits", true));
   const AnalysisKind kind = analysis_named(call.get<std::string>("kind"));
   const Face patch = one_face(call);
-  s.analyses().want(kind);
+  s.analyses().request(kind);
   if (call.get("wait", false)) s.analyses().wait();
   const std::shared_ptr<const Analysis> found = s.shown().analysis(kind);
   Json json{{"complete", found != nullptr},

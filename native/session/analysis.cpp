@@ -64,7 +64,7 @@ AnalysisSearch::AnalysisSearch(const Problem& problem, CurveKind form, const Can
                                bool fits)
     : problem_(problem_over(problem, shown.mesh)), form_(form), shown_(shown), fits_(fits) {}
 
-void AnalysisSearch::want(AnalysisKind kind) {
+void AnalysisSearch::request(AnalysisKind kind) {
   {
     const std::lock_guard lock(mutex_);
     if (!found_.try_emplace(kind).second) return;
@@ -104,8 +104,8 @@ std::vector<CurvePrice> AnalysisSearch::prices_of_lines(const std::atomic<bool>&
     if (must_end) return;
     const Halfedge edge = lines[n].front();
     try {
-      const MadeEdit made = edit_lines(mesh, {.face = mesh.face(edge), .edge = edge},
-                                       HandEdit::merge, fits_, problem_);
+      const EditedMesh made = edit_lines(mesh, {.face = mesh.face(edge), .edge = edge},
+                                         HandEdit::merge, fits_, problem_);
       prices[n] = problem_.measure(made.mesh, &shown_).error - shown_.error;
     } catch (const InputError&) {
       // It must stay, as something beside it is protected.

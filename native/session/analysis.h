@@ -9,8 +9,8 @@
 
 #include "base/message.h"
 #include "draw/heat_scale.h"
-#include "methods/motorcycle.h"
-#include "methods/regions.h"
+#include "methods/merging/motorcycle.h"
+#include "methods/merging/regions.h"
 #include "session/worker.h"
 #include "simplify/curve.h"
 
@@ -66,7 +66,7 @@ class AnalysisSearch {
   bool fits() const { return fits_; }
 
   /// Sees to it that something is found out, after what is being found out.
-  void want(AnalysisKind kind);
+  void request(AnalysisKind kind);
   /// Waits until all that is wanted is found out.
   void wait() { worker_.wait(); }
   /// Ends the search, which is busy until it has ended.

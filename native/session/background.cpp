@@ -6,7 +6,7 @@
 
 namespace gradmesh {
 
-void CurveSearch::want(CurveKind kind) {
+void CurveSearch::request(CurveKind kind) {
   {
     const std::lock_guard lock(mutex_);
     if (!curves_.try_emplace(kind).second) return;

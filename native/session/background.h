@@ -25,7 +25,7 @@ class CurveSearch {
   explicit CurveSearch(const Problem& problem) : problem_(problem) {}
 
   /// Sees to it that a curve is searched for, after those that are being searched for.
-  void want(CurveKind kind);
+  void request(CurveKind kind);
   /// Waits until all curves that are wanted are complete.
   void wait() { worker_.wait(); }
   /// Ends the search, which is busy until it has ended.

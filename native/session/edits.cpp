@@ -11,13 +11,13 @@
 #include "mesh/rectangle.h"
 #include "mesh/subdivide.h"
 #include "methods/method.h"
-#include "methods/plain.h"
+#include "methods/plain/grid_fit.h"
+#include "methods/plain/plain.h"
+#include "methods/plain/steps.h"
 #include "ops/merge/merge_faces.h"
 #include "ops/split/split_line.h"
 #include "ops/split/split_patch.h"
 #include "ops/straighten.h"
-#include "plain/grid_fit.h"
-#include "plain/steps.h"
 #include "trial/fit_trial.h"
 
 namespace gradmesh {
@@ -135,8 +135,8 @@ std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh) {
   return lines;
 }
 
-MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, bool fits,
-                    const Problem& problem) {
+EditedMesh edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, bool fits,
+                      const Problem& problem) {
   const Rectangle grid = find_grid(mesh).value();
   if (edit == HandEdit::merge) {
     const Step step = step_without(mesh, grid, edge_of(pointed));
@@ -159,9 +159,9 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
   if (edit != HandEdit::split_rows)
     split_line_across(journal, cut.sides(pointed.face)[0], inner_place(pointed.along_top));
   check_protected(mesh, journal.mesh());
-  MadeEdit made{build_mesh(subdivided(cut, 1)), edit == HandEdit::split_both
-                                                    ? Message("Put in two lines")
-                                                    : Message("Put in a line")};
+  EditedMesh made{build_mesh(subdivided(cut, 1)), edit == HandEdit::split_both
+                                                      ? Message("Put in two lines")
+                                                      : Message("Put in a line")};
   const Rectangle finer = find_grid(made.mesh).value();
   const auto add = [&](Along along, int line) {
     for (const Halfedge curve : curves_along(made.mesh, finer, along, line))
@@ -175,20 +175,20 @@ MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, boo
   return made;
 }
 
-MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
+EditedMesh edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
   check_has_own_colors(mesh);
   if (edit == HandEdit::merge) {
     const Halfedge side = mesh.curve_side(edge_of(pointed));
     std::vector<Face> faces;
     for (const Halfedge of_curve : {side, mesh.other_side(side)})
       for (const Halfedge leaf : mesh.leaves(of_curve)) faces.push_back(mesh.face(leaf));
-    MadeEdit made = merged_patches(mesh, std::move(faces));
+    EditedMesh made = merged_patches(mesh, std::move(faces));
     made.gone = {mesh.curve(side)};
     return made;
   }
   if (mesh.is_fixed(pointed.face))
     throw PatchForbids(pointed.face, InputError("this patch is protected."));
-  MadeEdit made{mesh, Message("Split a patch")};
+  EditedMesh made{mesh, Message("Split a patch")};
   Journal journal(made.mesh);
   std::optional<double> row, column;
   if (edit != HandEdit::split_columns) row = inner_place(pointed.along_left);
@@ -200,12 +200,12 @@ MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit) {
   return made;
 }
 
-MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces) {
+EditedMesh merged_patches(const Mesh& mesh, std::vector<Face> faces) {
   check_has_own_colors(mesh);
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   if (faces.size() < 2) throw InputError("that is one patch already; choose two or more.");
-  MadeEdit made{mesh, Message("Merge {0} patches", faces.size())};
+  EditedMesh made{mesh, Message("Merge {0} patches", faces.size())};
   const Plainness plain(made.mesh);
   Journal journal(made.mesh);
   const MergedFaces merged = merge_faces(journal, faces);

@@ -23,7 +23,7 @@ class PatchForbids : public InputError {
 enum class HandEdit { merge, split_rows, split_columns, split_both };
 
 /// An edit that can be made.
-struct MadeEdit {
+struct EditedMesh {
   Mesh mesh = {};
   /// What a menu calls it.
   Message name;
@@ -50,17 +50,17 @@ std::vector<std::vector<Halfedge>> inner_lines(const Mesh& mesh);
 /// more through a place. If `fits` is true, the points around a line that is gone are fitted to the
 /// picture of the problem. Throws InputError if there is no edge where there has to be one, and if
 /// lines were to come in a smooth mesh.
-MadeEdit edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, bool fits,
-                    const Problem& problem);
+EditedMesh edit_lines(const Mesh& mesh, const Pointed& pointed, HandEdit edit, bool fits,
+                      const Problem& problem);
 
 /// Returns the mesh with the two patches beside an edge merged, or with the patch at a place split.
 /// Throws InputError if there is no edge where there has to be one, if the patches cannot be
 /// merged, and if the mesh is smooth.
-MadeEdit edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit);
+EditedMesh edit_patches(const Mesh& mesh, const Pointed& pointed, HandEdit edit);
 
 /// Returns the mesh with these patches merged to one. Throws InputError if they cannot be, as in a
 /// smooth mesh.
-MadeEdit merged_patches(const Mesh& mesh, std::vector<Face> faces);
+EditedMesh merged_patches(const Mesh& mesh, std::vector<Face> faces);
 
 /// Returns the mesh fitted to the picture of the problem as far as its points, handles and colours
 /// allow: a grid if `is_gradient` is true, otherwise these faces of any mesh.

@@ -64,7 +64,7 @@ void Hands::set_form(CurveKind form) {
       form == CurveKind::blocks ? Message("Make it blocks") : Message("Make it one gradient"));
 }
 
-const Proposal& Hands::propose(MadeEdit made, CurveKind form) {
+const Proposal& Hands::propose(EditedMesh made, CurveKind form) {
   Candidate written = shown_.measured(made.mesh, form);
   proposal_ = Proposal{std::move(made), std::move(written), form};
   revision_ = shown_.revision();

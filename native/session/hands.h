@@ -11,7 +11,7 @@ namespace gradmesh {
 
 /// An edit by hand that is shown before it is made.
 struct Proposal {
-  MadeEdit made;
+  EditedMesh made;
   /// The mesh after it, measured. Where a patch was merged, making it may fit the patch as well.
   Candidate written;
   /// What the mesh then is.
@@ -51,8 +51,8 @@ class Hands {
   void fit();
 
  private:
-  const Proposal& propose(MadeEdit made, CurveKind form);
-  const Proposal& propose(MadeEdit made) { return propose(std::move(made), shown_.form()); }
+  const Proposal& propose(EditedMesh made, CurveKind form);
+  const Proposal& propose(EditedMesh made) { return propose(std::move(made), shown_.form()); }
   /// Measures the mesh that an edit has made of the one that is shown, and shows it.
   void change(Candidate edited, CurveKind form, bool is_redrawn, const Message& name);
 

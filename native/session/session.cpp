@@ -6,7 +6,7 @@
 namespace gradmesh {
 
 void Session::show(CurveKind kind, int state, bool moves_on) {
-  curves().want(kind);
+  curves().request(kind);
   const auto found = curves().found(kind);
   if (!found || state < 0 || std::size_t(state) >= found->curve.states.size())
     throw std::invalid_argument("the curve has no state " + std::to_string(state) + " yet.");

@@ -73,11 +73,11 @@ void check_can_recolor(const Mesh& mesh, const std::vector<Halfedge>& corners) {
 
 }  // namespace
 
-MadeEdit straightened(const Mesh& mesh, const Pointed& pointed) {
+EditedMesh straightened(const Mesh& mesh, const Pointed& pointed) {
   const Halfedge curve = curve_of_side(mesh, pointed);
   const Plainness plain(mesh);
   if (plain.is_straight(curve)) throw InputError("this side is straight already.");
-  MadeEdit made{mesh, Message("Make a side straight"), {curve}, {curve}};
+  EditedMesh made{mesh, Message("Make a side straight"), {curve}, {curve}};
   Journal journal(made.mesh);
   journal.begin();
   straighten(journal, curve);
@@ -86,7 +86,7 @@ MadeEdit straightened(const Mesh& mesh, const Pointed& pointed) {
   return made;
 }
 
-MadeEdit bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture) {
+EditedMesh bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture) {
   const Halfedge curve = curve_of_side(mesh, pointed);
   Plainness plain(mesh);
   if (!plain.is_straight(curve)) throw InputError("this side is a curve already.");
@@ -94,7 +94,7 @@ MadeEdit bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture
     throw InputError(
         "the colours of this mesh follow those of the neighbours (type=\"bicubic\"), so that sides "
         "become curves only where a handle is moved.");
-  MadeEdit made{mesh, Message("Make a side a curve"), {}, {curve}};
+  EditedMesh made{mesh, Message("Make a side a curve"), {}, {curve}};
   Journal journal(made.mesh);
   bend_by_a_hair(journal, curve);
   plain.let_bend(curve);
@@ -104,13 +104,13 @@ MadeEdit bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture
   return made;
 }
 
-MadeEdit moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem& problem) {
+EditedMesh moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem& problem) {
   Plainness plain(mesh);
   const bool is_point = grip.point.valid();
   const std::vector<Halfedge> curves =
       is_point ? plain.curves_at(grip.point) : std::vector{grip.curve};
-  MadeEdit made{mesh, is_point ? Message("Move a point") : Message("Move a handle"), curves,
-                curves};
+  EditedMesh made{mesh, is_point ? Message("Move a point") : Message("Move a handle"), curves,
+                  curves};
   made.redraws = true;
   Journal journal(made.mesh);
   journal.begin();
@@ -128,22 +128,22 @@ MadeEdit moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem&
   return made;
 }
 
-MadeEdit recolored(const Mesh& mesh, const Pointed& pointed, const glm::dvec3& color,
-                   bool is_sharp) {
+EditedMesh recolored(const Mesh& mesh, const Pointed& pointed, const glm::dvec3& color,
+                     bool is_sharp) {
   const std::vector<Halfedge> corners = corners_of(mesh, pointed, is_sharp);
   check_can_recolor(mesh, corners);
-  MadeEdit made{mesh, is_sharp ? Message("Set the colour of a corner")
-                               : Message("Set the colour of a point")};
+  EditedMesh made{mesh, is_sharp ? Message("Set the colour of a corner")
+                                 : Message("Set the colour of a point")};
   made.redraws = true;
   Journal journal(made.mesh);
   for (const Halfedge corner : corners) recolor(journal, corner, {color, mesh[corner].color.a});
   return made;
 }
 
-MadeEdit joined(const Mesh& mesh, const Pointed& pointed) {
+EditedMesh joined(const Mesh& mesh, const Pointed& pointed) {
   const std::vector<Halfedge> corners = corners_of(mesh, pointed, false);
   check_can_recolor(mesh, corners);
-  MadeEdit made{mesh, Message("Join the colours of a point")};
+  EditedMesh made{mesh, Message("Join the colours of a point")};
   made.redraws = true;
   Journal journal(made.mesh);
   join_colors(journal, mesh.origin(pointed.corner));

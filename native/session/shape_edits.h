@@ -11,24 +11,24 @@ namespace gradmesh {
 
 /// Returns the mesh with a side straight. Throws InputError if there is no side, and if it is
 /// straight.
-MadeEdit straightened(const Mesh& mesh, const Pointed& pointed);
+EditedMesh straightened(const Mesh& mesh, const Pointed& pointed);
 
 /// Returns the mesh with a straight side as a curve whose handles are fitted to the picture. Throws
 /// InputError if there is no side, if it is a curve, and if the mesh is smooth.
-MadeEdit bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture);
+EditedMesh bent(const Mesh& mesh, const Pointed& pointed, const Reference& picture);
 
 /// Returns the mesh with a point, and the handles there with it, or with a handle at a place in
 /// mesh units. Throws InputError if what moves would leave the frame of the problem, in which the
 /// error is measured.
-MadeEdit moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem& problem);
+EditedMesh moved(const Mesh& mesh, const Grip& grip, glm::dvec2 to, const Problem& problem);
 
 /// Returns the mesh with a colour, (r, g, b), 0..1, at the corner of a patch, or at all corners
 /// around its point. Opacities stay. Throws InputError if there is no corner.
-MadeEdit recolored(const Mesh& mesh, const Pointed& pointed, const glm::dvec3& color,
-                   bool is_sharp);
+EditedMesh recolored(const Mesh& mesh, const Pointed& pointed, const glm::dvec3& color,
+                     bool is_sharp);
 
 /// Returns the mesh with one colour again around a point, as of join_colors(). Throws InputError if
 /// there is no corner, and if there is one colour already.
-MadeEdit joined(const Mesh& mesh, const Pointed& pointed);
+EditedMesh joined(const Mesh& mesh, const Pointed& pointed);
 
 }  // namespace gradmesh

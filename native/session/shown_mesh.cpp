@@ -65,7 +65,7 @@ ShownMesh::ShownMesh(const Problem& problem)
       setting_(first_setting(problem_, form_in_document_)),
       history_(now_.mesh, setting_) {
   curves_.replace(std::make_unique<CurveSearch>(problem_));
-  if (!kinds_.empty()) curves().want(form_in_document_);
+  if (!kinds_.empty()) curves().request(form_in_document_);
 }
 
 ShownMesh::~ShownMesh() {
@@ -198,7 +198,7 @@ void ShownMesh::measure_in(const Setting& setting) {
   const Problem next = setting.next == setting.basis ? problem_ : problem_on(*setting.next);
   kinds_ = curve_kinds(next);
   curves_.replace(std::make_unique<CurveSearch>(next));
-  if (std::ranges::find(kinds_, setting.form) != kinds_.end()) curves().want(setting.form);
+  if (std::ranges::find(kinds_, setting.form) != kinds_.end()) curves().request(setting.form);
 }
 
 Problem ShownMesh::problem_on(const Basis& basis) const {

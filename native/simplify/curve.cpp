@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "methods/method.h"
-#include "methods/plain.h"
+#include "methods/plain/plain.h"
 #include "simplify/options.h"
 
 namespace gradmesh {

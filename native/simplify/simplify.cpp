@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "mesh/build.h"
-#include "methods/best.h"
+#include "methods/best/best.h"
 #include "simplify/target.h"
 
 namespace gradmesh {

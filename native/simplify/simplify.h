@@ -7,8 +7,8 @@
 
 #include "base/progress.h"
 #include "mesh/mesh.h"
-#include "methods/edges.h"
-#include "methods/regions.h"
+#include "methods/merging/edges.h"
+#include "methods/merging/regions.h"
 #include "problem/problem.h"
 #include "simplify/options.h"
 
@@ -97,8 +97,8 @@ SimplifyResult simplify(Mesh& mesh, const RunOptions& options);
 /// the watch says so. Throw InputError if the mesh covers no pixel or is smooth.
 std::vector<EdgePrice> analyze_edges(const Problem& problem, StopWatch& watch);
 std::vector<RegionPrice> analyze_regions(const Problem& problem, StopWatch& watch);
-/// Returns the price of each region after the region is fitted to the picture (methods/best.h), in
-/// the order of the regions. Throws as analyze_regions does.
+/// Returns the price of each region after the region is fitted to the picture
+/// (methods/best/best.h), in the order of the regions. Throws as analyze_regions does.
 std::vector<double> analyze_fits(const Problem& problem, const std::vector<RegionPrice>& regions,
                                  StopWatch& watch);
 

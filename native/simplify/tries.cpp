@@ -5,7 +5,7 @@
 
 #include "form/handles.h"
 #include "mesh/rectangle.h"
-#include "methods/edges.h"
+#include "methods/merging/edges.h"
 
 namespace gradmesh {
 namespace {

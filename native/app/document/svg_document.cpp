@@ -414,7 +414,7 @@ SvgDocument::Place SvgDocument::place(const MeshEntry& entry) const {
 void SvgDocument::replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks) {
   remove_hidden_originals(changing());
   for (const auto& [entry, look] : looks) {
-    if (const auto* picture = std::get_if<PlacedPicture>(&look))
+    if (const auto* picture = std::get_if<PlacedPng>(&look))
       write_picture(svg_, object(entry), *picture);
     else
       write_linear(svg_, object(entry), std::get<LinearColors>(look));

@@ -129,7 +129,7 @@ class SvgDocument : public Document {
     return object_effects(svg_, object(entry));
   }
   /// What is to be shown instead of a mesh: a picture, or colours in the object's user space.
-  using Look = std::variant<PlacedPicture, LinearColors>;
+  using Look = std::variant<PlacedPng, LinearColors>;
   /// Replaces meshes, each by what is to be shown instead, and removes what no other mesh of the
   /// document needs (formats/svg/picture/remove_meshes.h). All entries are listed anew.
   void replace_by(const std::vector<std::pair<MeshEntry, Look>>& looks);

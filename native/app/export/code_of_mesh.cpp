@@ -171,7 +171,7 @@ class CodeMaker {
   const Frame frame_;
   Affine to_unit_;
   /// Painted when it is first needed.
-  std::optional<MeshPicture> picture_;
+  std::optional<MeshImage> picture_;
   CodeOfMesh made_;
 };
 

@@ -61,7 +61,7 @@ class MeshPublisher {
 
   /// Returns what shows the mesh. A picture has no more pixels than it needs if `saves`.
   SvgDocument::Look look(bool saves) {
-    MeshPicture picture = picture_of(mesh_, frame_);
+    MeshImage picture = picture_of(mesh_, frame_);
     const bool is_cut = !shape_lies_inside(picture);
     if (place_.fills_shape && !is_cut) {
       if (auto colors = linear_colors(mesh_, coons_tolerance(frame_))) {
@@ -75,10 +75,9 @@ class MeshPublisher {
     // Where no path will do the picture ends by itself, in whole pixels.
     const bool ends_itself = is_cut && outline.empty();
     if (ends_itself) clear_uncovered(picture);
-    FilePicture shown =
-        file_picture(std::move(picture.samples), !is_translucent(mesh_) && !ends_itself);
+    AnyImage shown = any_image(std::move(picture.samples), !is_translucent(mesh_) && !ends_itself);
     if (saves) shown = smallest_picture(std::move(shown), seen_of(picture));
-    PlacedPicture placed;
+    PlacedPng placed;
     placed.place = box_;
     std::visit(
         [&](const auto& image) {
@@ -136,7 +135,7 @@ class MeshPublisher {
   }
 
   /// Returns true if all that is seen is within a pixel of what the mesh covers.
-  bool shape_lies_inside(const MeshPicture& picture) const {
+  bool shape_lies_inside(const MeshImage& picture) const {
     if (!place_.seen || shows_nothing_) return false;
     const HiddenPixels hidden(*place_.seen, frame_);
     const auto is_near_mesh = [&](int x, int y) {
@@ -154,7 +153,7 @@ class MeshPublisher {
 
   /// Returns a path around all that the mesh paints: its outline or, for a folded mesh, which
   /// paints beyond that, those of all patches. Empty where even these do not hold it.
-  std::string outline_around(const MeshPicture& picture) const {
+  std::string outline_around(const MeshImage& picture) const {
     const std::string outline = outline_path(mesh_);
     if (!paints_beyond(outline, picture)) return outline;
     const std::string patches = patches_path(mesh_);
@@ -162,7 +161,7 @@ class MeshPublisher {
   }
 
   /// Returns true if the mesh covers pixels that are more than a pixel beyond a path.
-  bool paints_beyond(const std::string& path, const MeshPicture& picture) const {
+  bool paints_beyond(const std::string& path, const MeshImage& picture) const {
     const auto outline = path_outline(path);
     if (!outline) return true;
     const std::vector<FilledOutline> area{{*outline}};
@@ -170,14 +169,14 @@ class MeshPublisher {
   }
 
   /// Makes the picture end where the mesh does.
-  static void clear_uncovered(MeshPicture& picture) {
+  static void clear_uncovered(MeshImage& picture) {
     const std::size_t opacities = 3 * picture.samples.pixels();
     for (std::size_t i = 0; i < picture.samples.pixels(); ++i)
       if (!picture.covered.samples[i]) picture.samples.samples[opacities + i] = 0;
   }
 
   /// Returns 1 for the pixels in which the mesh is seen.
-  Raster<std::uint8_t, 1> seen_of(const MeshPicture& picture) const {
+  Raster<std::uint8_t, 1> seen_of(const MeshImage& picture) const {
     Raster<std::uint8_t, 1> seen = picture.covered;
     if (place_.seen && !shows_nothing_) {
       const HiddenPixels hidden(*place_.seen, frame_);

@@ -127,16 +127,16 @@ class Search {
 
 }  // namespace
 
-FilePicture file_picture(RgbaImage picture, bool is_opaque) {
+AnyImage any_image(RgbaImage picture, bool is_opaque) {
   if (!is_opaque) return picture;
   Image image(picture.width, picture.height);
   std::copy_n(picture.samples.begin(), image.samples.size(), image.samples.begin());
   return image;
 }
 
-FilePicture smallest_picture(FilePicture exact, const Raster<std::uint8_t, 1>& seen) {
+AnyImage smallest_picture(AnyImage exact, const Raster<std::uint8_t, 1>& seen) {
   return std::visit(
-      [&](auto& picture) -> FilePicture {
+      [&](auto& picture) -> AnyImage {
         if (auto found = Search(picture, seen).smallest()) return *std::move(found);
         return std::move(picture);
       },

@@ -8,10 +8,10 @@
 namespace gradmesh {
 
 /// A picture for a file: opaque, or with opacities by which the colours are not multiplied.
-using FilePicture = std::variant<Image, RgbaImage>;
+using AnyImage = std::variant<Image, RgbaImage>;
 
 /// Returns the picture, without opacities if it is opaque.
-FilePicture file_picture(RgbaImage picture, bool is_opaque);
+AnyImage any_image(RgbaImage picture, bool is_opaque);
 
 /// Returns the smallest picture found that shows what `exact` shows when programs enlarge it to the
 /// same size (raster/enlarge.h): within 0.01 FLIP in the mean of the pixels that are `seen`, and
@@ -20,6 +20,6 @@ FilePicture file_picture(RgbaImage picture, bool is_opaque);
 ///
 /// Samples of files are whole levels, and a level everywhere is 0.03 FLIP: rounding alone costs
 /// more than half of the bound.
-FilePicture smallest_picture(FilePicture exact, const Raster<std::uint8_t, 1>& seen);
+AnyImage smallest_picture(AnyImage exact, const Raster<std::uint8_t, 1>& seen);
 
 }  // namespace gradmesh

@@ -55,7 +55,7 @@ int tile_at(const std::vector<int>& seen, const Frame& frame, int x, int y) {
 
 /// Returns the colour nearest to each tile's that the mesh has where the tile is seen, its corners
 /// included: they lie between its pixels and those beside them.
-std::vector<Level> nearest(const MeshPicture& picture, const Frame& frame,
+std::vector<Level> nearest(const MeshImage& picture, const Frame& frame,
                            const std::vector<int>& seen, const std::vector<FlatArea>& tiles) {
   std::vector<Range> ranges(tiles.size());
   for (int y = 0; y < frame.height; ++y)
@@ -75,7 +75,7 @@ std::vector<Level> nearest(const MeshPicture& picture, const Frame& frame,
 }
 
 /// Returns true if tiles leave more of a mesh bare than what smoothed edges do.
-bool leave_bare(const MeshPicture& picture, const Frame& frame, const std::vector<int>& seen) {
+bool leave_bare(const MeshImage& picture, const Frame& frame, const std::vector<int>& seen) {
   constexpr double most = 0.005;
   int covered = 0, bare = 0;
   for (int y = 0; y < frame.height; ++y)

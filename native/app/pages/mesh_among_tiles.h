@@ -47,7 +47,7 @@ class MeshAmongTiles {
   const Affine to_mesh_;
   const Frame frame_;
   /// The opacities of a mesh are a mask of its tiles.
-  const MeshPicture picture_;
+  const MeshImage picture_;
 };
 
 /// Returns a box around tiles.

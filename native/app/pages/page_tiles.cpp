@@ -18,7 +18,7 @@ constexpr double point_tolerance = 0.02;
 /// Paths around a tile are short.
 constexpr std::size_t steps_around_tile = 64;
 
-bool is_tile(const ShownShading& shading) {
+bool is_tile(const ShadingOnPage& shading) {
   const PaintedShading& painted = shading.painted;
   return shading.shown.shading.patches.size() <= patches_of_tile &&
          shading.shown.patches.size() <= parts_of_tile && !painted.mask && !painted.stroke;
@@ -49,7 +49,7 @@ bool hides_nothing(const PagePath& path, const std::vector<PagePatch>& patches) 
 }
 
 /// Returns the clip paths of a shading without the innermost one, if that hides nothing of it.
-Clips clips_around(const ShownShading& shading) {
+Clips clips_around(const ShadingOnPage& shading) {
   Clips clips = shading.painted.clips;
   if (!clips.empty() && hides_nothing(*clips.back(), shading.shown.patches)) clips.pop_back();
   return clips;
@@ -57,7 +57,7 @@ Clips clips_around(const ShownShading& shading) {
 
 }  // namespace
 
-bool PageTiles::take(ShownShading& next) {
+bool PageTiles::take(ShadingOnPage& next) {
   const bool is_one = is_tile(next);
   Clips around = is_one ? clips_around(next) : Clips();
   if (shadings_.empty()) {
@@ -96,12 +96,12 @@ std::vector<PageTiles::Span> PageTiles::surfaces() const {
   return spans;
 }
 
-std::optional<ShownShading> PageTiles::surface(Span span) const {
+std::optional<ShadingOnPage> PageTiles::surface(Span span) const {
   if (span.end - span.begin < fewest_tiles) return {};
-  const ShownShading& first = shadings_[span.begin];
-  ShownShading surface{first.number,
-                       first.painted,
-                       {{first.shown.shading.type, {ColorSpace::device_rgb(), {}}, {}}, {}, {}}};
+  const ShadingOnPage& first = shadings_[span.begin];
+  ShadingOnPage surface{first.number,
+                        first.painted,
+                        {{first.shown.shading.type, {ColorSpace::device_rgb(), {}}, {}}, {}, {}}};
   if (!has_same_clips_) surface.painted.clips = around_;
   for (std::size_t n = span.begin; n < span.end; ++n)
     for (const PagePatch& patch : shadings_[n].shown.patches) {

@@ -118,8 +118,8 @@ class PdfReader {
     return {};
   }
 
-  ShownShading shown(const PaintedShading& painted, std::size_t number) {
-    ShownShading shading{number, painted, painted_patches(painted, kept_)};
+  ShadingOnPage shown(const PaintedShading& painted, std::size_t number) {
+    ShadingOnPage shading{number, painted, painted_patches(painted, kept_)};
     if (shading.shown.shading.patches.empty()) throw InputError("it has no patches");
     return shading;
   }
@@ -154,7 +154,7 @@ class PdfReader {
       add_tiles(tiles, {middle, end}, records, page);
       return;
     }
-    for (const ShownShading& each : std::span(tiles.shadings()).subspan(begin, end - begin)) {
+    for (const ShadingOnPage& each : std::span(tiles.shadings()).subspan(begin, end - begin)) {
       now_.done = each.number;
       if (!goes_on()) return;
       try_mesh(page, each.number, [&] {
@@ -167,7 +167,7 @@ class PdfReader {
   }
 
   /// Adds the surface of so many tiles, if they join to few parts and these look as they do.
-  bool add_surface(const ShownShading& surface, std::size_t tiles, std::size_t page) try {
+  bool add_surface(const ShadingOnPage& surface, std::size_t tiles, std::size_t page) try {
     if (surface.shown.patches.size() > limits().patches) return false;
     auto chosen = choose(surface.shown.patches, forms_of(surface.shown, {}));
     if (!chosen || chosen->difference > look_of_page ||
@@ -196,7 +196,8 @@ class PdfReader {
   }
 
   /// Adds the mesh that stands for a shading of a page, or for several from that one on.
-  void add(const ShownShading& shading, ChosenForm chosen, std::size_t page, std::size_t shadings) {
+  void add(const ShadingOnPage& shading, ChosenForm chosen, std::size_t page,
+           std::size_t shadings) {
     const auto& [number, painted, shown] = shading;
     Clips clips = shown.mask_clips;
     clips.insert(clips.end(), painted.clips.begin(), painted.clips.end());
@@ -275,7 +276,7 @@ class PdfReader {
 
   /// Counts a mesh. Returns false where the document has more patches than a mesh may have, each of
   /// which takes its time: from there on they are counted alone, for the sentence about them.
-  bool has_room_for(const ShownShading& shading, std::size_t page) {
+  bool has_room_for(const ShadingOnPage& shading, std::size_t page) {
     patches_ += shading.shown.shading.patches.size();
     now_.patches = clamped_int(double(patches_), 0, std::numeric_limits<int>::max());
     if (patches_ > limits().patches && !first_left_out_)

@@ -266,7 +266,7 @@ void Eye::look_for_news(bool is_moving) {
   if (!looks.known) return;
   if (!is_moving) {
     session().hands().set_fits(fits);
-    session().analyses().want(*looks.known);
+    session().analyses().request(*looks.known);
   }
   const bool is_known = known() != nullptr;
   if (is_known != was_known_) ++revision_;

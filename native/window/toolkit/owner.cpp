@@ -40,8 +40,8 @@ std::string title_of(HWND window) {
   return {text.begin(), text.end()};
 }
 
-/// Takes down the windows that a person sees.
-BOOL CALLBACK take_down(HWND window, LPARAM windows) {
+/// Adds a window to those that a person sees.
+BOOL CALLBACK add_window(HWND window, LPARAM windows) {
   if (IsWindowVisible(window)) reinterpret_cast<std::vector<HWND>*>(windows)->push_back(window);
   return TRUE;
 }
@@ -49,7 +49,7 @@ BOOL CALLBACK take_down(HWND window, LPARAM windows) {
 void give(const SDL_SysWMinfo& info, const OwnerTitle& title) {
   // They come from the foremost on.
   std::vector<HWND> windows;
-  EnumWindows(take_down, reinterpret_cast<LPARAM>(&windows));
+  EnumWindows(add_window, reinterpret_cast<LPARAM>(&windows));
   if (const HWND owner = owner_among(windows, title_of, title, HWND()))
     SetWindowLongPtrW(info.info.win.window, GWLP_HWNDPARENT, reinterpret_cast<LONG_PTR>(owner));
 }

@@ -24,7 +24,7 @@ void show_forms(const Panel& panel) {
     if (!panel.ui.choice(label, tip, is_chosen, width) || is_chosen) return;
     eye.attempt([&](Session& session) {
       session.hands().set_form(form);
-      session.curves().want(form);
+      session.curves().request(form);
     });
   };
   choose(Message("One mesh gradient"),

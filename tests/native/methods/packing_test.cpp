@@ -1,4 +1,4 @@
-#include "methods/packing.h"
+#include "methods/merging/packing.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 #include "base/progress.h"
 #include "formats/hemesh/hemesh.h"
 #include "mesh/build.h"
-#include "methods/regions.h"
+#include "methods/merging/regions.h"
 #include "problems.h"
 
 namespace gradmesh {

@@ -126,7 +126,7 @@ TEST(PictureSession, shows_the_picture_as_the_original) {
   const Image errors = paint(session, view);
   EXPECT_NE(errors.pixel(35, 40), errors.pixel(90, 40));
 
-  session.curves().want(CurveKind::one_gradient);
+  session.curves().request(CurveKind::one_gradient);
   session.curves().wait();
   const auto states = session.curves().found(CurveKind::one_gradient)->curve.states.size();
   ASSERT_GT(states, 1u);

@@ -26,7 +26,7 @@ Frame frame(int size, double scale, glm::dvec2 origin) {
 }
 
 TEST(Picture, has_colors_that_are_not_multiplied_and_opacities) {
-  const MeshPicture picture = picture_of(square(), frame(160, 20, {}));
+  const MeshImage picture = picture_of(square(), frame(160, 20, {}));
   for (int y = 0; y < 160; ++y)
     for (int x = 0; x < 160; ++x) {
       ASSERT_TRUE(*picture.covered.at(x, y));
@@ -40,7 +40,7 @@ TEST(Picture, has_colors_that_are_not_multiplied_and_opacities) {
 }
 
 TEST(Picture, shows_the_nearest_color_around_the_mesh) {
-  const MeshPicture picture = picture_of(square(), frame(40, 2, {12, 12}));
+  const MeshImage picture = picture_of(square(), frame(40, 2, {12, 12}));
   EXPECT_FALSE(*picture.covered.at(11, 20));
   EXPECT_TRUE(*picture.covered.at(12, 20));
   for (int y = 12; y < 28; ++y)
@@ -53,7 +53,7 @@ TEST(Picture, shows_the_nearest_color_around_the_mesh) {
 }
 
 TEST(Picture, of_nothing_is_empty) {
-  const MeshPicture picture = picture_of(square(), frame(4, 1, {50, 50}));
+  const MeshImage picture = picture_of(square(), frame(4, 1, {50, 50}));
   for (const std::uint8_t covered : picture.covered.samples) EXPECT_EQ(covered, 0);
 }
 

@@ -24,7 +24,7 @@ Mesh calm_mesh(unsigned seed) {
 
 /// What is found out, waited for.
 Analysis analysis(Session& session, AnalysisKind kind) {
-  session.analyses().want(kind);
+  session.analyses().request(kind);
   session.analyses().wait();
   return *session.shown().analysis(kind);
 }
@@ -80,7 +80,7 @@ TEST(Analysis, what_is_found_out_is_forgotten_as_soon_as_the_mesh_is_another) {
   session.undo();
   EXPECT_FALSE(session.shown().analysis(AnalysisKind::prices));
   // One that is left while it goes on does no harm.
-  session.analyses().want(AnalysisKind::regions);
+  session.analyses().request(AnalysisKind::regions);
   session.redo();
   EXPECT_FALSE(session.shown().analysis(AnalysisKind::regions));
 }

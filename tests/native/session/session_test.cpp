@@ -25,7 +25,7 @@ using test::problem_for;
 using test::view_of;
 
 const Curve& found(Session& session, CurveKind kind) {
-  session.curves().want(kind);
+  session.curves().request(kind);
   session.curves().wait();
   static Curve curve;
   curve = session.curves().found(kind)->curve;

@@ -1,4 +1,4 @@
-// Blocks with few handles (methods/handle_drops.h): what is merged and fitted stays plain, or
+// Blocks with few handles (methods/best/handle_drops.h): what is merged and fitted stays plain, or
 // becomes so.
 #include <gtest/gtest.h>
 

@@ -22,7 +22,6 @@ RANK = {
     "device": 5,
     "reference": 5,
     "fit": 6,
-    "plain": 7,
     "trace": 7,
     "trial": 7,
     "pricing": 8,
@@ -40,7 +39,7 @@ RANK = {
     "cli": 16,
 }
 
-#: Folders inside of others; those that are not named come before all of these.
+#: Folders inside of others; "." is for the files of the outer one, which else come before all of these.
 INNER = {
     "app": {"document": 0, "pages": 1, "pictures": 2, "runs": 3, "editing": 4, "export": 5},
     "formats": {
@@ -49,6 +48,7 @@ INNER = {
         "pdf/objects": 1, "pdf/text": 2, "pdf/page": 3,
         "svg/xml": 1, "svg/values": 2, "svg/tree": 3, "svg/gradient": 4, "svg/group": 5, "svg/picture": 6,
     },
+    "methods": {"merging": 0, "plain": 1, "best": 2, ".": 3},
     "ops": {"merge": 1, "split": 2},
     "window": {"toolkit": 0, "eye": 1, "tools": 2, "view": 3},
 }
@@ -82,16 +82,16 @@ def includes(path):
 
 
 def inner_rank(path):
-    """Of a path below native/: the rank among the folders inside its own; -1 for files in that itself."""
-    inside = Path(path).parent.parts
-    return INNER[inside[0]]["/".join(inside[1:])] if inside[0] in INNER and len(inside) > 1 else -1
+    """Of a path below native/: the rank among the folders inside its own; -1 where none is named."""
+    outer, *inner = Path(path).parent.parts
+    return INNER.get(outer, {}).get("/".join(inner) or ".", -1)
 
 
 def test_every_folder_has_a_rank():
     assert {p.name for p in NATIVE.iterdir() if p.is_dir()} == set(RANK)
     for folder, ranks in INNER.items():
         inside = [p.parent.relative_to(NATIVE / folder) for p in SOURCES if p.is_relative_to(NATIVE / folder)]
-        assert {path.as_posix() for path in inside} - {"."} == set(ranks)
+        assert {path.as_posix() for path in inside} - {"."} == set(ranks) - {"."}
     assert len(SOURCES) > 50
 
 
@@ -129,7 +129,7 @@ def test_targets_link_downwards():
 
 
 #: Folders in which coordinates of a stranger's document become places in pictures.
-MEASURING = ("draw", "fit", "plain", "raster", "reference", "session", "trace", "trial")
+MEASURING = ("draw", "fit", "methods/plain", "raster", "reference", "session", "trace", "trial")
 
 #: What is whole already, in these folders: counts, differences of iterators, constants, and these by their names.
 WHOLE = re.compile(
@@ -161,7 +161,7 @@ def test_coordinates_become_indices_within_bounds():
     """By clamped_int() of base/clamped_int.h: a coordinate may be of any size, or no number at all."""
     for folder in MEASURING:
         for path in SOURCES:
-            if path.relative_to(NATIVE).parts[0] == folder:
+            if path.is_relative_to(NATIVE / folder):
                 assert bare_conversions(path) == [], f"{path}: clamped_int() is for numbers that are not whole"
 
 

@@ -131,7 +131,7 @@ class ContentOperators : public QPDFObjectHandle::ParserCallbacks {
   std::optional<FillRule> clip_;
   TextPlace text_place_;
   /// What was shown of a text and is not painted yet, and through what all will be seen at its end.
-  ShownText unpainted_text_, clip_text_;
+  TextOnPage unpainted_text_, clip_text_;
   bool text_clips_ = false;
 };
 

@@ -44,19 +44,19 @@ void ContentOperators::show(QPDFObjectHandle text) {
   const TextStyle& style = state_.text;
   const bool is_painted = (style.fills() && (state_.pattern || reader_.marks_)) ||
                           (style.strokes() && (state_.stroke_pattern || reader_.marks_));
-  const ShownText shown =
+  const TextOnPage shown =
       text_place_.show(text.getStringValue(), style, state_.to_page, is_painted || style.clips());
   GraphicsState inside = state_;
   inside.text = {};
   inside.is_hidden = is_hidden();
   constexpr int invisible = 3;
   if (style.mode != invisible)
-    for (const ShownText::Content& glyph : shown.contents) {
+    for (const TextOnPage::Content& glyph : shown.contents) {
       inside.to_page = glyph.to_page;
       QPDFObjectHandle own = style.font->resources();
       reader_.read_glyph(glyph.content, own.isDictionary() ? own : resources_, inside);
     }
-  const auto add = [&](ShownText& to) {
+  const auto add = [&](TextOnPage& to) {
     append(to.outline, shown.outline);
     to.has_boxes = to.has_boxes || shown.has_boxes;
   };
@@ -67,7 +67,7 @@ void ContentOperators::show(QPDFObjectHandle text) {
 
 void ContentOperators::paint_text() {
   if (unpainted_text_.outline.steps.empty()) return;
-  const ShownText text = std::exchange(unpainted_text_, {});
+  const TextOnPage text = std::exchange(unpainted_text_, {});
   if (text.has_boxes) mark_other();
   const bool had_boxes =
       std::exchange(state_.has_text_boxes, state_.has_text_boxes || text.has_boxes);
@@ -78,7 +78,7 @@ void ContentOperators::paint_text() {
 
 void ContentOperators::end_text() {
   if (!std::exchange(text_clips_, false)) return;
-  const ShownText text = std::exchange(clip_text_, {});
+  const TextOnPage text = std::exchange(clip_text_, {});
   add_to(state_.clips, text.outline);
   state_.has_text_boxes = state_.has_text_boxes || text.has_boxes;
 }

@@ -23,9 +23,9 @@ void TextPlace::leave_room(double thousandths, const TextStyle& style) {
            Affine::translation(is_vertical ? glm::dvec2(0, by) : glm::dvec2(by * style.scale, 0));
 }
 
-ShownText TextPlace::show(const std::string& text, const TextStyle& style, const Affine& to_page,
-                          bool outlines) {
-  ShownText shown;
+TextOnPage TextPlace::show(const std::string& text, const TextStyle& style, const Affine& to_page,
+                           bool outlines) {
+  TextOnPage shown;
   if (!style.font) return shown;
   for (const PageFont::Glyph& glyph : style.font->glyphs_of(text)) {
     show_glyph(glyph, style, to_page, outlines, shown);
@@ -39,7 +39,7 @@ ShownText TextPlace::show(const std::string& text, const TextStyle& style, const
 }
 
 void TextPlace::show_glyph(const PageFont::Glyph& glyph, const TextStyle& style,
-                           const Affine& to_page, bool outlines, ShownText& shown) {
+                           const Affine& to_page, bool outlines, TextOnPage& shown) {
   PageFont& font = *style.font;
   const Affine ems{glm::dmat2(style.size * style.scale, 0, 0, style.size), {0, style.rise}};
   Affine map = to_page * glyph_ * ems;

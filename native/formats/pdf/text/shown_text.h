@@ -23,7 +23,7 @@ struct TextStyle {
 };
 
 /// What a text shows, where it shows it.
-struct ShownText {
+struct TextOnPage {
   /// In page coordinates.
   PagePath outline;
   /// Whether boxes stand for some glyphs, as the document does not hold their outlines.
@@ -47,12 +47,12 @@ class TextPlace {
   void leave_room(double thousandths, const TextStyle& style);
   /// Returns what the glyphs of a text show, and moves on behind them. Without `outlines` these are
   /// left out, which takes less time.
-  ShownText show(const std::string& text, const TextStyle& style, const Affine& to_page,
-                 bool outlines);
+  TextOnPage show(const std::string& text, const TextStyle& style, const Affine& to_page,
+                  bool outlines);
 
  private:
   void show_glyph(const PageFont::Glyph& glyph, const TextStyle& style, const Affine& to_page,
-                  bool outlines, ShownText& shown);
+                  bool outlines, TextOnPage& shown);
 
   Affine line_, glyph_;
 };

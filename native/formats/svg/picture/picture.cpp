@@ -18,7 +18,7 @@ namespace gradmesh {
 namespace {
 
 /// Adds a clip path of the mesh's outline. Returns its id.
-std::string add_outline(SvgTree& tree, const std::string& id, const PlacedPicture& picture) {
+std::string add_outline(SvgTree& tree, const std::string& id, const PlacedPng& picture) {
   xmlNode* clip = add_child(tree.defs(), "clipPath");
   set_attribute(clip, "clipPathUnits", "userSpaceOnUse");
   xmlNode* path = add_child(clip, "path");
@@ -28,8 +28,7 @@ std::string add_outline(SvgTree& tree, const std::string& id, const PlacedPictur
   return tree.give_id(clip, id + "-outline");
 }
 
-xmlNode* add_image(SvgTree& tree, xmlNode* group, const std::string& id,
-                   const PlacedPicture& picture) {
+xmlNode* add_image(SvgTree& tree, xmlNode* group, const std::string& id, const PlacedPng& picture) {
   xmlNode* image = add_child(group, "image");
   tree.give_id(image, id + "-picture");
   set_box(image, picture.place, digits_within(picture.place));
@@ -77,7 +76,7 @@ std::string add_gradient(SvgTree& tree, const std::string& prefix, const LinearC
 
 }  // namespace
 
-void write_picture(SvgTree& tree, const MeshObject& object, const PlacedPicture& picture) {
+void write_picture(SvgTree& tree, const MeshObject& object, const PlacedPng& picture) {
   const std::string id = object_id(object.node);
   if (object.gradient) {
     replace_shape(tree, object, false, [&](xmlNode* group) {

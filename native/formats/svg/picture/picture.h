@@ -10,7 +10,7 @@
 namespace gradmesh {
 
 /// A picture that shows a mesh.
-struct PlacedPicture {
+struct PlacedPng {
   /// A PNG file.
   std::string png;
   /// Where the picture lies, in the object's user space.
@@ -23,7 +23,7 @@ struct PlacedPicture {
 
 /// Shows the picture in the place of the object's mesh: of a mesh gradient as replace_shape does
 /// it, of a group of blocks inside the group.
-void write_picture(SvgTree& tree, const MeshObject& object, const PlacedPicture& picture);
+void write_picture(SvgTree& tree, const MeshObject& object, const PlacedPng& picture);
 
 /// Gives an object that a mesh gradient paints these colours instead, in its user space: one colour
 /// or a linear gradient. The object stays as it is otherwise. The mesh gradient is removed if

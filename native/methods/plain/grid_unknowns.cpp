@@ -1,0 +1,177 @@
+#include "methods/plain/grid_unknowns.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "methods/plain/movers.h"
+
+namespace gradmesh {
+namespace {
+
+/// A side of a patch as the grid names it.
+struct SideName {
+  Along along;
+  int row, column;
+};
+
+SideName side_name(int row, int column, int side) {
+  switch (side) {
+    case 0:
+      return {Along::rows, row, column};
+    case 1:
+      return {Along::columns, row, column + 1};
+    case 2:
+      return {Along::rows, row + 1, column};
+    default:
+      return {Along::columns, row, column};
+  }
+}
+
+}  // namespace
+
+GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_colors)
+    : points_(points), width_(std::size_t(grid.columns() + 1)), rows_(grid.rows()) {
+  point_unknowns_.assign(std::size_t(rows_ + 1) * width_, -1);
+  for (int i = points.first_row; i <= points.last_row; ++i)
+    for (int j = points.first_column; j <= points.last_column; ++j)
+      if (!grid.is_fixed_point(i, j)) point_unknowns_[index(i, j)] = count_++;
+  for (const Along along : {Along::rows, Along::columns}) {
+    tangents_[int(along)].resize(point_unknowns_.size());
+    const bool is_row = along == Along::rows;
+    for (int i = 0; i <= rows_ - !is_row; ++i)
+      for (int j = 0; j <= grid.columns() - is_row; ++j)
+        if (grid.bend(along, i, j))
+          for (const int end : {0, 1}) number_tangent(grid, along, i, j, end);
+  }
+  columns_ = Columns(count_);
+  if (with_colors && !grid.has_smooth_colors()) add_colors(grid);
+  follow_chords(grid);
+}
+
+/// Smooth colours follow those of several points, and are left alone. Where something shines
+/// through, the picture over white does not tell which colour looks alike over others, so the
+/// colour stays.
+void GridUnknowns::add_colors(const PlainGrid& grid) {
+  for (int i = points_.first_row; i <= points_.last_row; ++i)
+    for (int j = points_.first_column; j <= points_.last_column; ++j) {
+      if (grid.knot(i, j).color.a < 1 || point_unknowns_[index(i, j)] < 0) continue;
+      columns_.color[std::size_t(point_unknowns_[index(i, j)])] = columns_.count;
+      columns_.count += 3;
+    }
+}
+
+/// Numbers the tangent of a side at its start (`end` 0) or its end (1).
+void GridUnknowns::number_tangent(const PlainGrid& grid, Along along, int row, int column,
+                                  int end) {
+  Tangent& tangent = tangents_[int(along)][index(row, column)][std::size_t(end)];
+  const int down = along == Along::columns, right = along == Along::rows;
+  const int i = row + end * down, j = column + end * right;
+  const bool may_move = points_.contains(i, j) && point_unknowns_[index(i, j)] >= 0;
+  tangent.kind = may_move ? Tangent::free : Tangent::stays;
+  if (grid.is_fixed_side(along, row, column)) return;
+  const bool is_inside = right ? j > 0 && j < grid.columns() : i > 0 && i < grid.rows();
+  if (!is_inside || !grid.is_smooth(along, i, j)) {
+    if (may_move) tangent.unknown = count_++;
+    return;
+  }
+  // The side that goes on at the point: the one before, or the one after.
+  const int other_i = end == 0 ? i - down : i, other_j = end == 0 ? j - right : j;
+  const double length = glm::length((*grid.bend(along, row, column))[std::size_t(end)]);
+  if (const PlainGrid::Bend& other = grid.bend(along, other_i, other_j)) {
+    if (!may_move) return;
+    const double both = length + glm::length((*other)[std::size_t(1 - end)]);
+    tangent.factor = both > 0 ? 2 * length / both : 1;
+    // The one before was numbered first.
+    tangent.unknown =
+        end == 0 ? tangents_[int(along)][index(other_i, other_j)][1].unknown : count_++;
+    return;
+  }
+  tangent.from = index(other_i, other_j);
+  tangent.to = index(other_i + down, other_j + right);
+  const double chord = glm::length(position(grid, tangent.to) - position(grid, tangent.from));
+  if (chord > 0) {
+    tangent.kind = Tangent::follows_chord;
+    tangent.factor = length / chord;
+  } else if (may_move) {
+    tangent.unknown = count_++;
+  }
+}
+
+template <class Visit>
+void GridUnknowns::for_each_tangent(const Visit& visit) const {
+  for (const Along along : {Along::rows, Along::columns})
+    for (int i = 0; i <= rows_; ++i)
+      for (int j = 0; j < int(width_); ++j)
+        for (std::size_t end = 0; end < 2; ++end) {
+          const Tangent& tangent = tangents_[int(along)][index(i, j)][end];
+          if (tangent.kind != Tangent::none) visit(along, i, j, end, tangent);
+        }
+}
+
+void GridUnknowns::follow_chords(PlainGrid& grid) const {
+  for_each_tangent([&](Along along, int i, int j, std::size_t end, const Tangent& t) {
+    if (t.kind == Tangent::follows_chord)
+      (*grid.bend(along, i, j))[end] = t.factor * (position(grid, t.to) - position(grid, t.from));
+  });
+}
+
+std::vector<Influence> GridUnknowns::influences(int row, int column) const {
+  std::array<const std::array<Tangent, 2>*, 4> sides;
+  int curves = 0;
+  for (int k = 0; k < 4; ++k) {
+    const SideName name = side_name(row, column, k);
+    sides[std::size_t(k)] = &tangents_[int(name.along)][index(name.row, name.column)];
+    if ((*sides[std::size_t(k)])[0].kind != Tangent::none) curves |= 1 << k;
+  }
+  const auto& places = place_shares(curves);
+  std::vector<Influence> result;
+  const auto add = [&](int unknown, int mover, double factor) {
+    if (unknown < 0) return;
+    result.push_back({unknown, places[std::size_t(mover)], {}});
+    for (double& share : result.back().place) share *= factor;
+    if (mover < corner_movers && factor == 1)
+      result.back().color = color_shares()[std::size_t(mover)];
+  };
+  const std::size_t corners[] = {index(row, column), index(row, column + 1),
+                                 index(row + 1, column + 1), index(row + 1, column)};
+  for (int k = 0; k < corner_movers; ++k) add(point_unknowns_[corners[k]], k, 1);
+  for (int k = 0; k < 4; ++k)
+    for (int end = 0; end < 2; ++end) {
+      const Tangent& t = (*sides[std::size_t(k)])[std::size_t(end)];
+      const int mover = tangent_mover(k, end);
+      if (t.kind == Tangent::free) add(t.unknown, mover, t.factor);
+      if (t.kind == Tangent::follows_chord) {
+        add(point_unknowns_[t.to], mover, t.factor);
+        add(point_unknowns_[t.from], mover, -t.factor);
+      }
+    }
+  return result;
+}
+
+PlainGrid GridUnknowns::moved(const PlainGrid& grid, const Eigen::VectorXd& step,
+                              const glm::dmat2& to_mesh, const std::vector<bool>& stays) const {
+  PlainGrid result = grid;
+  const auto place = [&](int unknown) {
+    const int column = columns_.place[std::size_t(unknown)];
+    return to_mesh * glm::dvec2(step(column), step(column + 1));
+  };
+  for (int i = points_.first_row; i <= points_.last_row; ++i)
+    for (int j = points_.first_column; j <= points_.last_column; ++j) {
+      const int unknown = point_unknowns_[index(i, j)];
+      if (unknown < 0 || stays[std::size_t(unknown)]) continue;
+      PlainGrid::Knot& knot = result.knot(i, j);
+      knot.position += place(unknown);
+      if (const int column = columns_.color[std::size_t(unknown)]; column >= 0)
+        for (int k = 0; k < 3; ++k)
+          knot.color[k] = std::clamp(knot.color[k] + step(column + k), 0.0, 1.0);
+    }
+  for_each_tangent([&](Along along, int i, int j, std::size_t end, const Tangent& t) {
+    if (t.kind == Tangent::free && !stays[std::size_t(t.unknown)])
+      (*result.bend(along, i, j))[end] += t.factor * place(t.unknown);
+  });
+  follow_chords(result);
+  return result;
+}
+
+}  // namespace gradmesh

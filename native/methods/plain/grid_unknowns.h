@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "fit/equations.h"
+#include "methods/plain/plain_grid.h"
+
+namespace gradmesh {
+
+/// Points of a grid: those from one row and column to another, both included.
+struct GridPoints {
+  int first_row = 0, last_row = 0, first_column = 0, last_column = 0;
+
+  static GridPoints all(const PlainGrid& grid) { return {0, grid.rows(), 0, grid.columns()}; }
+  bool contains(int row, int column) const {
+    return row >= first_row && row <= last_row && column >= first_column && column <= last_column;
+  }
+};
+
+/// What a fit may change of a grid: the places of some points, the tangents there of sides that are
+/// curves, and, if it may, the colours of those points that are opaque. A line that was smooth at a
+/// point stays so: where both of its sides are curves their tangents move together, each by its own
+/// factor, and where the other side is straight the tangent is its chord times the factor.
+class GridUnknowns {
+ public:
+  /// Numbers the unknowns of these points. Turns tangents in `grid` that follow a chord into its
+  /// direction.
+  GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_colors);
+
+  const Columns& columns() const { return columns_; }
+  /// Returns how the unknowns change the patch of a row and a column; empty if none does.
+  std::vector<Influence> influences(int row, int column) const;
+  /// Returns `grid` after a step in the columns, whose places are those of `to_mesh`. The unknowns
+  /// that `stays` names by their numbers do not move.
+  PlainGrid moved(const PlainGrid& grid, const Eigen::VectorXd& step, const glm::dmat2& to_mesh,
+                  const std::vector<bool>& stays) const;
+
+ private:
+  /// A tangent of a side that is a curve, at one of its ends.
+  struct Tangent {
+    enum Kind { none, stays, free, follows_chord };
+    Kind kind = none;
+    int unknown = -1;
+    double factor = 1;
+    /// follows_chord: the points between which the chord runs.
+    std::size_t from = 0, to = 0;
+  };
+
+  void add_colors(const PlainGrid& grid);
+  void number_tangent(const PlainGrid& grid, Along along, int row, int column, int end);
+  void follow_chords(PlainGrid& grid) const;
+  template <class Visit>
+  void for_each_tangent(const Visit& visit) const;
+
+  glm::dvec2 position(const PlainGrid& grid, std::size_t point) const {
+    return grid.knot(int(point / width_), int(point % width_)).position;
+  }
+  std::size_t index(int row, int column) const {
+    return std::size_t(row) * width_ + std::size_t(column);
+  }
+
+  const GridPoints points_;
+  const std::size_t width_;
+  int rows_, count_ = 0;
+  /// By index(): the unknown that is the point; -1 if the point stays.
+  std::vector<int> point_unknowns_;
+  /// By Along, index() of the point at which the side begins, and end.
+  std::array<std::vector<std::array<Tangent, 2>>, 2> tangents_;
+  Columns columns_{0};
+};
+
+}  // namespace gradmesh
