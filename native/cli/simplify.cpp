@@ -6,7 +6,7 @@
 #include "app/document/write_file.h"
 #include "app/export/info.h"
 #include "app/export/results_json.h"
-#include "app/runs/convert_for_run.h"
+#include "app/runs/convert.h"
 #include "app/runs/curves.h"
 #include "app/runs/devices.h"
 #include "cli/commands.h"

@@ -4,7 +4,6 @@
 
 #include "app/document/write_file.h"
 #include "app/export/results_json.h"
-#include "app/pictures/traced_curve.h"
 #include "app/runs/convert.h"
 #include "base/utf8_path.h"
 #include "cli/commands.h"

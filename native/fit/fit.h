@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fit/damping.h"
+#include "fit/refit.h"
 #include "fit/unknowns.h"
 #include "reference/reference.h"
 

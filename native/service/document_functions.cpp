@@ -9,7 +9,6 @@
 #include "app/runs/convert.h"
 #include "base/utf8_path.h"
 #include "service/functions.h"
-#include "service/one_mesh.h"
 #include "service/options.h"
 #include "service/results.h"
 #include "service/translation.h"

@@ -10,7 +10,6 @@
 #include "files/atomic_file.h"
 #include "report/report.h"
 #include "service/functions.h"
-#include "service/one_mesh.h"
 #include "service/options.h"
 
 namespace gradmesh {

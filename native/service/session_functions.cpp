@@ -4,7 +4,6 @@
 #include "app/runs/curves.h"
 #include "draw/heat_scale.h"
 #include "service/functions.h"
-#include "service/one_mesh.h"
 #include "service/options.h"
 #include "service/results.h"
 #include "service/sessions.h"

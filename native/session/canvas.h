@@ -4,7 +4,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "base/affine.h"
 #include "base/image.h"
+#include "mesh/mesh.h"
 
 namespace gradmesh {
 
@@ -68,5 +70,11 @@ class Canvas {
   };
   std::vector<Run> touched_;
 };
+
+/// What makes lines seen that are light, or of another ink, over light pictures.
+extern const Ink below_lines;
+
+/// Draws the curves of a mesh over its picture, so that they are seen on light and dark pictures.
+void draw_lines(Canvas& canvas, const Mesh& mesh, const Affine& to_pixels);
 
 }  // namespace gradmesh

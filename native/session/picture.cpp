@@ -13,7 +13,6 @@
 #include "raster/painting.h"
 #include "reference/weights.h"
 #include "session/canvas.h"
-#include "session/mesh_lines.h"
 #include "session/overlay.h"
 
 namespace gradmesh {

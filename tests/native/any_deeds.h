@@ -51,7 +51,7 @@ class AnyDeeds {
 
   /// Takes all back and does it again. Returns what is then not as it was; empty if all is.
   std::string broken_by_going_back() {
-    // What was shown last may not have been taken down.
+    // What was shown last may not have been recorded.
     if (!session_.history().can_undo() && !session_.history().can_redo()) return "";
     session_.undo();
     session_.redo();

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <variant>
 
 #include "app/document/svg_document.h"
 #include "files/picture_file.h"
+#include "reference/original.h"
 
 namespace gradmesh {
 
@@ -54,5 +56,11 @@ struct PicturePart {
 
 /// Returns the part of a picture around a shape on it.
 PicturePart part_around(const Picture& picture, const ShapeOnPicture& on);
+
+/// Returns the picture that a mesh was traced from, in the units of the mesh, if the document still
+/// shows it as it did then, its file can be read and is the same, and no person has edited the mesh
+/// since; else null. `resolution` is that at which it will be painted.
+std::shared_ptr<const Original> traced_original(const SvgDocument& svg, const MeshEntry& entry,
+                                                int resolution);
 
 }  // namespace gradmesh

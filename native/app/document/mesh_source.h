@@ -121,7 +121,7 @@ class MeshSource {
     return nullptr;
   }
   /// Returns the picture that the mesh was traced from, in the units of the mesh; null if it was
-  /// traced from none, or looks like that no longer (traced_original.h). `resolution` is that at
+  /// traced from none, or looks like that no longer (document_picture.h). `resolution` is that at
   /// which it will be painted.
   virtual std::shared_ptr<const Original> traced_original(const MeshEntry&,
                                                           int /*resolution*/) const {

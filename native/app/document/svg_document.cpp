@@ -1,9 +1,9 @@
 #include "app/document/svg_document.h"
 
+#include "app/document/document_picture.h"
 #include "app/document/frames.h"
 #include "app/document/mesh_label.h"
 #include "app/document/svg_rules.h"
-#include "app/document/traced_original.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

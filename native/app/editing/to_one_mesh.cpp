@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/document/document.h"
 #include "app/document/frames.h"
 #include "mesh/build.h"
 #include "mesh/subdivide.h"

@@ -10,6 +10,7 @@
 #include "draw/backdrop.h"
 #include "draw/draw.h"
 #include "draw/svg_drawing.h"
+#include "raster/rasterizer.h"
 
 namespace gradmesh {
 namespace {

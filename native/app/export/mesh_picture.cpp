@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/document/frames.h"
-#include "session/mesh_lines.h"
+#include "session/canvas.h"
 
 namespace gradmesh {
 

@@ -14,7 +14,6 @@
 #include "app/document/svg_document.h"
 #include "app/pages/read_document.h"
 #include "app/pictures/part_tracer.h"
-#include "app/pictures/traced_curve.h"
 #include "base/clamped_int.h"
 #include "base/error.h"
 #include "base/limits.h"
@@ -53,6 +52,29 @@ std::string document_of(const Mesh& mesh, glm::dvec2 page, const Frame& frame) {
 SvgDocument& as_svg(Document& document) {
   return gradmesh::as_svg(document,
                           Message("{0}: only an SVG document holds outlines.", document.name()));
+}
+
+/// Returns the curve of meshes of one gradient, each with fewer handles than the one before. Errors
+/// are those against the picture without what is smaller than the detail, as of
+/// TraceOptions::epsilon. An amount's mark is at the last state that is within its
+/// Amount::traced_epsilon; none where no state is.
+Curve traced_curve(std::vector<Mesh> meshes, const PartTracer& tracer) {
+  Curve curve;
+  for (Mesh& mesh : meshes) {
+    const PictureErrors errors = tracer.errors_without_detail(mesh);
+    CurveState& state = curve.states.emplace_back();
+    state.counts = counts_of(mesh);
+    state.error = errors.flip;
+    state.local_error = errors.local_flip;
+    state.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  }
+  for (const Amount& amount : all_amounts())
+    for (std::size_t n = curve.states.size(); n-- > 0;)
+      if (curve.states[n].error <= amount.traced_epsilon) {
+        curve.marks.push_back({amount.name, int(n)});
+        break;
+      }
+  return curve;
 }
 
 /// Returns what is told of the mesh that was written into the document.

@@ -53,7 +53,7 @@ struct Tracing {
   PictureErrors errors;
   /// Against the picture without what is smaller than TraceOptions::detail.
   PictureErrors errors_without_detail;
-  /// The mesh and what is left of it as one line after the other is taken out (traced_curve), if
+  /// The mesh and what is left of it as one line after the other is taken out, if
   /// that was asked for.
   Curve curve;
   /// How many of the lines to follow no line of the mesh follows, as they lie elsewhere or as it

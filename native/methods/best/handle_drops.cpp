@@ -6,8 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "methods/merging/portions.h"
-#include "methods/plain/border.h"
-#include "methods/plain/corners.h"
+#include "methods/plain/flaws.h"
 #include "pricing/parallel_trials.h"
 
 namespace gradmesh {

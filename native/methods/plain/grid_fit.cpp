@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "fit/damping.h"
 #include "fit/equations.h"
 #include "fit/refit.h"
-#include "methods/plain/crush.h"
+#include "methods/plain/flaws.h"
 #include "raster/folds.h"
 
 namespace gradmesh {

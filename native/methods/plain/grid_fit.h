@@ -9,7 +9,7 @@ namespace gradmesh {
 /// Moves points of a grid, and the tangents there of those of its sides that are curves, so that
 /// the grid's picture comes close to the target, by least squares in at most `steps` steps of
 /// Gauss-Newton. Colours stay, straight sides stay straight, and no patch folds or is pinched
-/// (crush.h) that was not. Returns the sum of the squares that is left, each over the area of its
+/// (flaws.h) that was not. Returns the sum of the squares that is left, each over the area of its
 /// sample in pixels, of the patches that the points change.
 double fit_grid(PlainGrid& grid, const Reference& target, int steps, const GridPoints& points);
 double fit_grid(PlainGrid& grid, const Reference& target, int steps);

@@ -8,7 +8,6 @@
 #include "methods/merging/lines.h"
 #include "methods/plain/flaws.h"
 #include "methods/plain/grid_fit.h"
-#include "methods/plain/harmful_sides.h"
 #include "methods/plain/plain_queue.h"
 #include "methods/plain/steps.h"
 

@@ -7,9 +7,8 @@
 
 #include "mesh/build.h"
 #include "methods/merging/portions.h"
-#include "methods/plain/corners.h"
-#include "methods/plain/line_rises.h"
-#include "methods/plain/side_rises.h"
+#include "methods/plain/flaws.h"
+#include "methods/plain/rises.h"
 
 namespace gradmesh {
 namespace {

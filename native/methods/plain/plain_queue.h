@@ -16,7 +16,7 @@ namespace gradmesh {
 struct PlainCandidate {
   PlainGrid grid;
   Candidate written;
-  /// Of the sides that became straight those that harm details (methods/plain/harmful_sides.h).
+  /// Of the sides that became straight those that harm details (harmful_sides).
   std::vector<Side> harmful = {};
 
   /// `near` and `limit` as of Problem::measure.

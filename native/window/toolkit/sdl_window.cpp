@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "window/toolkit/desktop.h"
-#include "window/toolkit/font.h"
 #include "window/toolkit/imgui_versions.h"
+#include "window/toolkit/theme.h"
 
 namespace gradmesh {
 namespace {

@@ -93,7 +93,7 @@ TEST(Session, shows_the_states_of_its_curve) {
     EXPECT_EQ(session.shown().now().error, curve.states[std::size_t(i)].error);
     EXPECT_EQ(session.shown().now().counts().handles, curve.states[std::size_t(i)].counts.handles);
   }
-  // Nothing of that was taken down.
+  // Nothing of that was recorded.
   EXPECT_FALSE(session.history().can_undo());
   session.show(CurveKind::one_gradient, 1, false);
   EXPECT_TRUE(session.history().can_undo());

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "window/toolkit/draw_lists.h"
-#include "window/toolkit/font.h"
 #include "window/toolkit/imgui_versions.h"
+#include "window/toolkit/theme.h"
 #include "window/view/eye_window.h"
 
 namespace gradmesh::test {

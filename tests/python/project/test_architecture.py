@@ -95,6 +95,16 @@ def test_every_folder_has_a_rank():
     assert len(SOURCES) > 50
 
 
+def test_the_table_of_rooms_is_that_of_the_code():
+    page = (ROOT / "docs" / "architecture.md").read_text()
+    rows = re.findall(r"^\| (\d+) \| `(\w+)/` \|", page, re.MULTILINE)
+    assert {name: int(rank) for rank, name in rows} == RANK
+    rooms = re.search(r"\| room of `app/` \| holds \|\n(.+?)\n\n", page, re.DOTALL)[1]
+    assert re.findall(r"^\| `(\w+)/`", rooms, re.MULTILINE) == sorted(INNER["app"], key=INNER["app"].get)
+    named = re.findall(r"`((?:app|methods|simplify)/[\w/]+(?:\.cpp|/))`", page)
+    assert named and all((NATIVE / path).exists() for path in named)
+
+
 @pytest.mark.parametrize("path", SOURCES, ids=lambda p: str(p.relative_to(NATIVE)))
 def test_includes_go_downwards(path):
     folder = path.relative_to(NATIVE).parts[0]

@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "base/limits.h"
 #include "formats/pdf/objects/dictionary.h"
-#include "formats/pdf/page/blend_mode.h"
 #include "formats/pdf/page/clip_box.h"
+#include "formats/pdf/page/graphics_state.h"
 #include "formats/pdf/page/pattern_cell.h"
 
 namespace gradmesh {

@@ -1,8 +1,29 @@
 #include "formats/pdf/page/graphics_state.h"
 
+#include <array>
 #include <utility>
 
 namespace gradmesh {
+namespace {
+
+constexpr std::array<std::pair<const char*, const char*>, 15> css_words{
+    {{"/Multiply", "multiply"},
+     {"/Screen", "screen"},
+     {"/Overlay", "overlay"},
+     {"/Darken", "darken"},
+     {"/Lighten", "lighten"},
+     {"/ColorDodge", "color-dodge"},
+     {"/ColorBurn", "color-burn"},
+     {"/HardLight", "hard-light"},
+     {"/SoftLight", "soft-light"},
+     {"/Difference", "difference"},
+     {"/Exclusion", "exclusion"},
+     {"/Hue", "hue"},
+     {"/Saturation", "saturation"},
+     {"/Color", "color"},
+     {"/Luminosity", "luminosity"}}};
+
+}  // namespace
 
 Mask through_both(const Mask& one, const Mask& other) {
   if (one && other) return std::make_shared<const std::vector<PaintedShading>>();
@@ -19,6 +40,19 @@ void begin_group(GraphicsState& state, PageGroup group) {
   state.clips.insert(state.clips.begin(), state.mask_clips.begin(), state.mask_clips.end());
   state.mask_clips.clear();
   state.group_mask = through_both(state.group_mask, std::exchange(state.mask, nullptr));
+}
+
+std::string blend_mode_of(QPDFObjectHandle modes) {
+  if (modes.isArray()) {
+    for (QPDFObjectHandle mode : modes.getArrayAsVector())
+      if (mode.isName())
+        if (const std::string word = blend_mode_of(mode); word != "normal") return word;
+    return "normal";
+  }
+  if (modes.isName())
+    for (const auto& [name, word] : css_words)
+      if (modes.getName() == name) return word;
+  return "normal";
 }
 
 }  // namespace gradmesh

@@ -8,12 +8,25 @@
 #include "base/affine.h"
 #include "formats/pdf/objects/page_path.h"
 #include "formats/pdf/objects/qpdf.h"
-#include "formats/pdf/page/line_style.h"
-#include "formats/pdf/page/page_group.h"
 #include "formats/pdf/page/page_stroke.h"
 #include "formats/pdf/text/shown_text.h"
 
 namespace gradmesh {
+
+/// A transparency group (ISO 32000-1, 11.4.5): what is inside is painted, and then all of it is
+/// mixed at once with what lies below.
+struct PageGroup {
+  /// That which it lies in; null if there is none.
+  std::shared_ptr<const PageGroup> around = nullptr;
+  double opacity = 1;
+  /// A CSS word (blend_mode_of).
+  std::string blend_mode = "normal";
+  /// Whether what is inside is mixed with nothing below the group, and whether it hides what is
+  /// inside and below it.
+  bool is_isolated = false, is_knockout = false;
+  /// Whether a group of SVG looks the same, as far as is known of what is inside.
+  bool is_as_in_svg = true;
+};
 
 /// Colour spaces by name.
 struct NamedSpaces {
@@ -38,7 +51,7 @@ struct PaintedShading {
   Mask mask;
   /// The stroke that it paints; null if it paints an area. The clips are then others than its path.
   std::shared_ptr<const PageStroke> stroke = nullptr;
-  /// How it is mixed with what lies below, a CSS word (blend_mode.h).
+  /// How it is mixed with what lies below, a CSS word (blend_mode_of).
   std::string blend_mode = "normal";
   /// The group that it lies in; null where that changes nothing (lone_groups.h).
   std::shared_ptr<const PageGroup> group = nullptr;
@@ -90,5 +103,9 @@ Mask through_both(const Mask& one, const Mask& other);
 /// Makes what follows belong to a transparency group, which has the opacity of `group`, and the
 /// blend mode and the masks of the state so far.
 void begin_group(GraphicsState& state, PageGroup group);
+
+/// Returns the CSS word for the /BM of a graphics state, or for the first of several that is known
+/// (ISO 32000-1, 11.3.5): "multiply"; "normal" for one that is not known.
+std::string blend_mode_of(QPDFObjectHandle modes);
 
 }  // namespace gradmesh

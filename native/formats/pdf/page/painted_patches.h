@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "formats/pdf/page/kept_shadings.h"
 #include "formats/pdf/page/patch_colors.h"
+#include "formats/pdf/page/read_shading.h"
 
 namespace gradmesh {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formats/pdf/grid/page_patch.h"
-#include "formats/pdf/page/shading_colors.h"
+#include "formats/pdf/page/read_shading.h"
 #include "formats/pdf/shading/read_patches.h"
 
 namespace gradmesh {

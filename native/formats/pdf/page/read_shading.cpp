@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
+#include <utility>
 
 #include "base/clamped_int.h"
 #include "base/error.h"
@@ -145,6 +146,16 @@ bool put_on_page(ShadingPatch& patch, const Affine& to_page) {
 
 }  // namespace
 
+ShadingColors::ShadingColors(ColorSpace space, std::optional<Function> function)
+    : space_(std::move(space)), function_(std::move(function)) {
+  if (function_ && (function_->inputs() != 1 || function_->outputs() != space_.components()))
+    throw InputError("the function of its colours does not fit its colour space");
+}
+
+glm::dvec3 ShadingColors::srgb(const Components& color) const {
+  return space_.to_srgb(function_ ? (*function_)(color) : color);
+}
+
 TooManyPatches::TooManyPatches(std::size_t patches)
     : InputError("it has {0} patches, {1}", patches,
                  beyond_limit("patches", limits().patches, patches)),
@@ -171,6 +182,36 @@ PageShading placed(PageShading shading, const Affine& to_page) {
 
 PageShading read_shading(const PaintedShading& painted) {
   return placed(unplaced_shading(painted.shading, painted.spaces.get()), painted.to_page);
+}
+
+std::shared_ptr<const PageShading> KeptShadings::read(const PaintedShading& painted) {
+  const std::pair key(painted.shading.getObjGen(),
+                      painted.spaces ? painted.spaces->text : std::string());
+  auto found = kept_.find(key);
+  // What is no object of its own has no number by which it could be known again.
+  if (found == kept_.end() || !painted.shading.isIndirect()) {
+    Kept now = read_now(painted);
+    const std::size_t count = now.shading ? now.shading->patches.size() : 0;
+    // A few of the largest shadings take no memory to speak of.
+    if (patches_ + count > 4 * limits().patches) {
+      kept_.clear();
+      patches_ = 0;
+    }
+    patches_ += count;
+    found = kept_.insert_or_assign(key, std::move(now)).first;
+  }
+  if (found->second.error) std::rethrow_exception(found->second.error);
+  return found->second.shading;
+}
+
+KeptShadings::Kept KeptShadings::read_now(const PaintedShading& painted) {
+  try {
+    return {std::make_shared<const PageShading>(
+                unplaced_shading(painted.shading, painted.spaces.get())),
+            nullptr};
+  } catch (const InputError&) {
+    return {nullptr, std::current_exception()};
+  }
 }
 
 }  // namespace gradmesh

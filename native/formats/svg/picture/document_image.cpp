@@ -9,7 +9,7 @@
 #include "base/utf8_path.h"
 #include "files/base64.h"
 #include "formats/svg/group/written_label.h"
-#include "formats/svg/picture/image_room.h"
+#include "formats/svg/picture/image_cover.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/visible.h"
 #include "formats/svg/values/reference.h"

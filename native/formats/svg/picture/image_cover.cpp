@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "formats/svg/group/written_label.h"
-#include "formats/svg/picture/image_room.h"
 #include "formats/svg/tree/objects.h"
 #include "formats/svg/tree/paint.h"
 #include "formats/svg/tree/visible.h"

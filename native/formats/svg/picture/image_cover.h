@@ -5,9 +5,21 @@
 
 #include "base/affine.h"
 #include "formats/svg/tree/svg_tree.h"
+#include "formats/svg/values/length.h"
 #include "geom/box.h"
 
 namespace gradmesh {
+
+/// The rectangle that an <image> is to fill, in its user space. A size that is not said is 0.
+struct ImageRoom {
+  glm::dvec2 corner, size;
+};
+
+inline ImageRoom image_room(const xmlNode* image) {
+  return {
+      {read_length(image, "x", LengthAxis::x), read_length(image, "y", LengthAxis::y)},
+      {read_length(image, "width", LengthAxis::x), read_length(image, "height", LengthAxis::y)}};
+}
 
 /// How an <image> shows its picture, in its user space.
 struct PictureInImage {

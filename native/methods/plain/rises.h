@@ -24,4 +24,9 @@ struct LineRise {
 std::vector<LineRise> rises_without(const PlainGrid& grid, const std::vector<Step>& lines,
                                     const Reference& target);
 
+/// Returns for each side by how much the sum of squares rises if that side alone becomes straight
+/// and nothing is fitted.
+std::vector<double> rises_if_straight(const PlainGrid& grid, const std::vector<Side>& sides,
+                                      const Reference& target);
+
 }  // namespace gradmesh
