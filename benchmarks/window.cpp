@@ -26,8 +26,8 @@ struct Case {
 Case& opened() {
   static Case c;
   c.eye.attempt([](Session& session) {
-    session.hands().set_form(CurveKind::one_gradient);
-    session.show(CurveKind::one_gradient, 0, false);
+    session.hands().set_form(MeshKind::one_gradient);
+    session.show(MeshKind::one_gradient, 0, false);
   });
   c.screen.settle();
   return c;
@@ -63,7 +63,7 @@ void slider(benchmark::State& state) {
 
 /// The pointer comes to another line of one gradient, or edge of blocks, and the picture without it
 /// is there.
-void pointing(benchmark::State& state, CurveKind form) {
+void pointing(benchmark::State& state, MeshKind form) {
   Case& c = opened();
   c.eye.attempt([&](Session& session) { session.hands().set_form(form); });
   const Mesh& mesh = c.eye.session().mesh();
@@ -89,8 +89,8 @@ void register_window() {
   add("Window/frame", frame);
   add("Window/picture", picture);
   add("Window/slider", slider);
-  add("Window/line", [](benchmark::State& s) { pointing(s, CurveKind::one_gradient); });
-  add("Window/edge", [](benchmark::State& s) { pointing(s, CurveKind::blocks); });
+  add("Window/line", [](benchmark::State& s) { pointing(s, MeshKind::one_gradient); });
+  add("Window/edge", [](benchmark::State& s) { pointing(s, MeshKind::blocks); });
 }
 
 }  // namespace gradmesh::bench

@@ -14,7 +14,7 @@ struct AnalyzeArguments {
   std::string renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
-  AnalysisPaths analyses;
+  PricePaths analyses;
   bool quiet = false;
 };
 

@@ -150,7 +150,7 @@ void say_without_device(const std::string& reason) {
   std::cerr << "gradmesh: " << reason << "; it goes on in software.\n";
 }
 
-void add_analysis_options(CLI::App& command, AnalysisPaths& analyses) {
+void add_analysis_options(CLI::App& command, PricePaths& analyses) {
   add_path(command, "--load-analysis", analyses.load,
            "Take prices from this file, which an earlier run has saved");
   add_path(command, "--save-analysis", analyses.save, "Save all prices that were used");

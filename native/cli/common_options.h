@@ -45,6 +45,6 @@ void add_original_option(CLI::App& command, std::filesystem::path& original);
 /// document of the file, which must outlive the runs.
 std::unique_ptr<Document> take_original(const std::filesystem::path& original, Document& document);
 /// Adds --load-analysis and --save-analysis.
-void add_analysis_options(CLI::App& command, AnalysisPaths& analyses);
+void add_analysis_options(CLI::App& command, PricePaths& analyses);
 
 }  // namespace gradmesh

@@ -32,7 +32,7 @@ struct OnlyMesh {
   }
 
   std::unique_ptr<Document> document;
-  SeenMesh seen;
+  MeshInDocument seen;
 };
 
 using Pair = std::pair<Image, Image>;

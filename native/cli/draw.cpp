@@ -12,7 +12,7 @@ struct DrawArguments {
   std::filesystem::path in, out;
   std::string id, show, region;
   DrawOptions options;
-  AnalysisPaths analyses;
+  PricePaths analyses;
   bool no_picture = false, quiet = false;
 };
 

@@ -14,7 +14,7 @@ namespace {
 struct ReportArguments {
   std::filesystem::path before, after, out, original, run;
   std::string id, renderer = name(Renderer::automatic);
-  PageOptions options;
+  ReportPageOptions options;
   bool quiet = false;
 };
 

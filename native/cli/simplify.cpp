@@ -24,7 +24,7 @@ struct SimplifyArguments {
   std::string renderer = name(Renderer::automatic);
   std::vector<std::string> ids;
   RunOptions options;
-  AnalysisPaths analyses;
+  PricePaths analyses;
   WriteOptions writing;
   bool quiet = false, preview = false;
 };
@@ -98,7 +98,7 @@ std::pair<std::string, double> weight_in(const std::string& text) {
 std::vector<MeshReport> take_state(Document& document, const SimplifyArguments& a) {
   if (!a.out.empty() && !a.state)
     throw InputError("please say with --state which state of the curve is written.");
-  AnalysisFiles files(a.analyses);
+  PriceFiles files(a.analyses);
   const std::vector<MeshCurve> curves = find_curves(document, a.ids, a.options, files);
   if (!a.curve.empty()) write_bytes(a.curve, curves_json(curves).dump(2) + "\n");
   if (a.out.empty()) return {};

@@ -20,7 +20,7 @@ Bytef* output(std::string& bytes) { return reinterpret_cast<Bytef*>(bytes.data()
 
 }  // namespace
 
-std::string zip(std::string_view bytes) {
+std::string pack_zlib(std::string_view bytes) {
   uLongf size = compressBound(uLong(bytes.size()));
   std::string zipped(size, '\0');
   if (compress2(output(zipped), &size, input(bytes), uLong(bytes.size()), Z_BEST_COMPRESSION) !=
@@ -30,7 +30,7 @@ std::string zip(std::string_view bytes) {
   return zipped;
 }
 
-std::optional<std::string> unzip(std::string_view zipped, std::size_t most) {
+std::optional<std::string> unpack_zlib(std::string_view zipped, std::size_t most) {
   // The size is not known beforehand: it is guessed, and doubled while it is too small.
   for (std::size_t room = 8 * zipped.size() + 64;; room *= 2) {
     std::string bytes(std::min(room, most), '\0');

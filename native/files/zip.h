@@ -9,10 +9,10 @@
 namespace gradmesh {
 
 /// Returns the bytes compressed by zlib (RFC 1950), with its checksum.
-std::string zip(std::string_view bytes);
+std::string pack_zlib(std::string_view bytes);
 
 /// Returns the uncompressed bytes, or nothing if they are damaged or more than `most`.
-std::optional<std::string> unzip(std::string_view zipped, std::size_t most);
+std::optional<std::string> unpack_zlib(std::string_view zipped, std::size_t most);
 
 /// Returns the bytes compressed in the format of gzip (RFC 1952), as .svgz files have it. The
 /// header has neither a name nor a time, so that equal bytes give equal files.

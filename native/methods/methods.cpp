@@ -108,7 +108,7 @@ const std::vector<Method>& all_methods() {
        .needs_prices = true},
       {.name = line_method,
        .options = {},
-       .run = without_lines,
+       .run = take_out_lines,
        .why_not = needs_lines,
        .keeps_rectangle = true},
       {.name = plain_method,

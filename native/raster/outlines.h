@@ -15,14 +15,14 @@ namespace gradmesh {
 constexpr int subpixel_bits = 8;
 
 /// A point of the grid of 1/256 of a pixel.
-struct GridPoint {
+struct SubpixelPoint {
   std::int32_t x, y;
-  bool operator==(const GridPoint&) const = default;
+  bool operator==(const SubpixelPoint&) const = default;
 };
 
 /// Returns the grid point nearest to a position in pixels. The grid ends far outside every frame,
 /// so that products of two differences fit into 64 bits.
-inline GridPoint snap(glm::dvec2 pixels) {
+inline SubpixelPoint snap(glm::dvec2 pixels) {
   const auto to_grid = [](double x) {
     constexpr int farthest = 1000000 << subpixel_bits;
     const double units = x * (1 << subpixel_bits);
@@ -41,7 +41,7 @@ class Outlines {
  public:
   struct Cut {
     double t;
-    GridPoint point;
+    SubpixelPoint point;
   };
 
   /// Starts anew for the mesh as it is now. Keeps the memory, but no cuts of the mesh before.

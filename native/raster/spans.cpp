@@ -21,7 +21,7 @@ struct Quotient {
 
 }  // namespace
 
-bool SpanTracer::add_edge(GridPoint a, GridPoint b, bool ends, int y0, int y1) {
+bool SpanTracer::add_edge(SubpixelPoint a, SubpixelPoint b, bool ends, int y0, int y1) {
   const int first = std::max(first_pixel(a.y), y0), end = std::min(first_pixel(b.y), y1);
   if (first >= end) return true;
   const std::int64_t dx = b.x - a.x, dy = b.y - a.y, under = unit * dy;
@@ -46,13 +46,13 @@ bool SpanTracer::add_edge(GridPoint a, GridPoint b, bool ends, int y0, int y1) {
   return true;
 }
 
-bool SpanTracer::trace(const std::vector<GridPoint>& polygon, bool clockwise, int y0, int y1,
+bool SpanTracer::trace(const std::vector<SubpixelPoint>& polygon, bool clockwise, int y0, int y1,
                        std::vector<Span>& spans) {
   spans.clear();
   if (y0 >= y1) return true;
   rows_.assign(std::size_t(y1 - y0), {});
-  GridPoint a = polygon.back();
-  for (const GridPoint b : polygon) {
+  SubpixelPoint a = polygon.back();
+  for (const SubpixelPoint b : polygon) {
     // Clockwise: edges that run upwards have the inside on their right.
     const bool down = b.y > a.y;
     if (!add_edge(down ? a : b, down ? b : a, down == clockwise, y0, y1)) return false;

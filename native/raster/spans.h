@@ -28,7 +28,7 @@ class SpanTracer {
   /// false if the polygon does not run exactly once round each pixel inside, in the sense that
   /// `clockwise` says (y pointing down), or if it has more than `most_crossings` crossings in a
   /// row.
-  bool trace(const std::vector<GridPoint>& polygon, bool clockwise, int y0, int y1,
+  bool trace(const std::vector<SubpixelPoint>& polygon, bool clockwise, int y0, int y1,
              std::vector<Span>& spans);
 
  private:
@@ -40,7 +40,7 @@ class SpanTracer {
     std::array<std::int32_t, most_crossings> crossings;
   };
 
-  bool add_edge(GridPoint a, GridPoint b, bool ends, int y0, int y1);
+  bool add_edge(SubpixelPoint a, SubpixelPoint b, bool ends, int y0, int y1);
 
   std::vector<Row> rows_;
 };

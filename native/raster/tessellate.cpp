@@ -63,7 +63,7 @@ Window pixels_of(const Points& bezier) {
       low = glm::min(low, p);
       high = glm::max(high, p);
     }
-  const GridPoint first = snap(low), last = snap(high);
+  const SubpixelPoint first = snap(low), last = snap(high);
   return {first_pixel(first.x), first_pixel(first.y), first_pixel(last.x), first_pixel(last.y)};
 }
 
@@ -179,7 +179,7 @@ bool agrees(const FaceShape& shape, const Folds& folds) {
 
 void set_bounds(FaceShape& shape) {
   const Vertex& any = shape.vertices.front();
-  GridPoint low{any.x, any.y}, high = low;
+  SubpixelPoint low{any.x, any.y}, high = low;
   for (const Vertex& v : shape.vertices) {
     low = {std::min(low.x, v.x), std::min(low.y, v.y)};
     high = {std::max(high.x, v.x), std::max(high.y, v.y)};
@@ -278,7 +278,7 @@ void Tessellator::cut(Face face, const Points& powers, FaceShape& shape) {
       row[i] = powers[i][0] + v * (powers[i][1] + v * (powers[i][2] + v * powers[i][3]));
     for (int i = 1; i < nu; ++i) {
       const double u = lines_u_[i];
-      const GridPoint p = snap(row[0] + u * (row[1] + u * (row[2] + u * row[3])));
+      const SubpixelPoint p = snap(row[0] + u * (row[1] + u * (row[2] + u * row[3])));
       shape.vertices.push_back({p.x, p.y, float(u), float(v)});
     }
   }

@@ -85,7 +85,7 @@ class Tessellator {
   /// Parameters of the grid's lines, from 0 to 1.
   std::vector<double> lines_u_, lines_v_;
   std::vector<std::uint32_t> outer_, inner_;
-  std::vector<GridPoint> polygon_;
+  std::vector<SubpixelPoint> polygon_;
   SpanTracer tracer_;
 };
 

@@ -72,7 +72,7 @@ void take_renderer(RunOptions& options, const Call& call) {
   use_renderer(options, renderer_named(renderer), call.device_lost());
 }
 
-AnalysisPaths analysis_paths(const Call& call) {
+PricePaths analysis_paths(const Call& call) {
   return {path_argument(call, "load_analysis"), path_argument(call, "save_analysis"),
           path_argument(call, "analysis_cache")};
 }

@@ -16,7 +16,7 @@ namespace gradmesh {
 RunOptions run_options(const Call& call);
 /// Sets where errors are found, as the arguments say.
 void take_renderer(RunOptions& options, const Call& call);
-AnalysisPaths analysis_paths(const Call& call);
+PricePaths analysis_paths(const Call& call);
 MeasureOptions measure_options(const Call& call);
 
 /// Lets a document be measured against another one while it lives.

@@ -78,7 +78,7 @@ Json draw_mesh(const Call& call) {
 Json write_report(const Call& call) {
   Document& before = call.document();
   const Document& after = call.document("after");
-  PageOptions options;
+  ReportPageOptions options;
   options.run = call.get<std::optional<std::string>>("run");
   options.pricing = run_options(call);
   check(options.pricing);

@@ -48,7 +48,7 @@ Json simplify_document(const Call& call) {
   const MeasuredAgainst measured(document, call);
   RunOptions options = run_options(call);
   take_renderer(options, call);
-  const AnalysisPaths analyses = analysis_paths(call);
+  const PricePaths analyses = analysis_paths(call);
   WriteOptions writing;
   writing.remember_original = call.get("remember_original", writing.remember_original);
   writing.keep_original = call.get("keep_original", writing.keep_original);

@@ -30,7 +30,7 @@ std::vector<glm::dvec2> lasso(const Call& call) {
 Json curves_json(const Editing& editing) {
   const Session& session = editing.session;
   Json all = Json::object();
-  for (const CurveKind kind : session.shown().kinds()) {
+  for (const MeshKind kind : session.shown().kinds()) {
     const auto found = session.curves().found(kind);
     Json& json = all[name(kind)] = found ? Json(curve_json(kind, found->curve)) : Json::object();
     if (found && !found->curve.states.empty())
@@ -121,7 +121,7 @@ Json session_status(const Call& call) {
 
 Json show_state(const Call& call) {
   Session& s = session(call);
-  const CurveKind kind = kind_named(call.get<std::string>("kind"));
+  const MeshKind kind = kind_named(call.get<std::string>("kind"));
   // Whoever asks for no state wants the curve.
   const int state = call.get("state", -1);
   if (state < 0)

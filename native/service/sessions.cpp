@@ -20,8 +20,8 @@ Editing& editing(const Call& call) {
   return *found->second;
 }
 
-CurveKind kind_named(const std::string& wanted) {
-  for (const CurveKind kind : {CurveKind::one_gradient, CurveKind::blocks})
+MeshKind kind_named(const std::string& wanted) {
+  for (const MeshKind kind : {MeshKind::one_gradient, MeshKind::blocks})
     if (wanted == name(kind)) return kind;
   throw std::invalid_argument("a mesh is one gradient or blocks, not '" + wanted + "'.");
 }

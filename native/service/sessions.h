@@ -17,7 +17,7 @@ Editing& editing(const Call& call);
 inline Session& session(const Call& call) { return editing(call).session; }
 
 /// Returns the kind of that name. Throws std::invalid_argument with all names if there is none.
-CurveKind kind_named(const std::string& wanted);
+MeshKind kind_named(const std::string& wanted);
 
 /// Returns the map from mesh units to the pixels of a picture, which shows the place (x, y) of what
 /// a person sees in its middle.

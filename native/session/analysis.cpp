@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "session/background.h"
+#include "session/curve_search.h"
 #include "session/edits.h"
 #include "simplify/options.h"
 #include "simplify/simplify.h"
@@ -60,7 +60,7 @@ std::vector<RegionPrice> largest_regions(const Analysis& analysis, Face patch) {
   return regions;
 }
 
-AnalysisSearch::AnalysisSearch(const Problem& problem, CurveKind form, const Candidate& shown,
+AnalysisSearch::AnalysisSearch(const Problem& problem, MeshKind form, const Candidate& shown,
                                bool fits)
     : problem_(problem_over(problem, shown.mesh)), form_(form), shown_(shown), fits_(fits) {}
 
@@ -85,7 +85,7 @@ std::shared_ptr<const Analysis> AnalysisSearch::found(AnalysisKind kind) const {
 }
 
 Analysis AnalysisSearch::search(AnalysisKind kind, const std::atomic<bool>& must_end) const {
-  if (kind == AnalysisKind::prices && form_ == CurveKind::one_gradient)
+  if (kind == AnalysisKind::prices && form_ == MeshKind::one_gradient)
     return {.prices = prices_of_lines(must_end)};
   StopWatch watch(0, [&](const Progress&) { return !must_end; });
   if (kind == AnalysisKind::regions) return {.regions = analyze_regions(problem_, watch)};

@@ -12,7 +12,7 @@
 #include "methods/merging/motorcycle.h"
 #include "methods/merging/regions.h"
 #include "session/worker.h"
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 
 namespace gradmesh {
 
@@ -59,7 +59,7 @@ class AnalysisSearch {
  public:
   /// The mesh is `shown`, measured by `problem`. Lines of one gradient cost what taking them out
   /// does, followed by a fit of what is around if `fits` is true.
-  AnalysisSearch(const Problem& problem, CurveKind form, const Candidate& shown, bool fits);
+  AnalysisSearch(const Problem& problem, MeshKind form, const Candidate& shown, bool fits);
 
   const Mesh& mesh() const { return shown_.mesh; }
   /// Returns true if prices are those of edits that are followed by fits.
@@ -80,7 +80,7 @@ class AnalysisSearch {
   std::vector<CurvePrice> prices_of_lines(const std::atomic<bool>& must_end) const;
 
   const Problem problem_;
-  const CurveKind form_;
+  const MeshKind form_;
   const Candidate shown_;
   const bool fits_;
   mutable std::mutex mutex_;

@@ -35,7 +35,7 @@ std::vector<FilledOutline> where_they_differ(const Mesh& one, const Mesh& other)
 }
 
 /// Returns the setting after an edit by hand of what is shown.
-Setting setting_after(const ShownMesh& shown, const Mesh& edited, CurveKind form, bool is_redrawn) {
+Setting setting_after(const ShownMesh& shown, const Mesh& edited, MeshKind form, bool is_redrawn) {
   Basis next = *shown.setting().next;
   next.start = std::make_shared<const Mesh>(edited);
   for (FilledOutline& area :
@@ -50,21 +50,21 @@ Setting setting_after(const ShownMesh& shown, const Mesh& edited, CurveKind form
 
 }  // namespace
 
-void Hands::set_form(CurveKind form) {
+void Hands::set_form(MeshKind form) {
   if (form == shown_.form()) return;
   const Mesh& mesh = shown_.mesh();
-  if (form == CurveKind::blocks) check_has_own_colors(mesh);
-  if (form == CurveKind::one_gradient && (!shown_.problem().gradient_rules || !find_grid(mesh)))
+  if (form == MeshKind::blocks) check_has_own_colors(mesh);
+  if (form == MeshKind::one_gradient && (!shown_.problem().gradient_rules || !find_grid(mesh)))
     throw InputError(
         "the mesh is no grid of whole rows and columns, so it cannot be one gradient.");
-  if (form == CurveKind::one_gradient && !has_one_color_at_each_point(mesh))
+  if (form == MeshKind::one_gradient && !has_one_color_at_each_point(mesh))
     throw InputError("colours are sharp at a point, so the mesh cannot be one gradient.");
   shown_.change(
       shown_.measured(mesh, form), shown_.setting_as(form),
-      form == CurveKind::blocks ? Message("Make it blocks") : Message("Make it one gradient"));
+      form == MeshKind::blocks ? Message("Make it blocks") : Message("Make it one gradient"));
 }
 
-const Proposal& Hands::propose(EditedMesh made, CurveKind form) {
+const Proposal& Hands::propose(EditedMesh made, MeshKind form) {
   Candidate written = shown_.measured(made.mesh, form);
   proposal_ = Proposal{std::move(made), std::move(written), form};
   revision_ = shown_.revision();
@@ -111,7 +111,7 @@ const Proposal& Hands::propose_joined(const Pointed& pointed) {
 
 const Proposal& Hands::propose_merge(const std::vector<Face>& faces) {
   forget_proposal();
-  return propose(merged_patches(shown_.mesh(), faces), CurveKind::blocks);
+  return propose(merged_patches(shown_.mesh(), faces), MeshKind::blocks);
 }
 
 const Proposal* Hands::proposal() const {
@@ -140,7 +140,7 @@ void Hands::fit() {
     change(std::move(found), shown_.form(), false, Message("Fit to the picture"));
 }
 
-void Hands::change(Candidate edited, CurveKind form, bool is_redrawn, const Message& name) {
+void Hands::change(Candidate edited, MeshKind form, bool is_redrawn, const Message& name) {
   const Setting setting = setting_after(shown_, edited.mesh, form, is_redrawn);
   shown_.measure_in(setting);
   shown_.change(std::move(edited), setting, name);

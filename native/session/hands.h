@@ -15,7 +15,7 @@ struct Proposal {
   /// The mesh after it, measured. Where a patch was merged, making it may fit the patch as well.
   Candidate written;
   /// What the mesh then is.
-  CurveKind form;
+  MeshKind form;
 };
 
 /// Edits of a mesh by hand: proposed, then made.
@@ -28,7 +28,7 @@ class Hands {
   bool fits() const { return fits_; }
   /// Makes what edits are about lines of one gradient, or patches. Throws InputError if the mesh is
   /// to be one gradient and is none, or is smooth and is to be blocks.
-  void set_form(CurveKind form);
+  void set_form(MeshKind form);
 
   /// Work out an edit at a place. Throw InputError where it cannot be done, with the reason;
   /// nothing is then proposed.
@@ -51,10 +51,10 @@ class Hands {
   void fit();
 
  private:
-  const Proposal& propose(EditedMesh made, CurveKind form);
+  const Proposal& propose(EditedMesh made, MeshKind form);
   const Proposal& propose(EditedMesh made) { return propose(std::move(made), shown_.form()); }
   /// Measures the mesh that an edit has made of the one that is shown, and shows it.
-  void change(Candidate edited, CurveKind form, bool is_redrawn, const Message& name);
+  void change(Candidate edited, MeshKind form, bool is_redrawn, const Message& name);
 
   ShownMesh& shown_;
   bool fits_ = true;

@@ -5,7 +5,7 @@
 
 namespace gradmesh {
 
-void Session::show(CurveKind kind, int state, bool moves_on) {
+void Session::show(MeshKind kind, int state, bool moves_on) {
   curves().request(kind);
   const auto found = curves().found(kind);
   if (!found || state < 0 || std::size_t(state) >= found->curve.states.size())

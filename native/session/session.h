@@ -24,7 +24,7 @@ class Session {
   /// Shows a state of a curve, which is that of the mesh as it was edited by hand last: what was
   /// made there is from then on what counts. As long as `moves_on` is true, it is no step that can
   /// be taken back. Throws std::invalid_argument if there is no such state.
-  void show(CurveKind kind, int state, bool moves_on);
+  void show(MeshKind kind, int state, bool moves_on);
 
   Hands& hands() { return hands_; }
   const Hands& hands() const { return hands_; }

@@ -5,7 +5,7 @@
 
 #include "mesh/mesh.h"
 #include "reference/original.h"
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 
 namespace gradmesh {
 
@@ -23,7 +23,7 @@ struct Basis {
 /// In what a mesh is shown: all that a session shows beside the mesh itself.
 struct Setting {
   /// What the mesh is, and will be written as.
-  CurveKind form;
+  MeshKind form;
   /// The state of the curve of that form; -1 if the mesh was edited by hand.
   int state;
   /// By what the mesh is measured, and of what the curve is. What is edited by hand is measured

@@ -41,12 +41,12 @@ Candidate as_it_is(const Problem& problem) {
   return found;
 }
 
-CurveKind form_of(const Problem& problem, const std::vector<CurveKind>& kinds) {
+MeshKind form_of(const Problem& problem, const std::vector<MeshKind>& kinds) {
   if (!kinds.empty()) return kinds.front();
-  return problem.mesh().is_smooth() ? CurveKind::one_gradient : CurveKind::blocks;
+  return problem.mesh().is_smooth() ? MeshKind::one_gradient : MeshKind::blocks;
 }
 
-Setting first_setting(const Problem& problem, CurveKind form) {
+Setting first_setting(const Problem& problem, MeshKind form) {
   const auto basis = std::make_shared<const Basis>(
       Basis{std::make_shared<const Mesh>(problem.mesh()), problem.original()});
   return {form, 0, basis, basis,
@@ -79,17 +79,17 @@ Problem ShownMesh::problem_as_written() const {
                                                            : document_.original());
 }
 
-bool ShownMesh::is_as_in_document(const Mesh& mesh, CurveKind form) const {
+bool ShownMesh::is_as_in_document(const Mesh& mesh, MeshKind form) const {
   // In another form it would be written as something else.
   return problem_.original() == document_.original() && mesh == problem_.mesh() &&
          form == form_in_document_;
 }
 
-Problem ShownMesh::problem_as(CurveKind form) const {
-  return form == CurveKind::blocks ? problem_ : problem_.as_gradient();
+Problem ShownMesh::problem_as(MeshKind form) const {
+  return form == MeshKind::blocks ? problem_ : problem_.as_gradient();
 }
 
-Candidate ShownMesh::measured(const Mesh& mesh, CurveKind form) const {
+Candidate ShownMesh::measured(const Mesh& mesh, MeshKind form) const {
   if (is_as_in_document(mesh, form)) return as_it_is(problem_);
   const bool is_near = now_.measured && setting_.form == form;
   Candidate found = problem_as(form).measure(mesh, is_near ? &now_ : nullptr);
@@ -143,11 +143,11 @@ std::shared_ptr<const Analysis> ShownMesh::analysis(AnalysisKind kind) const {
   return analyses_.get() ? analyses_.get()->found(kind) : nullptr;
 }
 
-Setting ShownMesh::setting_as(CurveKind form, int state) const {
+Setting ShownMesh::setting_as(MeshKind form, int state) const {
   return {form, state, setting_.basis, setting_.next, setting_.weighted};
 }
 
-Setting ShownMesh::setting_as(CurveKind form) const {
+Setting ShownMesh::setting_as(MeshKind form) const {
   return setting_as(form, mesh() == *setting_.next->start ? 0 : -1);
 }
 

@@ -6,7 +6,7 @@
 #include "metric/worst_places.h"
 #include "problem/problem.h"
 #include "session/analysis.h"
-#include "session/background.h"
+#include "session/curve_search.h"
 #include "session/history.h"
 #include "session/latest_search.h"
 #include "session/setting.h"
@@ -30,9 +30,9 @@ class ShownMesh {
   /// Returns the mesh as its document has it now.
   const Candidate& start() const { return start_; }
   const Setting& setting() const { return setting_; }
-  CurveKind form() const { return setting_.form; }
+  MeshKind form() const { return setting_.form; }
   int state() const { return setting_.state; }
-  bool is_gradient() const { return form() == CurveKind::one_gradient; }
+  bool is_gradient() const { return form() == MeshKind::one_gradient; }
   bool is_unchanged() const { return is_as_in_document(mesh(), form()); }
   /// Returns true if it has come of edits by hand, of whatever states since.
   bool is_made_by_hand() const { return !setting_.next->by_hand.empty(); }
@@ -47,7 +47,7 @@ class ShownMesh {
   /// whose picture counts later, too, unless a person has drawn something else.
   Problem problem_as_written() const;
   /// Returns a mesh as it would be shown, measured. Throws InputError if it cannot be written.
-  Candidate measured(const Mesh& mesh, CurveKind form) const;
+  Candidate measured(const Mesh& mesh, MeshKind form) const;
 
   /// Returns at most that many places where details differ most, in mesh units (worst_places).
   std::vector<WorstPlace> worst_places(int most) const;
@@ -61,7 +61,7 @@ class ShownMesh {
   double weight_at(Face face) const;
 
   /// Returns the kinds of curves that the mesh has.
-  const std::vector<CurveKind>& kinds() const { return kinds_; }
+  const std::vector<MeshKind>& kinds() const { return kinds_; }
   CurveSearch& curves() const { return *curves_.get(); }
   /// Returns the search for what can be found out about the mesh, with the fits that edits have.
   /// All that it has found is forgotten as soon as another mesh is shown.
@@ -70,10 +70,10 @@ class ShownMesh {
   std::shared_ptr<const Analysis> analysis(AnalysisKind kind) const;
 
   /// Returns the setting of another form and state.
-  Setting setting_as(CurveKind form, int state) const;
+  Setting setting_as(MeshKind form, int state) const;
   /// Returns the setting of the mesh in a form if it was not edited by hand since its curve began:
   /// the first state; else that of no state.
-  Setting setting_as(CurveKind form) const;
+  Setting setting_as(MeshKind form) const;
   /// Measures and looks for curves as a setting says from now on.
   void measure_in(const Setting& setting);
   /// Shows a mesh that was measured in a setting.
@@ -87,16 +87,16 @@ class ShownMesh {
   const History& history() const { return history_; }
 
  private:
-  bool is_as_in_document(const Mesh& mesh, CurveKind form) const;
-  Problem problem_as(CurveKind form) const;
+  bool is_as_in_document(const Mesh& mesh, MeshKind form) const;
+  Problem problem_as(MeshKind form) const;
   /// Returns the problem of a basis, with the weights of `document_`.
   Problem problem_on(const Basis& basis) const;
   void show_recorded();
 
   Problem document_, problem_;
-  std::vector<CurveKind> kinds_;
+  std::vector<MeshKind> kinds_;
   /// What the mesh is in its document.
-  CurveKind form_in_document_;
+  MeshKind form_in_document_;
   Candidate start_, now_;
   Setting setting_;
   History history_;

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/runs/analysis_file.h"
+#include "app/runs/price_files.h"
 #include "base/hash.h"
 #include "meshes.h"
 #include "target.h"

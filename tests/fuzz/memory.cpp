@@ -17,18 +17,18 @@ void check_packing(const std::string& text) {
   if (const auto bytes = base85_bytes(text))
     require(base85(*bytes) == text, "bytes have one text in base85");
   if (auto mesh = unpack(text)) pack(std::move(*mesh), 22);
-  require(unzip(zip(text), text.size()) == text, "zip gives the bytes back");
+  require(unpack_zlib(pack_zlib(text), text.size()) == text, "zip gives the bytes back");
   // Also as they come from a stranger: packed by nobody.
-  unzip(text, 1 << 16);
+  unpack_zlib(text, 1 << 16);
   require(gunzip(gzip(text)) == text, "gzip gives the bytes back");
   if (gunzipped_size(text) < 1 << 20) gunzip(text);
-  if (const auto bytes = base64_bytes(text)) unzip(*bytes, 1 << 16);
+  if (const auto bytes = base64_bytes(text)) unpack_zlib(*bytes, 1 << 16);
 }
 
 /// The text as what a memory unpacks to.
 void check_recall(const std::string& text) {
-  recall_blocks(base64(zip(text)));
-  const auto parts = recall(base64(zip(text)));
+  recall_blocks(base64(pack_zlib(text)));
+  const auto parts = recall(base64(pack_zlib(text)));
   if (!parts) return;
   const Mesh mesh = build_mesh(*parts);
   require_sound(mesh);

@@ -44,7 +44,7 @@ class AnyDeeds {
     for (const std::string& each : validate(mesh)) return each;
     if (session_.shown().is_unchanged()) return "";
     const Problem& problem = session_.shown().problem();
-    const bool is_blocks = session_.shown().form() == CurveKind::blocks;
+    const bool is_blocks = session_.shown().form() == MeshKind::blocks;
     const double again = (is_blocks ? problem : problem.as_gradient()).measure(mesh).error;
     return std::abs(session_.shown().now().error - again) < 1e-9 ? "" : "the error is another";
   }
@@ -92,7 +92,7 @@ class AnyDeeds {
         changes_protection_ = true;
         return session_.redo();
       case 3:
-        return session_.hands().set_form(byte_() % 2 ? CurveKind::blocks : CurveKind::one_gradient);
+        return session_.hands().set_form(byte_() % 2 ? MeshKind::blocks : MeshKind::one_gradient);
       case 4:
         return session_.hands().fit();
       case 5:
@@ -117,10 +117,9 @@ class AnyDeeds {
   }
 
   void show() {
-    const auto found = session_.curves().found(CurveKind::one_gradient);
+    const auto found = session_.curves().found(MeshKind::one_gradient);
     if (found && found->is_complete && !found->curve.states.empty())
-      session_.show(CurveKind::one_gradient, int(byte_() % found->curve.states.size()),
-                    byte_() % 2);
+      session_.show(MeshKind::one_gradient, int(byte_() % found->curve.states.size()), byte_() % 2);
     // A state is that of a mesh of which other patches may have been protected.
     changes_protection_ = true;
   }

@@ -15,7 +15,7 @@ std::unique_ptr<Document> read(std::string_view bytes, const std::string& name) 
   return std::make_unique<Made>(bytes, name);
 }
 
-constexpr const char* extensions[] = {".pdf", ".ai", ".eps", ".ps"};
+constexpr const char* page_extensions[] = {".pdf", ".ai", ".eps", ".ps"};
 
 }  // namespace
 
@@ -78,7 +78,7 @@ bool is_of_pages(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-  return std::ranges::find(extensions, extension) != std::end(extensions);
+  return std::ranges::find(page_extensions, extension) != std::end(page_extensions);
 }
 
 std::string page_document() { return "PDF"; }

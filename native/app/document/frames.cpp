@@ -10,7 +10,7 @@ namespace {
 
 /// Returns the map that lays the second mesh on the first, as both are seen: the boxes then share
 /// their corner of least x and y, and their longer sides are equal.
-Affine aligned(const SeenMesh& a, const SeenMesh& b) {
+Affine aligned(const MeshInDocument& a, const MeshInDocument& b) {
   const Box to = bounding_box(a.mesh, a.view()), from = bounding_box(b.mesh, b.view());
   const double scale = std::max(to.size().x, to.size().y) / std::max(from.size().x, from.size().y);
   return Affine::translation(to.low()) * Affine::scaling(glm::dvec2(scale)) *
@@ -49,12 +49,13 @@ MeshEntry counterpart(const MeshSource& document, const MeshEntry& entry, const 
                    excerpt(entry.id), document.name());
 }
 
-Affine onto(const SeenMesh& a, const SeenMesh& b) {
+Affine onto(const MeshInDocument& a, const MeshInDocument& b) {
   const bool same_format = a.document->format() == b.document->format();
   return a.view().inverse() * (same_format ? b.view() : aligned(a, b) * b.view());
 }
 
-std::pair<Frame, Frame> common_frames(const SeenMesh& a, const SeenMesh& b, int resolution) {
+std::pair<Frame, Frame> common_frames(const MeshInDocument& a, const MeshInDocument& b,
+                                      int resolution) {
   const bool same_format = a.document->format() == b.document->format();
   const Frame first = same_format ? frame_of(*a.document, a.entry, a.mesh, resolution)
                                   : fit_frame(a.mesh, a.view(), resolution);
@@ -64,7 +65,8 @@ std::pair<Frame, Frame> common_frames(const SeenMesh& a, const SeenMesh& b, int 
 Frame framed_as(const MeshSource& other, const MeshSource& document, const MeshEntry& entry,
                 int resolution) {
   const MeshEntry match = counterpart(document, entry, other, true);
-  const SeenMesh a{&other, match, other.mesh(match)}, b{&document, entry, document.mesh(entry)};
+  const MeshInDocument a{&other, match, other.mesh(match)},
+      b{&document, entry, document.mesh(entry)};
   return moved(frame_of(other, match, a.mesh, resolution), onto(a, b));
 }
 

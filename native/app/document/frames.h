@@ -15,8 +15,8 @@ Frame frame_of(const MeshSource& document, const MeshEntry& entry, const Mesh& m
 /// counts.
 Layout layout_of(const MeshSource& document, const MeshEntry& entry, bool visible_only);
 
-/// A mesh of a document, which must outlive the SeenMesh.
-struct SeenMesh {
+/// A mesh of a document, which must outlive the MeshInDocument.
+struct MeshInDocument {
   const MeshSource* document = nullptr;
   MeshEntry entry;
   Mesh mesh;
@@ -32,11 +32,12 @@ MeshEntry counterpart(const MeshSource& document, const MeshEntry& entry, const 
 /// Returns the map from the units of the mesh `b` to those of `a`. Two documents of one format
 /// share their coordinates. If the formats differ, one mesh is laid on the other by the boxes
 /// around them.
-Affine onto(const SeenMesh& a, const SeenMesh& b);
+Affine onto(const MeshInDocument& a, const MeshInDocument& b);
 
 /// Returns frames of one size in which two meshes are painted to be compared, `resolution` pixels
 /// along the longer side of the first.
-std::pair<Frame, Frame> common_frames(const SeenMesh& a, const SeenMesh& b, int resolution);
+std::pair<Frame, Frame> common_frames(const MeshInDocument& a, const MeshInDocument& b,
+                                      int resolution);
 
 /// Returns the frame in which `document` paints a mesh so that its picture can be laid on the
 /// picture that `other` paints of the mesh's counterpart.

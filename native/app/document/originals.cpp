@@ -12,8 +12,8 @@ std::shared_ptr<const Mesh> given_original(const MeshSource& document, const Mes
   if (!originals) return nullptr;
   const MeshEntry match =
       counterpart(document, entry, *originals, document.selected({}).size() == 1);
-  const SeenMesh here{&document, entry, document.mesh(entry)};
-  const SeenMesh there{originals, match, originals->mesh(match)};
+  const MeshInDocument here{&document, entry, document.mesh(entry)};
+  const MeshInDocument there{originals, match, originals->mesh(match)};
   if (document.format() == originals->format() && here.view() == there.view())
     return std::make_shared<const Mesh>(there.mesh);
   // Smooth colours depend on distances in the units of their own mesh.

@@ -14,7 +14,7 @@ Box Editing::box() const {
 
 std::unique_ptr<Editing> edit_by_eye(const Document& document, const MeshEntry& entry,
                                      const RunOptions& options) {
-  auto files = std::make_unique<AnalysisFiles>(AnalysisPaths{});
+  auto files = std::make_unique<PriceFiles>(PricePaths{});
   const Problem problem = problem_of(document, entry, options, *files);
   return document.naming(entry, [&] {
     return std::unique_ptr<Editing>(new Editing{entry, std::move(files), document.view(entry),

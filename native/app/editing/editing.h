@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/document/document.h"
-#include "app/runs/analysis_file.h"
+#include "app/runs/price_files.h"
 #include "app/runs/runs.h"
 #include "geom/box.h"
 #include "session/session.h"
@@ -13,7 +13,7 @@ namespace gradmesh {
 /// A session over one mesh of a document, which stays as it is until the session is written.
 struct Editing {
   MeshEntry entry;
-  std::unique_ptr<AnalysisFiles> files;
+  std::unique_ptr<PriceFiles> files;
   /// The map from mesh units to what the person sees.
   Affine view;
   /// The number of objects that paint the mesh as it is.

@@ -19,7 +19,7 @@ namespace {
 class Draw {
  public:
   Draw(const Document& document, const MeshEntry& entry, const DrawOptions& options,
-       const AnalysisPaths& analyses)
+       const PricePaths& analyses)
       : document_(document),
         entry_(entry),
         options_(options),
@@ -91,7 +91,7 @@ class Draw {
   const Document& document_;
   const MeshEntry entry_;
   const DrawOptions& options_;
-  AnalysisFiles files_;
+  PriceFiles files_;
   const Problem problem_;
   const Mesh& mesh_;
   const Subject subject_;
@@ -100,7 +100,7 @@ class Draw {
 }  // namespace
 
 std::string draw(const Document& document, const MeshEntry& entry, const DrawOptions& options,
-                 const AnalysisPaths& analyses) {
+                 const PricePaths& analyses) {
   if (options.show != Show::regions && (options.patch || options.region))
     throw std::invalid_argument("a patch and a region are named for drawings of regions only.");
   return Draw(document, entry, options, analyses).text();

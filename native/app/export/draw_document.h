@@ -32,7 +32,7 @@ struct DrawOptions {
 /// (y down, without its viewBox). Throws InputError if there is no such patch or region, and
 /// std::invalid_argument if one is given for another drawing than that of regions.
 std::string draw(const Document& document, const MeshEntry& entry, const DrawOptions& options,
-                 const AnalysisPaths& analyses = {});
+                 const PricePaths& analyses = {});
 
 /// Returns the drawing of that name. Throws std::invalid_argument with all names if there is none.
 Show show_named(const std::string& name);

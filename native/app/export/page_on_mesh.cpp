@@ -14,7 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Returns the result of the run for one mesh. Throws InputError if there is none.
-ordered_json read_run(const PageOptions& options, const std::string& id) {
+ordered_json read_run(const ReportPageOptions& options, const std::string& id) {
   const ordered_json results = ordered_json::parse(*options.run, nullptr, false);
   if (!results.is_object() || !results.contains("meshes") || !results["meshes"].is_array())
     throw InputError("{0}: this is no report of gradmesh simplify.", options.run_name);
@@ -24,7 +24,7 @@ ordered_json read_run(const PageOptions& options, const std::string& id) {
 }
 
 /// Returns the options for pricing: those that were given, otherwise those of the run.
-RunOptions pricing_options(const ordered_json& run, const PageOptions& page) {
+RunOptions pricing_options(const ordered_json& run, const ReportPageOptions& page) {
   RunOptions options = page.pricing;
   const auto is_of_run = [&](const char* name) {
     return run.contains(name) && std::ranges::find(page.given, name) == page.given.end();
@@ -64,10 +64,10 @@ std::filesystem::path path_of(const Document& document) { return utf8_path(docum
 }  // namespace
 
 Page page_on_mesh(const Document& before, const MeshEntry& entry, const Document& after,
-                  const MeshEntry& entry_after, const PageOptions& options) {
+                  const MeshEntry& entry_after, const ReportPageOptions& options) {
   Page page;
   if (options.run) page.run = read_run(options, entry.id);
-  AnalysisFiles files(options.analyses);
+  PriceFiles files(options.analyses);
   const RunOptions pricing = pricing_options(page.run, options);
   const Problem problem = problem_of(before, entry, pricing, files);
   page.before = {path_of(before).filename().string(), problem.mesh(), {}};

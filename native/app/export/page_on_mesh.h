@@ -10,7 +10,7 @@
 namespace gradmesh {
 
 /// How a page on a mesh is made.
-struct PageOptions {
+struct ReportPageOptions {
   /// The results of the run, as `simplify --report` writes them; nothing if they are not known.
   std::optional<std::string> run;
   /// What sentences call the results.
@@ -21,7 +21,7 @@ struct PageOptions {
   /// metric, epsilon, resolution and colour model.
   std::vector<std::string> given;
   /// Where known prices are read from, and those that were found are written to.
-  AnalysisPaths analyses;
+  PricePaths analyses;
 };
 
 /// Returns what a page says of a mesh before and after its simplification. The mesh before is
@@ -29,6 +29,6 @@ struct PageOptions {
 /// merges; with fewer prices if the caller cancels. Throws InputError with `run_name` if the
 /// results of the run are none, or say nothing of the mesh.
 Page page_on_mesh(const Document& before, const MeshEntry& entry, const Document& after,
-                  const MeshEntry& entry_after, const PageOptions& options);
+                  const MeshEntry& entry_after, const ReportPageOptions& options);
 
 }  // namespace gradmesh

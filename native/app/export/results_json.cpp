@@ -112,7 +112,7 @@ ordered_json tracing_json(const Tracing& tracing) {
           {"seconds", tracing.seconds}};
 }
 
-ordered_json curve_json(CurveKind kind, const Curve& curve) {
+ordered_json curve_json(MeshKind kind, const StateCurve& curve) {
   ordered_json states = ordered_json::array();
   for (const CurveState& state : curve.states)
     states.push_back({{"handles", state.counts.handles},
@@ -134,9 +134,9 @@ ordered_json curves_json(const std::vector<MeshCurve>& curves) {
   return {{"meshes", meshes}};
 }
 
-ordered_json traced_curve_json(const std::string& id, const Curve& curve) {
+ordered_json traced_curve_json(const std::string& id, const StateCurve& curve) {
   ordered_json mesh{{"id", id}};
-  mesh.update(curve_json(CurveKind::one_gradient, curve));
+  mesh.update(curve_json(MeshKind::one_gradient, curve));
   return {{"meshes", ordered_json::array({std::move(mesh)})}};
 }
 

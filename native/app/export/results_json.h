@@ -43,8 +43,8 @@ nlohmann::ordered_json tracing_json(const Tracing& tracing);
 /// "local_error"}], "marks": {"gentle": 3}}]}.
 nlohmann::ordered_json curves_json(const std::vector<MeshCurve>& curves);
 /// Returns the member of a curve there, without "id".
-nlohmann::ordered_json curve_json(CurveKind kind, const Curve& curve);
+nlohmann::ordered_json curve_json(MeshKind kind, const StateCurve& curve);
 /// Returns what curves_json does, of the one mesh of an object with this id.
-nlohmann::ordered_json traced_curve_json(const std::string& id, const Curve& curve);
+nlohmann::ordered_json traced_curve_json(const std::string& id, const StateCurve& curve);
 
 }  // namespace gradmesh

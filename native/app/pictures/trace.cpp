@@ -58,8 +58,8 @@ SvgDocument& as_svg(Document& document) {
 /// are those against the picture without what is smaller than the detail, as of
 /// TraceOptions::epsilon. An amount's mark is at the last state that is within its
 /// Amount::traced_epsilon; none where no state is.
-Curve traced_curve(std::vector<Mesh> meshes, const PartTracer& tracer) {
-  Curve curve;
+StateCurve traced_curve(std::vector<Mesh> meshes, const PartTracer& tracer) {
+  StateCurve curve;
   for (Mesh& mesh : meshes) {
     const PictureErrors errors = tracer.errors_without_detail(mesh);
     CurveState& state = curve.states.emplace_back();

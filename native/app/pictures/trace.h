@@ -13,8 +13,8 @@
 #include "base/progress.h"
 #include "files/picture_file.h"
 #include "form/counts.h"
-#include "simplify/curve.h"
 #include "simplify/options.h"
+#include "simplify/state_curve.h"
 
 namespace gradmesh {
 
@@ -55,7 +55,7 @@ struct Tracing {
   PictureErrors errors_without_detail;
   /// The mesh and what is left of it as one line after the other is taken out, if
   /// that was asked for.
-  Curve curve;
+  StateCurve curve;
   /// How many of the lines to follow no line of the mesh follows, as they lie elsewhere or as it
   /// cannot.
   std::size_t unused_guides = 0;

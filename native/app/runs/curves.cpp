@@ -8,10 +8,10 @@
 namespace gradmesh {
 namespace {
 
-CurveKind kind_for(const Problem& problem, const std::string& method) {
-  const std::vector<CurveKind> kinds = curve_kinds(problem);
+MeshKind kind_for(const Problem& problem, const std::string& method) {
+  const std::vector<MeshKind> kinds = curve_kinds(problem);
   if (method == simplest && !kinds.empty()) return kinds.front();
-  return method == best_method ? CurveKind::blocks : CurveKind::one_gradient;
+  return method == best_method ? MeshKind::blocks : MeshKind::one_gradient;
 }
 
 void check_has_curve(const RunOptions& options) {
@@ -22,21 +22,21 @@ void check_has_curve(const RunOptions& options) {
     throw std::invalid_argument("a curve has no target: it passes all numbers.");
 }
 
-const Method& method_of(CurveKind kind) {
-  return method_named(kind == CurveKind::blocks ? best_method : plain_method);
+const Method& method_of(MeshKind kind) {
+  return method_named(kind == MeshKind::blocks ? best_method : plain_method);
 }
 
 }  // namespace
 
 std::vector<MeshCurve> find_curves(const Document& document, const std::vector<std::string>& ids,
-                                   const RunOptions& options, AnalysisFiles& files) {
+                                   const RunOptions& options, PriceFiles& files) {
   check_has_curve(options);
   std::vector<MeshCurve> curves;
   for (const MeshEntry& entry : document.selected(ids)) {
     const Problem problem = problem_of(document, entry, options, files);
-    const CurveKind kind = kind_for(problem, options.method);
+    const MeshKind kind = kind_for(problem, options.method);
     StopWatch watch = watch_of(options);
-    Curve curve = document.naming(entry, [&] { return find_curve(problem, kind, watch); });
+    StateCurve curve = document.naming(entry, [&] { return find_curve(problem, kind, watch); });
     curve.states.front().objects = document.objects(entry);
     curves.push_back({entry, problem, kind, std::move(curve)});
   }
@@ -72,7 +72,7 @@ std::vector<MeshReport> write_states(Document& document, const std::vector<MeshC
     const int last = int(curve.states.size()) - 1;
     const CurveState& state = curve.states[std::size_t(std::clamp(number, 0, last))];
     const bool is_start = &state == &curve.states.front();
-    const Problem written = kind == CurveKind::blocks ? problem : problem.as_gradient();
+    const Problem written = kind == MeshKind::blocks ? problem : problem.as_gradient();
     states.push_back(
         {entry, problem, kind, is_start ? problem.unchanged() : written.measure(*state.mesh)});
   }

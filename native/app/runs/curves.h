@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "app/runs/analysis_file.h"
+#include "app/runs/price_files.h"
 #include "app/runs/runs.h"
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 
 namespace gradmesh {
 
@@ -15,8 +15,8 @@ namespace gradmesh {
 struct MeshCurve {
   MeshEntry entry;
   Problem problem;
-  CurveKind kind;
-  Curve curve;
+  MeshKind kind;
+  StateCurve curve;
 };
 
 /// Returns the curves of the selected meshes: of blocks if `options.method` is `best`, of one
@@ -24,14 +24,14 @@ struct MeshCurve {
 /// curve. Throws InputError as simplify() does, and std::invalid_argument for other methods and for
 /// options that bound a run, as a curve has all errors.
 std::vector<MeshCurve> find_curves(const Document& document, const std::vector<std::string>& ids,
-                                   const RunOptions& options, AnalysisFiles& files);
+                                   const RunOptions& options, PriceFiles& files);
 
 /// Puts candidates into the places of their meshes in the document. Returns what became of them. A
 /// mesh whose candidate is not changed stays as it is.
 struct TakenState {
   MeshEntry entry;
   Problem problem;
-  CurveKind kind;
+  MeshKind kind;
   Candidate candidate;
 };
 std::vector<MeshReport> write_states(Document& document, std::vector<TakenState> states,

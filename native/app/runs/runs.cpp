@@ -26,7 +26,7 @@ void check_edges(const SimplifyOptions& options) {
     throw std::invalid_argument("edges can be named for the method manual only.");
 }
 
-void check_saved(const SimplifyOptions& options, const AnalysisPaths& analyses) {
+void check_saved(const SimplifyOptions& options, const PricePaths& analyses) {
   if (!analyses.save.empty() && !method_named(options.method).needs_prices)
     throw std::invalid_argument("the method " + options.method +
                                 " needs no analysis, so there is none to save.");
@@ -113,9 +113,9 @@ StopWatch watch_of(const RunOptions& options, std::size_t mesh, std::size_t mesh
 
 /// Simplifies meshes of a document, each one once: drawings are full of copies, and one that lies,
 /// is seen and will be written like another becomes what that has become.
-class Runs {
+class SharedRuns {
  public:
-  explicit Runs(const RunOptions& options) : options_(options) {}
+  explicit SharedRuns(const RunOptions& options) : options_(options) {}
 
   SimplifyResult result_of(const Problem& problem, StopWatch& watch) {
     const PriceTableKey key = problem.price_key();
@@ -158,7 +158,7 @@ struct Simplified {
 };
 
 Simplified simplified(const Document& document, const std::vector<std::string>& ids,
-                      const RunOptions& options, const AnalysisPaths& analyses) {
+                      const RunOptions& options, const PricePaths& analyses) {
   check_edges(options);
   check_saved(options, analyses);
   const std::vector<MeshEntry> entries = document.selected(ids);
@@ -167,12 +167,12 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
                      document.name(), entries.size());
 
   // All meshes are read before the first run, as a run may take long.
-  AnalysisFiles files(analyses);
+  PriceFiles files(analyses);
   std::vector<Problem> problems;
   for (const MeshEntry& entry : entries)
     problems.push_back(problem_of(document, entry, options, files));
   Simplified all;
-  Runs runs(options);
+  SharedRuns runs(options);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const MeshEntry& entry = entries[i];
     // Its picture is needed no longer than the run.
@@ -202,7 +202,7 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
 }  // namespace
 
 Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& asked,
-                   AnalysisFiles& files) {
+                   PriceFiles& files) {
   RunOptions options = asked;
   const Mesh& read = document.mesh(entry);
   const ColorModel model = asked.color_model.value_or(read.color_model());
@@ -230,7 +230,7 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
 }
 
 std::vector<MeshReport> simplify(Document& document, const std::vector<std::string>& ids,
-                                 const RunOptions& options, const AnalysisPaths& analyses,
+                                 const RunOptions& options, const PricePaths& analyses,
                                  const WriteOptions& writing) {
   document.check_writing(writing);
   const Simplified all = simplified(document, ids, options, analyses);
@@ -239,7 +239,7 @@ std::vector<MeshReport> simplify(Document& document, const std::vector<std::stri
 }
 
 std::vector<MeshReport> preview(const Document& document, const std::vector<std::string>& ids,
-                                RunOptions options, const AnalysisPaths& analyses) {
+                                RunOptions options, const PricePaths& analyses) {
   if (method_named(options.method).merges_named_edges) {
     options.epsilon = 1;
     options.max_local_error.reset();
@@ -249,8 +249,8 @@ std::vector<MeshReport> preview(const Document& document, const std::vector<std:
 }
 
 std::size_t analyze(const Document& document, const std::vector<std::string>& ids,
-                    const RunOptions& options, const AnalysisPaths& analyses) {
-  AnalysisFiles files(analyses);
+                    const RunOptions& options, const PricePaths& analyses) {
+  PriceFiles files(analyses);
   std::size_t prices = 0;
   for (const MeshEntry& entry : document.selected(ids)) {
     const Problem problem = problem_of(document, entry, options, files);

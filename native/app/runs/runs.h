@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/document/document.h"
-#include "app/runs/analysis_file.h"
+#include "app/runs/price_files.h"
 #include "simplify/simplify.h"
 
 namespace gradmesh {
@@ -26,7 +26,7 @@ struct MeshReport {
 /// problem_of() does, with InputErrors that name the mesh, as MeshSource::covered does, and
 /// std::invalid_argument if a weight is out of range.
 Problem problem_of(const Document& document, const MeshEntry& entry, const RunOptions& options,
-                   AnalysisFiles& files);
+                   PriceFiles& files);
 
 /// Simplifies the selected meshes of a document in place (simplify_as_asked). Meshes that cannot be
 /// read are only reported. A mesh that does not become simpler stays as it is. If another colour
@@ -38,14 +38,14 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
 /// another method than `manual`, if `manual` has no edges, and if there are no prices to save. The
 /// document is unchanged after an exception.
 std::vector<MeshReport> simplify(Document& document, const std::vector<std::string>& ids,
-                                 const RunOptions& options, const AnalysisPaths& analyses = {},
+                                 const RunOptions& options, const PricePaths& analyses = {},
                                  const WriteOptions& writing = {});
 /// Returns the reports that simplify() would return, and changes nothing. With the method `manual`
 /// reports the error of the edges even if the error is too large.
 std::vector<MeshReport> preview(const Document& document, const std::vector<std::string>& ids,
-                                RunOptions options, const AnalysisPaths& analyses = {});
+                                RunOptions options, const PricePaths& analyses = {});
 /// Prices the selected meshes up to epsilon and saves the prices. Returns the number of prices.
 std::size_t analyze(const Document& document, const std::vector<std::string>& ids,
-                    const RunOptions& options, const AnalysisPaths& analyses);
+                    const RunOptions& options, const PricePaths& analyses);
 
 }  // namespace gradmesh

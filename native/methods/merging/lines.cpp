@@ -146,7 +146,7 @@ class LineSelection {
 
 }  // namespace
 
-Candidate without_lines(const Problem& problem, StopWatch& watch) {
+Candidate take_out_lines(const Problem& problem, StopWatch& watch) {
   return merge_what_fits(problem, problem.trial()->trial,
                          [&](MergeTrial& trial, PriceTable&) { LineSelection(trial, watch).run(); },
                          {.keeps_rectangle = true});

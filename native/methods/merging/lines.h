@@ -12,6 +12,6 @@ namespace gradmesh {
 /// stays for good. The curves that cross a line are each split where they change least
 /// (split_share): one place for all of them has left as many patches or more on every sample.
 /// Throws InputError if the mesh is no such grid.
-Candidate without_lines(const Problem& problem, StopWatch& watch);
+Candidate take_out_lines(const Problem& problem, StopWatch& watch);
 
 }  // namespace gradmesh

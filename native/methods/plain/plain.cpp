@@ -242,7 +242,7 @@ Candidate without_free_lines(const Problem& problem, int handles, StopWatch& wat
   StopWatch quick(0, [&](const Progress& of_lines) {
     return !watch.should_stop({0, std::size_t(handles), of_lines.patches, of_lines.error, handles});
   });
-  return without_lines(free, quick);
+  return take_out_lines(free, quick);
 }
 
 /// Returns the grid with which a selection begins; nothing if it cannot be fitted so that it keeps

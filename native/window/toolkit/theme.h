@@ -1,5 +1,7 @@
 #pragma once
 
+struct ImFontAtlas;
+
 namespace gradmesh {
 
 /// Gives what Dear ImGui draws the colours of a dark or a light desktop, and sizes times `density`.

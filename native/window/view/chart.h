@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 
 namespace gradmesh {
 

@@ -19,7 +19,7 @@ void show_forms(const Panel& panel) {
   Eye& eye = panel.eye;
   if (eye.session().shown().kinds().size() < 2) return;
   const float width = Ui::share(2);
-  const auto choose = [&](const Message& label, const Message& tip, CurveKind form) {
+  const auto choose = [&](const Message& label, const Message& tip, MeshKind form) {
     const bool is_chosen = eye.session().shown().form() == form;
     if (!panel.ui.choice(label, tip, is_chosen, width) || is_chosen) return;
     eye.attempt([&](Session& session) {
@@ -29,20 +29,20 @@ void show_forms(const Panel& panel) {
   };
   choose(Message("One mesh gradient"),
          Message("The mesh stays one mesh gradient: whole lines go out of it"),
-         CurveKind::one_gradient);
+         MeshKind::one_gradient);
   Ui::beside();
   choose(Message("Blocks"),
          Message("The mesh becomes blocks, which can be coarse in one place and fine in another"),
-         CurveKind::blocks);
+         MeshKind::blocks);
 }
 
 /// Writes the names of the amounts at their marks, as far as they do not cover each other, and how
 /// many handles are left at both ends.
-void write_numbers(const Panel& panel, const Curve& curve, const Chart& chart, ImVec2 low,
+void write_numbers(const Panel& panel, const StateCurve& curve, const Chart& chart, ImVec2 low,
                    ImVec2 high, float below) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   float free_from = low.x;
-  for (const Curve::Mark& mark : curve.marks) {
+  for (const StateCurve::Mark& mark : curve.marks) {
     const std::string name = panel.ui.said(name_of(mark.amount));
     const float width = ImGui::CalcTextSize(name.c_str()).x;
     const float x = chart.place(curve.states[std::size_t(mark.state)]).x;
@@ -63,11 +63,11 @@ void write_numbers(const Panel& panel, const Curve& curve, const Chart& chart, I
 }
 
 /// Draws the curve, the marks of the amounts, and the knob at what is shown.
-void draw_curve(const Curve& curve, const Chart& chart, const Eye& eye, ImVec2 low, ImVec2 high,
-                float track) {
+void draw_curve(const StateCurve& curve, const Chart& chart, const Eye& eye, ImVec2 low,
+                ImVec2 high, float track) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float em = ImGui::GetFontSize();
-  for (const Curve::Mark& mark : curve.marks) {
+  for (const StateCurve::Mark& mark : curve.marks) {
     const float x = chart.place(curve.states[std::size_t(mark.state)]).x;
     list.AddLine({x, low.y + 1.3F * em}, {x, high.y}, color(ImGuiCol_Border), 1);
   }
@@ -129,13 +129,13 @@ void show_amounts(const Panel& panel) {
   const auto found = eye.curve();
   const float width = Ui::share(3);
   // Two amounts may be the same state, of which one is lit.
-  const Curve::Mark* same = nullptr;
+  const StateCurve::Mark* same = nullptr;
   std::vector<Message> alike;
   for (const std::string amount : {"gentle", "balanced", "strong"}) {
     if (amount != "gentle") Ui::beside();
-    const Curve::Mark* mark = nullptr;
+    const StateCurve::Mark* mark = nullptr;
     if (found)
-      for (const Curve::Mark& each : found->curve.marks)
+      for (const StateCurve::Mark& each : found->curve.marks)
         if (each.amount == amount) mark = &each;
     const Message tip =
         mark ? Message("{0} handles", found->curve.states[std::size_t(mark->state)].counts.handles)

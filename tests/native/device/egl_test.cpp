@@ -142,7 +142,7 @@ TEST_P(SampleOnDevice, is_merged_the_same) {
   for (const MetricKind metric : {MetricKind::flip, MetricKind::ssim}) {
     // What was priced for one method is not priced again for the next.
     std::map<int, PriceTable> prices, prices_on_device;
-    AnalysisFiles none({});
+    PriceFiles none({});
     for (const std::string& method : method_names()) {
       if (method == "manual") continue;
       SCOPED_TRACE(std::string(method) + ", " + name(metric));

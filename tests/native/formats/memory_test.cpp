@@ -76,7 +76,7 @@ SvgTree group_of(const Mesh& mesh, double tolerance) {
 
 /// What gradmesh 0.1 has written: a document with a group.
 std::string older_memory(const Mesh& mesh, const std::string& end = "") {
-  return base64(zip(group_of(mesh, 0).serialize() + end));
+  return base64(pack_zlib(group_of(mesh, 0).serialize() + end));
 }
 
 TEST(Memory, keeps_a_mesh_but_for_rounding) {
@@ -191,14 +191,14 @@ TEST(Memory, remembers_nothing_where_it_is_damaged) {
   // Sound, but no mesh.
   for (const char* text : {"", "<svg", "<html/>", "<svg xmlns='http://www.w3.org/2000/svg'/>",
                            "<svg xmlns='http://www.w3.org/2000/svg'><g/></svg>", "HEMESH 1"})
-    EXPECT_FALSE(recall(base64(zip(text)))) << text;
+    EXPECT_FALSE(recall(base64(pack_zlib(text)))) << text;
 }
 
 TEST(Memory, is_bounded_when_it_is_unpacked) {
-  const std::string zeros = zip(std::string(1000, '\0'));
-  EXPECT_EQ(unzip(zeros, 1000), std::string(1000, '\0'));
-  EXPECT_EQ(unzip(zeros, 999), std::nullopt);
-  EXPECT_EQ(unzip(zip(""), 0), "");
+  const std::string zeros = pack_zlib(std::string(1000, '\0'));
+  EXPECT_EQ(unpack_zlib(zeros, 1000), std::string(1000, '\0'));
+  EXPECT_EQ(unpack_zlib(zeros, 999), std::nullopt);
+  EXPECT_EQ(unpack_zlib(pack_zlib(""), 0), "");
   // A sound mesh with a comment of blanks after it, which packs into nearly nothing.
   const auto with_blanks = [](std::size_t count) {
     return older_memory(random_mesh(1), "<!--" + std::string(count, ' ') + "-->");

@@ -18,7 +18,7 @@
 #include "ops/merge/merge.h"
 #include "problems.h"
 #include "random_meshes.h"
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 
 namespace gradmesh {
 namespace {
@@ -134,7 +134,7 @@ TEST(Fixed, each_state_of_a_curve_has_the_fixed_patches) {
   const std::vector<Patch> fixed = fixed_patches(mesh);
   const Problem problem = test::problem(mesh, options_for("plain"));
   StopWatch watch(0, {});
-  for (const CurveState& state : find_curve(problem, CurveKind::one_gradient, watch).states)
+  for (const CurveState& state : find_curve(problem, MeshKind::one_gradient, watch).states)
     for (const Patch& patch : fixed) EXPECT_TRUE(has_patch(*state.mesh, patch));
 }
 

@@ -126,11 +126,11 @@ TEST(PictureSession, shows_the_picture_as_the_original) {
   const Image errors = paint(session, view);
   EXPECT_NE(errors.pixel(35, 40), errors.pixel(90, 40));
 
-  session.curves().request(CurveKind::one_gradient);
+  session.curves().request(MeshKind::one_gradient);
   session.curves().wait();
-  const auto states = session.curves().found(CurveKind::one_gradient)->curve.states.size();
+  const auto states = session.curves().found(MeshKind::one_gradient)->curve.states.size();
   ASSERT_GT(states, 1u);
-  session.show(CurveKind::one_gradient, int(states) - 1, false);
+  session.show(MeshKind::one_gradient, int(states) - 1, false);
   view.ground = SessionView::Ground::original;
   EXPECT_EQ(paint(session, view), image);
 }

@@ -52,7 +52,7 @@ TEST(Analysis, prices_of_lines_are_what_clicks_on_them_cost) {
 
 TEST(Analysis, prices_of_blocks_are_those_of_single_edges) {
   Session session(problem_for(mesh_for(3)));
-  session.hands().set_form(CurveKind::blocks);
+  session.hands().set_form(MeshKind::blocks);
   const std::vector<CurvePrice> prices = analysis(session, AnalysisKind::prices).prices;
   StopWatch watch(0, {});
   const std::vector<EdgePrice> edges = analyze_edges(session.shown().problem(), watch);

@@ -63,7 +63,7 @@ TEST(Pointing, patches_in_a_lasso_can_be_merged) {
   session.hands().make();
   EXPECT_EQ(session.history().undo_name()->english(), "Merge 4 patches");
   EXPECT_EQ(session.mesh().face_count(), 22);
-  EXPECT_EQ(session.shown().form(), CurveKind::blocks);
+  EXPECT_EQ(session.shown().form(), MeshKind::blocks);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "mesh/validate.h"
 #include "raster/painter.h"
 #include "sessions.h"
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 #include "trial/measured_surface.h"
 
 namespace gradmesh {
@@ -24,10 +24,10 @@ using test::mesh_for;
 using test::problem_for;
 using test::view_of;
 
-const Curve& found(Session& session, CurveKind kind) {
+const StateCurve& found(Session& session, MeshKind kind) {
   session.curves().request(kind);
   session.curves().wait();
-  static Curve curve;
+  static StateCurve curve;
   curve = session.curves().found(kind)->curve;
   return curve;
 }
@@ -41,9 +41,9 @@ const glm::dvec2 middle(100, 100);
 
 TEST(Curve, begins_with_the_mesh_and_loses_handles_from_state_to_state) {
   const Problem problem = problem_for(mesh_for(1));
-  for (const CurveKind kind : curve_kinds(problem)) {
+  for (const MeshKind kind : curve_kinds(problem)) {
     StopWatch watch(0, {});
-    const Curve curve = find_curve(problem, kind, watch);
+    const StateCurve curve = find_curve(problem, kind, watch);
     ASSERT_GT(curve.states.size(), 2u) << name(kind);
     EXPECT_EQ(curve.states.front().mesh->face_count(), problem.mesh().face_count());
     for (std::size_t i = 1; i < curve.states.size(); ++i)
@@ -64,9 +64,9 @@ TEST(Curve, is_the_same_for_any_number_of_threads) {
     Problem problem = problem_for(mesh_for(2));
     problem.threads = threads;
     StopWatch watch(0, {});
-    return find_curve(problem, CurveKind::one_gradient, watch);
+    return find_curve(problem, MeshKind::one_gradient, watch);
   };
-  const Curve one = curve_with(1), three = curve_with(3);
+  const StateCurve one = curve_with(1), three = curve_with(3);
   ASSERT_EQ(one.states.size(), three.states.size());
   for (std::size_t i = 0; i < one.states.size(); ++i)
     EXPECT_EQ(*one.states[i].mesh, *three.states[i].mesh);
@@ -86,18 +86,18 @@ TEST(Session, changes_no_lines_where_a_protected_patch_is_no_coons_patch) {
 TEST(Session, shows_the_states_of_its_curve) {
   Session session(problem_for(mesh_for(1)));
   EXPECT_TRUE(session.shown().is_unchanged());
-  const Curve& curve = found(session, CurveKind::one_gradient);
+  const StateCurve& curve = found(session, MeshKind::one_gradient);
   for (int i = int(curve.states.size()) - 1; i >= 0; --i) {
-    session.show(CurveKind::one_gradient, i, true);
+    session.show(MeshKind::one_gradient, i, true);
     EXPECT_EQ(session.mesh(), *curve.states[std::size_t(i)].mesh);
     EXPECT_EQ(session.shown().now().error, curve.states[std::size_t(i)].error);
     EXPECT_EQ(session.shown().now().counts().handles, curve.states[std::size_t(i)].counts.handles);
   }
   // Nothing of that was recorded.
   EXPECT_FALSE(session.history().can_undo());
-  session.show(CurveKind::one_gradient, 1, false);
+  session.show(MeshKind::one_gradient, 1, false);
   EXPECT_TRUE(session.history().can_undo());
-  EXPECT_THROW(session.show(CurveKind::one_gradient, int(curve.states.size()), false),
+  EXPECT_THROW(session.show(MeshKind::one_gradient, int(curve.states.size()), false),
                std::invalid_argument);
 }
 
@@ -134,7 +134,7 @@ TEST(Session, new_lines_of_one_gradient_change_nothing_that_is_seen) {
 
 TEST(Session, patches_of_blocks_are_merged_and_split_alone) {
   Session session(problem_for(mesh_for(5)));
-  session.hands().set_form(CurveKind::blocks);
+  session.hands().set_form(MeshKind::blocks);
   session.hands().propose(*point(session, middle, anywhere), HandEdit::merge);
   session.hands().make();
   EXPECT_EQ(session.mesh().face_count(), 24);
@@ -142,7 +142,7 @@ TEST(Session, patches_of_blocks_are_merged_and_split_alone) {
   session.hands().propose(*point(session, middle, 0), HandEdit::split_both);
   session.hands().make();
   EXPECT_EQ(session.mesh().face_count(), 27);
-  EXPECT_THROW(session.hands().set_form(CurveKind::one_gradient), InputError);
+  EXPECT_THROW(session.hands().set_form(MeshKind::one_gradient), InputError);
   session.undo();
   session.undo();
   EXPECT_FALSE(session.shown().is_unchanged()) << "blocks would be written as a group";
@@ -173,7 +173,7 @@ TEST(Session, any_sequence_ends_in_sound_meshes_and_can_be_taken_back) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     std::mt19937 random(seed);
     Session session(problem_for(mesh_for(seed)));
-    found(session, CurveKind::one_gradient);
+    found(session, MeshKind::one_gradient);
     test::AnyDeeds deeds(session, [&] { return unsigned(random() % 256); });
     for (int step = 0; step < 40; ++step) {
       deeds.next();
@@ -185,8 +185,8 @@ TEST(Session, any_sequence_ends_in_sound_meshes_and_can_be_taken_back) {
 
 /// Returns the state of the curve that is that of an amount.
 int state_of(Session& session, const std::string& amount) {
-  const Curve& curve = found(session, session.shown().form());
-  for (const Curve::Mark& mark : curve.marks)
+  const StateCurve& curve = found(session, session.shown().form());
+  for (const StateCurve::Mark& mark : curve.marks)
     if (mark.amount == amount) return mark.state;
   ADD_FAILURE() << "there is no mark for " << amount;
   return 0;
@@ -207,7 +207,7 @@ int levels_apart(const std::array<std::uint8_t, 3>& a, const std::array<std::uin
 }
 
 TEST(Session, a_state_keeps_a_colour_that_was_set_by_hand) {
-  for (const CurveKind form : {CurveKind::one_gradient, CurveKind::blocks})
+  for (const MeshKind form : {MeshKind::one_gradient, MeshKind::blocks})
     for (const bool is_simple_before : {false, true}) {
       Session session(problem_for(mesh_for(2)));
       session.hands().set_form(form);
@@ -260,9 +260,9 @@ TEST(Session, a_state_is_made_of_the_mesh_without_the_line_that_was_taken_out) {
   session.hands().propose(*point(session, middle, anywhere), HandEdit::merge);
   session.hands().make();
   const Mesh edited = session.mesh();
-  const Curve& curve = found(session, CurveKind::one_gradient);
+  const StateCurve& curve = found(session, MeshKind::one_gradient);
   EXPECT_EQ(*curve.states.front().mesh, edited);
-  session.show(CurveKind::one_gradient, 0, false);
+  session.show(MeshKind::one_gradient, 0, false);
   EXPECT_EQ(session.mesh(), edited);
   EXPECT_FALSE(session.shown().is_unchanged());
   EXPECT_TRUE(session.shown().problem_as_written().original()->mesh()) << "nothing was drawn anew";
@@ -283,9 +283,9 @@ TEST(Session, what_is_drawn_anew_is_the_original_of_later_runs) {
 
 TEST(Session, errors_count_more_where_a_person_says_so) {
   Session session(problem_for(mesh_for(2)));
-  const Curve& curve = found(session, CurveKind::one_gradient);
+  const StateCurve& curve = found(session, MeshKind::one_gradient);
   const int state = int(curve.states.size()) - 1;
-  session.show(CurveKind::one_gradient, state, false);
+  session.show(MeshKind::one_gradient, state, false);
   const double error = session.shown().now().error;
   const std::vector<Face> all(session.mesh().faces().begin(), session.mesh().faces().end());
   EXPECT_THROW(session.protection().weigh(all, 5), InputError);
@@ -311,8 +311,8 @@ TEST(Session, other_weights_leave_no_state_but_the_start) {
   const auto all = [&] { return std::vector<Face>(shown.faces().begin(), shown.faces().end()); };
   session.protection().weigh(all(), 4);
   EXPECT_EQ(session.shown().state(), 0);
-  const int state = int(found(session, CurveKind::one_gradient).states.size()) - 1;
-  session.show(CurveKind::one_gradient, state, false);
+  const int state = int(found(session, MeshKind::one_gradient).states.size()) - 1;
+  session.show(MeshKind::one_gradient, state, false);
   session.protection().weigh(all(), 2);
   EXPECT_EQ(session.shown().state(), -1) << "the new curve has another mesh there";
   session.undo();
@@ -324,7 +324,7 @@ TEST(Session, curves_keep_more_where_errors_count_more) {
     Session session(problem_for(mesh_for(2)));
     const Mesh& mesh = session.mesh();
     session.protection().weigh({mesh.faces().begin(), mesh.faces().end()}, factor);
-    const Curve& curve = found(session, CurveKind::one_gradient);
+    const StateCurve& curve = found(session, MeshKind::one_gradient);
     return curve.states[std::size_t(curve.marks[1].state)].counts.handles;
   };
   EXPECT_GT(handles_at_balanced(4), handles_at_balanced(0.25));
@@ -333,7 +333,7 @@ TEST(Session, curves_keep_more_where_errors_count_more) {
 TEST(Session, a_history_of_small_edits_is_small) {
   Session session(
       problem_for(test::grid_mesh({.rows = 12, .columns = 12, .color_noise = 0.05}, 1)));
-  session.hands().set_form(CurveKind::blocks);
+  session.hands().set_form(MeshKind::blocks);
   session.hands().set_fits(false);
   session.hands().propose(*point(session, middle, anywhere), HandEdit::merge);
   session.hands().make();
@@ -346,8 +346,8 @@ TEST(Session, a_history_of_small_edits_is_small) {
 
 TEST(Session, the_worst_places_are_apart_and_in_order) {
   Session session(problem_for(mesh_for(7)));
-  const auto states = found(session, CurveKind::one_gradient).states.size();
-  session.show(CurveKind::one_gradient, int(states) - 1, false);
+  const auto states = found(session, MeshKind::one_gradient).states.size();
+  session.show(MeshKind::one_gradient, int(states) - 1, false);
   const std::vector<WorstPlace> worst = session.shown().worst_places(4);
   ASSERT_EQ(worst.size(), 4u);
   EXPECT_GT(worst[0].error, session.shown().now().error);
@@ -361,12 +361,12 @@ TEST(Session, the_worst_places_are_apart_and_in_order) {
 
 TEST(Session, pictures_show_what_they_are_asked_for) {
   Session session(problem_for(mesh_for(8)));
-  const auto states = found(session, CurveKind::one_gradient).states.size();
+  const auto states = found(session, MeshKind::one_gradient).states.size();
   SessionView view = view_of(session);
   view.lines = false;
   view.ground = SessionView::Ground::original;
   const Image start = paint(session, view);
-  session.show(CurveKind::one_gradient, int(states) - 1, false);
+  session.show(MeshKind::one_gradient, int(states) - 1, false);
   EXPECT_EQ(paint(session, view), start);
   view.ground = SessionView::Ground::halves;
   const Image halves = paint(session, view);
@@ -431,16 +431,16 @@ TEST(Session, marks_of_smooth_meshes_lie_on_their_patches) {
 TEST(Session, the_first_state_is_the_mesh_as_it_is) {
   Session session(problem_for(mesh_for(1)));
   const MeshCounts as_it_is = counts_of(session.shown().problem().mesh());
-  const CurveState first = found(session, CurveKind::one_gradient).states.front();
+  const CurveState first = found(session, MeshKind::one_gradient).states.front();
   EXPECT_EQ(first.counts.handles, as_it_is.handles);
   EXPECT_EQ(first.error, 0);
   EXPECT_EQ(session.shown().now().counts().handles, as_it_is.handles);
   EXPECT_EQ(session.shown().now().error, 0);
   EXPECT_TRUE(session.shown().worst_places(5).empty());
-  session.show(CurveKind::one_gradient, 1, false);
+  session.show(MeshKind::one_gradient, 1, false);
   session.undo();
   EXPECT_EQ(session.shown().now().error, 0);
-  session.hands().set_form(CurveKind::blocks);
+  session.hands().set_form(MeshKind::blocks);
   EXPECT_GT(session.shown().now().error, 0) << "blocks are written anew";
 }
 

@@ -45,7 +45,7 @@ int straight_sides(const Mesh& mesh) {
 }
 
 TEST(ShapeEdits, a_side_becomes_straight_and_a_curve_again) {
-  for (const CurveKind form : {CurveKind::one_gradient, CurveKind::blocks}) {
+  for (const MeshKind form : {MeshKind::one_gradient, MeshKind::blocks}) {
     Session session(problem_for(coons_mesh(1)));
     session.hands().set_form(form);
     const int handles = session.shown().now().counts().handles;
@@ -131,11 +131,11 @@ TEST(ShapeEdits, colours_are_sharp_in_blocks_alone_and_can_be_joined) {
   };
   EXPECT_EQ(colors_there(), std::vector(4, glm::dvec4(red, 1)));
   EXPECT_TRUE(find_grid(session.mesh()));
-  session.hands().set_form(CurveKind::blocks);
+  session.hands().set_form(MeshKind::blocks);
   session.hands().propose_color(pointed_in(session, center), {0, 0, 1}, true);
   ASSERT_TRUE(session.hands().make());
   EXPECT_FALSE(has_one_color_at_each_point(session.mesh()));
-  EXPECT_THROW(session.hands().set_form(CurveKind::one_gradient), InputError);
+  EXPECT_THROW(session.hands().set_form(MeshKind::one_gradient), InputError);
   session.hands().propose_joined(pointed_in(session, center));
   ASSERT_TRUE(session.hands().make());
   EXPECT_EQ(colors_there(), std::vector(4, glm::dvec4(0.75, 0, 0.25, 1)));

@@ -9,7 +9,8 @@
 namespace gradmesh {
 namespace {
 
-/// Returns where chains of sides divide the curve that both are, if they are one.
+/// Two chains of sides that are loose, one on either side of a slit (loose_sides.h): the curve that
+/// both are if they are one, and where they divide it.
 class SlitCurve {
  public:
   SlitCurve(const LooseSides& sides, const Slit& slit, double tolerance)

@@ -33,7 +33,7 @@ constexpr std::size_t most_times = 100, first_bytes = 1 << 20;
 std::optional<std::string> unzipped(std::string_view memory) {
   const auto bytes = base64_bytes(memory);
   if (!bytes) return std::nullopt;
-  return unzip(*bytes, std::min(most_bytes, first_bytes + most_times * bytes->size()));
+  return unpack_zlib(*bytes, std::min(most_bytes, first_bytes + most_times * bytes->size()));
 }
 
 std::string unless_too_long(std::string memory) {
@@ -124,7 +124,7 @@ auto if_sound(const Read& read) -> std::optional<decltype(read())> {
 
 std::string remember(const Mesh& mesh, const std::vector<Overlap>& overlaps) {
   if (mesh.color_model() == ColorModel::bicubic)
-    return unless_too_long(base64(zip(write_hemesh(mesh))));
+    return unless_too_long(base64(pack_zlib(write_hemesh(mesh))));
   const std::vector<Rectangle> blocks = blocks_of(mesh, overlaps);
   const std::string curves = format_curves(mesh, blocks);
   const auto patch = [&](Halfedge top) { return mesh.patch(top); };

@@ -6,7 +6,7 @@
 
 #include "base/message.h"
 #include "session/worker.h"
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 
 namespace gradmesh {
 
@@ -16,7 +16,7 @@ class CurveSearch {
  public:
   /// What is found of a curve until now.
   struct Found {
-    Curve curve;
+    StateCurve curve;
     bool is_complete = false;
     /// Why the search has ended early.
     std::optional<Message> failure;
@@ -25,7 +25,7 @@ class CurveSearch {
   explicit CurveSearch(const Problem& problem) : problem_(problem) {}
 
   /// Sees to it that a curve is searched for, after those that are being searched for.
-  void request(CurveKind kind);
+  void request(MeshKind kind);
   /// Waits until all curves that are wanted are complete.
   void wait() { worker_.wait(); }
   /// Ends the search, which is busy until it has ended.
@@ -33,14 +33,14 @@ class CurveSearch {
   bool is_busy() const { return worker_.is_busy(); }
 
   /// Returns what is found of a curve, from a state on; nothing if it is not wanted.
-  std::optional<Found> found(CurveKind kind) const;
+  std::optional<Found> found(MeshKind kind) const;
 
  private:
-  void search(CurveKind kind, const std::atomic<bool>& must_end);
+  void search(MeshKind kind, const std::atomic<bool>& must_end);
 
   const Problem problem_;
   mutable std::mutex mutex_;
-  std::map<CurveKind, Found> curves_;
+  std::map<MeshKind, Found> curves_;
   /// Destroyed first, so that no task outlives what it writes to.
   Worker worker_;
 };

@@ -1,4 +1,4 @@
-#include "session/background.h"
+#include "session/curve_search.h"
 
 #include <exception>
 
@@ -6,7 +6,7 @@
 
 namespace gradmesh {
 
-void CurveSearch::request(CurveKind kind) {
+void CurveSearch::request(MeshKind kind) {
   {
     const std::lock_guard lock(mutex_);
     if (!curves_.try_emplace(kind).second) return;
@@ -14,17 +14,17 @@ void CurveSearch::request(CurveKind kind) {
   worker_.add([this, kind](const std::atomic<bool>& must_end) { search(kind, must_end); });
 }
 
-std::optional<CurveSearch::Found> CurveSearch::found(CurveKind kind) const {
+std::optional<CurveSearch::Found> CurveSearch::found(MeshKind kind) const {
   const std::lock_guard lock(mutex_);
   const auto place = curves_.find(kind);
   if (place == curves_.end()) return std::nullopt;
   return place->second;
 }
 
-void CurveSearch::search(CurveKind kind, const std::atomic<bool>& must_end) {
+void CurveSearch::search(MeshKind kind, const std::atomic<bool>& must_end) {
   const std::optional<Message> failure = failure_of([&] {
     StopWatch watch(0, [&](const Progress&) { return !must_end; });
-    find_curve(problem_, kind, watch, [&](const Curve& curve) {
+    find_curve(problem_, kind, watch, [&](const StateCurve& curve) {
       const std::lock_guard lock(mutex_);
       curves_[kind].curve = curve;
     });

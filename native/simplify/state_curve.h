@@ -22,15 +22,15 @@ struct CurveState {
   double error = 0, local_error = 0;
 };
 
-/// What all states of a curve are.
-enum class CurveKind { one_gradient, blocks };
+/// What a mesh is in its document, and so all states of a curve.
+enum class MeshKind { one_gradient, blocks };
 
 /// Returns the name in files, such as "one gradient".
-const char* name(CurveKind kind);
+const char* name(MeshKind kind);
 
 /// The states that simplifying passes, from the mesh as it is on, each with fewer handles than the
 /// one before.
-struct Curve {
+struct StateCurve {
   /// What a run with an amount (all_amounts) leaves.
   struct Mark {
     std::string amount;
@@ -43,18 +43,18 @@ struct Curve {
 
 /// Called when a curve has changed at its end: a state was added, or the last one has become
 /// another.
-using CurveGrown = std::function<void(const Curve&)>;
+using CurveGrown = std::function<void(const StateCurve&)>;
 
 /// Returns the curve of a problem, whose own bounds do not count. It ends beyond the strongest
 /// amount, or earlier if the watch says so. A curve of one gradient has each step of `plain` as a
 /// state that leaves fewer handles than those before, of a run for each amount; one of blocks has
-/// what `best` makes of a row of errors. Throws InputError if the mesh
-/// covers no pixel, and for blocks if `best` cannot work on it.
-Curve find_curve(const Problem& problem, CurveKind kind, StopWatch& watch,
-                 const CurveGrown& grown = {});
+/// what `best` makes of a row of errors. Throws InputError if the mesh covers no pixel, and for
+/// blocks if `best` cannot work on it.
+StateCurve find_curve(const Problem& problem, MeshKind kind, StopWatch& watch,
+                      const CurveGrown& grown = {});
 
 /// Returns the kinds of curves that a problem has: one gradient only where the mesh is one and may
 /// stay one, blocks only where `best` can work on it.
-std::vector<CurveKind> curve_kinds(const Problem& problem);
+std::vector<MeshKind> curve_kinds(const Problem& problem);
 
 }  // namespace gradmesh

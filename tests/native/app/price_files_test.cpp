@@ -1,4 +1,4 @@
-#include "app/runs/analysis_file.h"
+#include "app/runs/price_files.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ PriceTable analysis_of(const Mesh& mesh, RunOptions options) {
 }
 
 void write(const std::filesystem::path& path, const std::vector<PriceTable>& analyses) {
-  AnalysisFiles files({{}, path});
+  PriceFiles files({{}, path});
   for (const PriceTable& a : analyses) files.start(a.key, Mesh()) = a;
   files.save();
 }
@@ -64,7 +64,7 @@ void write(const std::filesystem::path& path, const std::vector<PriceTable>& ana
 /// The prices in the file for this mesh.
 std::map<Region, Price> loaded(const std::filesystem::path& path, const PriceTableKey& key,
                                const Mesh& mesh) {
-  return AnalysisFiles({path, {}}).start(key, mesh).prices;
+  return PriceFiles({path, {}}).start(key, mesh).prices;
 }
 
 /// The sentence with which `work` is refused.
@@ -100,7 +100,7 @@ TEST(AnalysisFile, what_was_loaded_is_saved_with_what_was_added) {
   const PriceTable a = analysis_of(first, options), b = analysis_of(second, options);
   const auto path = scratch("prices.json"), more = scratch("more.json");
   write(path, {a, {b.key, {*b.prices.begin()}}});
-  AnalysisFiles files({path, more});
+  PriceFiles files({path, more});
   options.analysis = &files.start(b.key, second);
   test::analyze_regions(second, options);
   files.save();
@@ -123,7 +123,7 @@ TEST(AnalysisFile, loaded_prices_serve_every_epsilon_below_and_every_omega_and_k
         PriceTable priced;
         options.analysis = &priced;
         const SimplifyResult without = simplify(fresh, options);
-        AnalysisFiles files({path, {}});
+        PriceFiles files({path, {}});
         PriceTable& analysis = files.start(test::problem(mesh, options).price_key(), mesh);
         const std::size_t prices = analysis.prices.size();
         options.analysis = &analysis;
@@ -181,27 +181,26 @@ TEST(AnalysisFile, of_several_the_closest_is_told_about) {
 
 TEST(AnalysisFile, refuses_other_and_empty_files) {
   const auto path = scratch("prices.json");
-  EXPECT_NE(refusal([&] { AnalysisFiles({path, {}}); }).find("cannot be read"), std::string::npos);
+  EXPECT_NE(refusal([&] { PriceFiles({path, {}}); }).find("cannot be read"), std::string::npos);
   for (const char* text : {"", "{}", "HEMESH\n", "<svg/>"}) {
     write_bytes(path, text);
     EXPECT_EQ(refusal([&] {
-                AnalysisFiles({path, {}});
+                PriceFiles({path, {}});
               }),
               path.string() + ": this is no file with an analysis.");
   }
   write_bytes(path, R"({"format": "gradmesh analysis", "version": 7})");
   EXPECT_EQ(refusal([&] {
-              AnalysisFiles({path, {}});
+              PriceFiles({path, {}});
             }),
             path.string() +
                 ": this analysis has the format version 7, but only version 2 is known here.");
   write(path, {});
   const Mesh mesh = grid_mesh();
-  EXPECT_EQ(
-      refusal([&] {
-        AnalysisFiles({path, {}}).start(test::problem(mesh, small_options()).price_key(), mesh);
-      }),
-      path.string() + ": this analysis holds no mesh.");
+  EXPECT_EQ(refusal([&] {
+              PriceFiles({path, {}}).start(test::problem(mesh, small_options()).price_key(), mesh);
+            }),
+            path.string() + ": this analysis holds no mesh.");
 }
 
 TEST(AnalysisFile, no_damage_passes) {

@@ -12,7 +12,7 @@ namespace gradmesh {
 
 /// Where known prices are read from, and where the prices that a run has used are written to. An
 /// empty path means that there is none.
-struct AnalysisPaths {
+struct PricePaths {
   std::filesystem::path load, save;
   /// A folder where each mesh has a file of its own, named by its key: prices there are used, and
   /// those that a run has used are kept for the next. Nothing depends on the folder: it may be
@@ -20,7 +20,7 @@ struct AnalysisPaths {
   std::filesystem::path cache = {};
 };
 
-/// Returns the analyses in the text of a file as of AnalysisFiles. `name` is the file's, for
+/// Returns the analyses in the text of a file as of PriceFiles. `name` is the file's, for
 /// messages. Throws InputError if the text is something else, or damaged.
 std::list<PriceTable> parse_analyses(std::string_view text, const std::string& name);
 
@@ -34,11 +34,11 @@ const Region* misfit(const PriceTable& analysis, const Mesh& mesh);
 /// with hashes as 16 hexadecimal digits. The price of a region that cannot be merged is null; one
 /// that is not exact is a number that the price is above. Which analysis belongs to which mesh
 /// follows from the keys alone.
-class AnalysisFiles {
+class PriceFiles {
  public:
   /// Reads the file to load. Throws InputError if it cannot be read, is something else, or is
   /// damaged.
-  explicit AnalysisFiles(AnalysisPaths paths);
+  explicit PriceFiles(PricePaths paths);
 
   /// Returns the analysis that a run over `mesh` begins with, and adds to: the one with this key in
   /// the file; if no file is loaded, the one in the cache, or an empty one. Throws InputError if
@@ -53,7 +53,7 @@ class AnalysisFiles {
   PriceTable from_cache(const PriceTableKey& key, const Mesh& mesh) const;
   void save_to_cache() const;
 
-  AnalysisPaths paths_;
+  PricePaths paths_;
   std::list<PriceTable> analyses_;
 };
 

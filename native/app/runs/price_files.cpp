@@ -1,4 +1,4 @@
-#include "app/runs/analysis_file.h"
+#include "app/runs/price_files.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -170,11 +170,11 @@ const Region* misfit(const PriceTable& analysis, const Mesh& mesh) {
   return nullptr;
 }
 
-AnalysisFiles::AnalysisFiles(AnalysisPaths paths) : paths_(std::move(paths)) {
+PriceFiles::PriceFiles(PricePaths paths) : paths_(std::move(paths)) {
   if (!paths_.load.empty()) analyses_ = read(paths_.load);
 }
 
-PriceTable& AnalysisFiles::start(const PriceTableKey& key, const Mesh& mesh) {
+PriceTable& PriceFiles::start(const PriceTableKey& key, const Mesh& mesh) {
   if (paths_.load.empty()) return analyses_.emplace_back(from_cache(key, mesh));
   const std::string file = paths_.load.string();
   const auto closest = std::ranges::max_element(
@@ -187,13 +187,13 @@ PriceTable& AnalysisFiles::start(const PriceTableKey& key, const Mesh& mesh) {
   return *closest;
 }
 
-std::filesystem::path AnalysisFiles::cached(const PriceTableKey& key) const {
+std::filesystem::path PriceFiles::cached(const PriceTableKey& key) const {
   Json named = to_json({key, {}});
   named.erase("prices");
   return paths_.cache / ("analysis-" + checksum(named) + ".json");
 }
 
-PriceTable AnalysisFiles::from_cache(const PriceTableKey& key, const Mesh& mesh) const {
+PriceTable PriceFiles::from_cache(const PriceTableKey& key, const Mesh& mesh) const {
   if (paths_.cache.empty()) return {key, {}};
   const std::filesystem::path file = cached(key);
   if (!std::filesystem::exists(file)) return {key, {}};
@@ -206,7 +206,7 @@ PriceTable AnalysisFiles::from_cache(const PriceTableKey& key, const Mesh& mesh)
   return {key, {}};
 }
 
-void AnalysisFiles::save_to_cache() const {
+void PriceFiles::save_to_cache() const {
   for (const PriceTable& analysis : analyses_) {
     if (analysis.prices.empty()) continue;
     try {
@@ -217,7 +217,7 @@ void AnalysisFiles::save_to_cache() const {
   }
 }
 
-void AnalysisFiles::save() const {
+void PriceFiles::save() const {
   if (!paths_.cache.empty()) save_to_cache();
   if (paths_.save.empty()) return;
   Json list = Json::array();

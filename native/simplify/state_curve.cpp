@@ -1,4 +1,4 @@
-#include "simplify/curve.h"
+#include "simplify/state_curve.h"
 
 #include <utility>
 
@@ -61,11 +61,11 @@ class Growing {
     if (grown_) grown_(curve_);
   }
 
-  Curve take() { return std::move(curve_); }
+  StateCurve take() { return std::move(curve_); }
 
  private:
   const CurveGrown& grown_;
-  Curve curve_;
+  StateCurve curve_;
   bool is_marked_ = false;
 };
 
@@ -106,18 +106,19 @@ void add_blocks(const Problem& problem, StopWatch& watch, Growing& curve) {
 
 }  // namespace
 
-const char* name(CurveKind kind) { return kind == CurveKind::blocks ? "blocks" : "one gradient"; }
+const char* name(MeshKind kind) { return kind == MeshKind::blocks ? "blocks" : "one gradient"; }
 
-std::vector<CurveKind> curve_kinds(const Problem& problem) {
-  std::vector<CurveKind> kinds;
+std::vector<MeshKind> curve_kinds(const Problem& problem) {
+  std::vector<MeshKind> kinds;
   if (problem.gradient_rules && suits(method_named(plain_method), problem.mesh()))
-    kinds.push_back(CurveKind::one_gradient);
-  if (suits(method_named(best_method), problem.mesh())) kinds.push_back(CurveKind::blocks);
+    kinds.push_back(MeshKind::one_gradient);
+  if (suits(method_named(best_method), problem.mesh())) kinds.push_back(MeshKind::blocks);
   return kinds;
 }
 
-Curve find_curve(const Problem& asked, CurveKind kind, StopWatch& watch, const CurveGrown& grown) {
-  const bool is_gradient = kind == CurveKind::one_gradient;
+StateCurve find_curve(const Problem& asked, MeshKind kind, StopWatch& watch,
+                      const CurveGrown& grown) {
+  const bool is_gradient = kind == MeshKind::one_gradient;
   const Method& method = method_named(is_gradient ? plain_method : best_method);
   if (const auto why = method.why_not(asked.mesh())) throw InputError(*why);
   Problem problem = is_gradient ? asked.as_gradient() : asked;
