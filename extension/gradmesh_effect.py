@@ -207,7 +207,7 @@ class _GradmeshDocument(Gradmesh):
         self.left_out = len(ids) - len(within_reach)
         if not within_reach:
             raise News(
-                _("All gradient meshes are locked or hidden, or in such layers; select those that are meant.")
+                _("All gradient meshes, or their layers, are locked or hidden. Select the meshes that you mean.")
             )
         return self.readable(within_reach)
 

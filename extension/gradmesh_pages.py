@@ -38,8 +38,8 @@ class Pages(GradmeshEffect):
         if not path:
             raise News(
                 _(
-                    "Choose a PDF, or a file of Illustrator, whose meshes are to be put here; none of the document’s "
-                    "name lies beside it."
+                    "Choose a PDF or a file of Illustrator: no such file with the document’s name lies beside the "
+                    "document."
                 )
             )
         title = _("Reading {file}").format(file=os.path.basename(path))

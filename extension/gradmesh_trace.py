@@ -21,8 +21,8 @@ from gradmesh_window import LongWork
 MOST_HANDLES = 1000
 BESIDE_THE_PICTURE = ("{0}: {1} does not lie on the picture.", "{0}: {1} lies on none of its {2} pictures.")
 WHAT_HELPS = _(
-    "That is seen. More handles help, a path around something with soft colours, or to ignore what is larger; sharp "
-    "shapes, text and leaves are better made by Path > Trace Bitmap."
+    "You can see the difference. Ask for more handles, draw a path around something with soft colours, or ignore "
+    "larger detail. For sharp shapes, text and leaves use Path > Trace Bitmap."
 )
 
 

@@ -177,8 +177,8 @@ def toolkit():
     except (ImportError, ValueError) as missing:
         log_once(
             _(
-                "Long work shows no window with a button that stops it, because Python finds no GTK 3 "
-                "({error}); on Debian it is in the packages python3-gi and gir1.2-gtk-3.0."
+                "No window can stop long work, because Python finds no GTK 3 ({error}). On Debian install python3-gi "
+                "and gir1.2-gtk-3.0."
             ).format(error=missing)
         )
         return None, None

@@ -136,8 +136,8 @@ void add_id(CLI::App& command, std::string& id) {
 void add_renderer_option(CLI::App& command, std::string& renderer) {
   command
       .add_option("--renderer", renderer,
-                  "Where errors are found: software, egl (what EGL offers), or auto, which takes a "
-                  "graphics processor where that is faster")
+                  "What measures errors: software (the cores), egl (a graphics processor), or "
+                  "auto, the faster one")
       ->check(CLI::IsMember({"auto", "software", "egl"}))
       ->capture_default_str();
 }

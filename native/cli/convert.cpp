@@ -49,8 +49,7 @@ void add_convert(CLI::App& program) {
   const auto a = std::make_shared<ConvertArguments>();
   CLI::App& command = *program.add_subcommand(
       "convert",
-      "Make an SVG document of a .hemesh file, or the reverse, or either of the "
-      "meshes of a PDF");
+      "Turn a .hemesh file or a PDF into an SVG document, or any of these into a .hemesh file");
   add_path(command, "IN", a->in, any_document())->required();
   add_path(command, "OUT", a->out,
            "Its extension, " + formats_in_words(&Format::extension) + ", says what it becomes")
@@ -62,7 +61,7 @@ void add_convert(CLI::App& program) {
           ->check(CLI::Range(1, 32));
   command
       .add_option("--epsilon", a->options.epsilon,
-                  "Towards SVG: split patches where that is needed for this error")
+                  "Into SVG: split patches until the error is at most this")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()
       ->excludes(subdivide);

@@ -64,7 +64,7 @@ void run_devices(const DevicesArguments& a) {
 void add_devices(CLI::App& program) {
   const auto a = std::make_shared<DevicesArguments>();
   CLI::App& command = *program.add_subcommand(
-      "devices", "List the graphics processors that EGL offers, and which --renderer auto takes");
+      "devices", "List the graphics processors, and which one --renderer auto takes");
   add_path(command, "IN", a->in, "Tell it for the meshes of this " + any_document());
   add_ids(command, a->ids);
   add_options(command, a->options, {"metric", "resolution", "threads"});

@@ -128,7 +128,7 @@ void run(const EyeArguments&) {
 void add_eye(CLI::App& program) {
   const auto a = std::make_shared<EyeArguments>();
   CLI::App& command = *program.add_subcommand(
-      "eye", "Simplify in a window, where it is seen what that costs, and edit by hand");
+      "eye", "Simplify by eye: a window with a slider, and tools to edit by hand");
   add_path(command, "IN", a->in, any_document())->required();
   add_path(command, "-o,--output", a->out, "Written by Apply; the document itself if not given");
   add_ids(command, a->ids);

@@ -29,7 +29,7 @@ void use_binary_pipes() {
 
 void add_helper(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
-      "helper", "Do what programs ask for on standard input, as the Python package does");
+      "helper", "Work for another program that asks on standard input, such as the Python package");
   command.callback([] {
     use_binary_pipes();
     if (run_helper(std::cin, std::cout) != 0)

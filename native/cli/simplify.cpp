@@ -157,15 +157,15 @@ void add_simplify(CLI::App& program) {
       "--preview", a->preview, "Write no document, only say what would become of the meshes");
   CLI::Option* const curve =
       add_path(target, "--curve", a->curve,
-               "Write every state between the mesh as it is and one that is too simple, as JSON");
+               "Write all states as JSON, from the mesh as it is to one that is too simple");
   preview->excludes(out)->excludes(curve);
   add_page_options(command, a->pages);
   add_ids(command, a->ids);
   add_run_options(command, a->options);
   command
-      .add_option("--protect", a->options.protect,
-                  "SVG: leave the patches as they are of which this shape covers something; may be "
-                  "repeated")
+      .add_option(
+          "--protect", a->options.protect,
+          "SVG: do not change patches that this shape covers, even in part; may be repeated")
       ->take_all()
       ->expected(1);
   command

@@ -88,12 +88,11 @@ void add_trace(CLI::App& program) {
   CLI::App& target = *command.add_option_group("Output")->require_option(1, 2);
   add_path(target, "-o,--output", a->out, "Where to write the document");
   add_path(target, "--curve", a->curve,
-           "Write what is left, and with what error, as line after line is taken out, as JSON");
+           "Take out line after line, and write handles and errors as JSON");
   CLI::Option* const outline = command
                                    .add_option("--outline", a->outline,
-                                               "FILE.svg#ID: a shape on the picture, which becomes "
-                                               "the mesh, or an image; the document "
-                                               "with it is written")
+                                               "FILE.svg#ID: a shape on a picture, which becomes "
+                                               "the mesh, or a picture; writes the whole document")
                                    ->check(check_outline);
   command
       .add_option("--guides", a->options.guides,

@@ -61,7 +61,7 @@ std::optional<Message> needs_lines(const Mesh& mesh) {
   if (find_grid(mesh)) return std::nullopt;
   return Message(
       "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
-      "out.");
+      "out: make one mesh of it first (To One Mesh, gradmesh one-mesh).");
 }
 
 /// A grid of points and handles has one colour at each point and nothing between.

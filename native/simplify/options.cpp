@@ -107,8 +107,8 @@ const std::vector<OptionEntry>& all_options() {
       {"ratio", "Instead of --epsilon: this share of the handles, or of the patches",
        &Options::ratio},
       {"count",
-       "What is made few, and what --ratio is a share of; by default the handles of an SVG "
-       "document, and patches where a method that merges is named",
+       "What to take out, and what --ratio is a share of. By default handles of an SVG document, "
+       "and patches with a method that merges",
        counts},
       {"resolution",
        "Pixels along the longer side",

@@ -1,6 +1,6 @@
 """The program `gradmesh helper` beside Python, which does what the compiled module does.
 
-A program does not care which Python calls it. What both say to each other is in docs/helper.md.
+A program does not care which Python calls it. What both say to each other is in docs/reference/helper.md.
 """
 
 from __future__ import annotations
@@ -208,7 +208,7 @@ class Helper:
                 )
             if not makes_sense(message):
                 raise HelperError(
-                    "Nothing was done because gradmesh's helper program answered what makes no sense."
+                    "Nothing was done because gradmesh's helper program gave an answer that makes no sense."
                 )
             if not message.get("alive"):
                 return message
@@ -237,7 +237,7 @@ def current_folder() -> Optional[str]:
 
 
 def makes_sense(message: Any) -> bool:
-    """Returns whether it is something that a program says (docs/helper.md)."""
+    """Returns whether it is something that a program says (docs/reference/helper.md)."""
     if not isinstance(message, dict):
         return False
     if "ask" in message or "result" in message or "alive" in message:

@@ -223,13 +223,13 @@ std::vector<Tracing> trace_in(Document& document, const ToTrace& what, int resol
 
 std::optional<Message> what_would_help(const Tracing& tracing) {
   // Levels. Meshes with less looked like their pictures, however much texture they left out; what
-  // was no gradient was off by 8 and more (docs/quality.md).
+  // was no gradient was off by 8 and more.
   constexpr double seen_at_once = 6;
   if (tracing.errors_without_detail.mean <= seen_at_once) return {};
   return Message(
-      "with {0} handles the mesh is still {1} of 255 levels off in the mean, which is seen. More "
-      "handles help, a part of the picture with soft colours, or a larger detail; sharp shapes, "
-      "text and leaves are better made by Inkscape's Trace Bitmap.",
+      "with {0} handles the mesh is still {1} of 255 levels off in the mean, and you can see that. "
+      "Ask for more handles, choose a part of the picture with soft colours, or a larger detail. "
+      "For sharp shapes, text and leaves use Inkscape's Trace Bitmap.",
       tracing.counts.handles, std::to_string(std::lround(tracing.errors.mean)));
 }
 

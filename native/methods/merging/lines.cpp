@@ -34,7 +34,7 @@ Corner corner_of(const Mesh& mesh) {
   if (!grid)
     throw InputError(
         "it is not one rectangle of patches without T-junctions, so no whole lines can be taken "
-        "out.");
+        "out: make one mesh of it first (To One Mesh, gradmesh one-mesh).");
   const Face face = mesh.face(grid->tops.front());
   const std::array<Halfedge, 4> sides = mesh.sides(face);
   return {face, int(std::ranges::find(sides, grid->tops.front()) - sides.begin())};

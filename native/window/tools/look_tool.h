@@ -11,8 +11,7 @@ class LookTool final : public Tool {
   Message name() const override { return Message("Look"); }
   Message tip() const override {
     return Message(
-        "A drag moves the picture, a click picks a point, a side or a patch whose numbers are "
-        "shown (I)");
+        "Drag to move the picture. Click a point, a side or a patch to see its numbers (I)");
   }
   const char* key() const override { return "I"; }
   void point(Eye& eye, glm::dvec2 at, const Held& held) override;

@@ -5,8 +5,8 @@ namespace gradmesh {
 Message MarkTool::tip() const {
   if (brushes_) return Message("A drag marks every patch that it touches (T; or hold Alt)");
   return Message(
-      "A straight drag marks what is in a rectangle, a curved one what it goes around: each patch "
-      "of which that is a third or more. A click marks one patch, or no longer (K)");
+      "Drag straight to mark a rectangle, or in a curve around what you mean: patches with a third "
+      "inside are marked. A click marks or unmarks one (K)");
 }
 
 void MarkTool::point(Eye& eye, glm::dvec2 at, const Held&) {

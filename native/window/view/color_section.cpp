@@ -72,8 +72,8 @@ class ColorFields {
     hex();
     Ui::beside();
     if (panel_.ui.choice(Message("From the picture"),
-                         Message("Take the colour of a place: a click on the picture gives it to "
-                                 "the point; look at the original to take it from there"),
+                         Message("Click the picture, and the point gets the colour there. Show the "
+                                 "original to take a colour from it"),
                          panel_.eye.picks_color))
       panel_.eye.picks_color = !panel_.eye.picks_color;
   }

@@ -42,11 +42,11 @@ void show_weights(const Panel& panel) {
   };
   const auto add = [&](const char* label, double factor) {
     Ui::beside();
-    const bool is_pressed = panel.ui.choice(
-        Message("{0}", std::string(label)),
-        Message("How often errors in what is marked count, so that it stays more or less exact "
-                "than the rest: blue lines show where more, orange lines where less"),
-        is_everywhere(factor), 0, !eye.marked().empty());
+    const bool is_pressed =
+        panel.ui.choice(Message("{0}", std::string(label)),
+                        Message("How often errors in the marked patches count. More: they stay "
+                                "more exact (blue lines). Less: other places do (orange lines)"),
+                        is_everywhere(factor), 0, !eye.marked().empty());
     panel.ui.note(std::string("weight ") + label);
     if (is_pressed) eye.attempt([&](Session& s) { s.protection().weigh(eye.marked(), factor); });
   };

@@ -81,8 +81,7 @@ void show_kinds(const Panel& panel) {
   panel.ui.check_fits(chosen, ImGui::GetItemRectSize().x - ImGui::GetFrameHeight());
   panel.ui.note("known");
   if (!is_open) {
-    panel.ui.tip(
-        Message("What is known of the mesh, in colours over it: found out in the background (S)"));
+    panel.ui.tip(Message("Shows what merging would cost, in colours over the mesh (S)"));
     return;
   }
   using Kind = std::optional<AnalysisKind>;

@@ -39,11 +39,13 @@ def test_the_result_is_told_without_a_dialog(run, tmp_path):
     assert f"2 gradient meshes: {after} of {before} handles are left, FLIP up to 0.0" in log(tmp_path)
 
 
+@pytest.mark.full
 def test_more_than_strong_allows_is_said(run, tmp_path):
     run(TWO, SMALL, "--id=cap", "--amount=handles", "--handles=40", **ATTENDED)
     assert "That is more than Strong allows: it will be seen." in log(tmp_path)
 
 
+@pytest.mark.full
 def test_what_protection_keeps_is_said(run, tmp_path):
     shape = '<rect id="{}" x="{}" y="230" width="12" height="12"/></svg>'
     text = TWO.read_text()
@@ -56,6 +58,7 @@ def test_what_protection_keeps_is_said(run, tmp_path):
 
 
 @pytest.mark.parametrize("attribute", ['sodipodi:insensitive="true"', 'display="none"'])
+@pytest.mark.full
 def test_what_is_locked_or_hidden_is_left_out_where_nothing_is_selected(run, tmp_path, attribute):
     text = with_attribute("stalk", attribute)
     done = run(text, SMALL, **ATTENDED)
@@ -68,7 +71,7 @@ def test_what_is_locked_or_hidden_is_left_out_where_nothing_is_selected(run, tmp
 
 def test_where_all_are_locked_or_hidden_that_is_said(run):
     text = TWO.read_text().replace("<g ", '<g style="display: none" ')
-    assert "All gradient meshes are locked or hidden" in refused(run(text))
+    assert "All gradient meshes, or their layers, are locked or hidden" in refused(run(text))
 
 
 def test_a_clone_names_the_way_to_its_original(run):
@@ -85,6 +88,7 @@ def test_clones_in_a_circle_end(run):
         assert refused(run(text, f"--id={clone}")).startswith("None of the selected objects is painted")
 
 
+@pytest.mark.full
 def test_a_label_is_the_name(run, tmp_path):
     names = 'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" inkscape:label="the red cap"'
     run(TWO.read_text().replace('id="cap"', f'id="cap" {names}'), SMALL, "--id=cap", **ATTENDED)
@@ -98,6 +102,7 @@ def test_a_second_run_names_the_amount_and_what_is_left(run):
     assert said.startswith(f"pear: as simple as Balanced allows, with {left} handles")
 
 
+@pytest.mark.full
 def test_a_whole_group_is_no_block(run):
     group = run(SAMPLES / "fruit.svg", SMALL, "--id=pear", "--result=blocks").stdout
     for item in ("merge", "refine"):

@@ -71,6 +71,7 @@ def traced(done, *ids):
 
 
 @pytest.mark.parametrize("select", (["photo", "apple"], ["apple"], ["all"]))
+@pytest.mark.full(all_but=1)
 def test_a_path_around_something_becomes_its_mesh(run, select):
     path = CIRCLE.replace("/>", ' transform="rotate(5)"/>')
     document = page('<g id="all">', image(), path, "</g>", '<rect id="last" width="5" height="5"/>')
@@ -99,6 +100,7 @@ def test_of_several_pictures_those_that_were_traced_are_hidden(run):
 
 
 @pytest.mark.parametrize("beside", ("copy", "document"))
+@pytest.mark.full(all_but=1)
 def test_a_linked_picture_is_found_beside_the_copy_or_the_document(run, tmp_path, beside):
     """Inkscape makes most links relative to its copy, but not all."""
     folder = tmp_path if beside == "copy" else tmp_path / "home"
@@ -111,6 +113,7 @@ def test_a_linked_picture_is_found_beside_the_copy_or_the_document(run, tmp_path
 
 
 @pytest.mark.parametrize("relative_to", ("copy", "document"))
+@pytest.mark.full(all_but=1)
 def test_a_missing_picture_is_named_where_a_person_knows_it(run, tmp_path, relative_to):
     """Its folder may be gone too. Inkscape's copy of the document lies elsewhere than the document."""
     home = tmp_path / "home" / "ann"
@@ -148,6 +151,7 @@ def mesh_colors(text, name):
         'clip-path="url(#cut)" opacity=".5"',
     ),
 )
+@pytest.mark.full(all_but=1)
 def test_a_picture_alone_becomes_a_mesh_that_looks_like_it(run, inkscape, tmp_path, more):  # noqa: F811
     cut = '<clipPath id="cut"><circle cx="50" cy="35" r="24"/></clipPath>'
     document = page(f"<defs>{cut}</defs>", image(more))
@@ -175,6 +179,7 @@ LINES = (
 
 
 @pytest.mark.parametrize("line", LINES)
+@pytest.mark.full(all_but=1)
 def test_lines_of_a_mesh_follow_open_paths(run, line):
     """Points lie on the path, which goes straight down; without it no three lie so."""
     document = page(image(), CIRCLE, line)
@@ -211,6 +216,7 @@ def most_points_below_each_other(text):
         ([image(link="data:image/png;base64,aaaa"), CIRCLE], ["apple"], "picture"),
     ),
 )
+@pytest.mark.full(all_but=1)
 def test_what_cannot_be_traced_gets_a_sentence(run, elements, select, words):
     assert words in refused(run(page(*elements), *(f"--id={name}" for name in select), item="trace"))
 
@@ -238,10 +244,10 @@ def test_what_is_told_of_each_mesh(extension, run, tmp_path):  # noqa: F811
     log = tmp_path / "cache" / "gradmesh" / "extension.log"
     spot = labelled(CIRCLE, "Spot")
     run(page(image(link=link), spot), "--id=apple", "--handles=4", item="trace")
-    assert re.search(r"Spot: 4 handles, 7\d\.\d % like the picture\. That is", log.read_text())
+    assert re.search(r"Spot: 4 handles, 7\d\.\d % like the picture\. You can see", log.read_text())
     log.unlink()
     run(page(image(), spot), "--id=apple", FEW, item="trace")
-    assert re.search(r"Spot: \d+ handles, 99\.\d % like", log.read_text()) and "That is seen" not in log.read_text()
+    assert re.search(r"Spot: \d+ handles, 99\.\d % like", log.read_text()) and "You can see" not in log.read_text()
     log.unlink()
     run(page(image()), "--id=photo", FEW, item="trace", LANGUAGE="de")
     assert re.search(r"Das Bild: \d+ Anfasser, zu 9\d,\d % wie das Bild\.", log.read_text())

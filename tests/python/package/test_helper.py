@@ -88,6 +88,7 @@ def everything(sample):
 
 
 @pytest.mark.parametrize("sample", ["fruit", "opacity", "stroke", "tensor"])
+@pytest.mark.full(all_but=1)
 def test_the_same_comes_of_module_and_helper(use, sample):
     use(module_core())
     by_module = everything(sample)
@@ -109,7 +110,7 @@ def test_a_greeting_of_another_version(fake):
     assert "is of another version than the rest of gradmesh (99, not 5): install" in failure()
 
 
-NO_SENSE, DIED = "answered what makes no sense.", "ended before its work was done."
+NO_SENSE, DIED = "gave an answer that makes no sense.", "ended before its work was done."
 FAULTY = {
     "text": ("print('Segmentation fault', flush=True); time.sleep(60)", NO_SENSE),
     "no JSON": ("sys.stdout.buffer.write(b'5\\nabcde'); sys.stdout.flush(); time.sleep(60)", NO_SENSE),
@@ -136,6 +137,7 @@ def test_a_program_that_is_no_helper(fake, fault):
     ["time.sleep(600)", "hear(); time.sleep(600)", "hear(); say('{\"alive\": true}'); time.sleep(600)"],
     ids=["neither reads nor writes", "only reads", "lived once"],
 )
+@pytest.mark.full(all_but=1)
 def test_a_program_that_hangs(fake, monkeypatch, lines):
     monkeypatch.setattr(helpers, "SILENCE", 1.0)
     core = fake(lines)

@@ -140,7 +140,7 @@ BlockCuts cuts_of(const xmlNode* group, int face, const PatchGrid& before, const
   const auto cuts = find_cuts(before, now);
   if (!cuts)
     fail_block(
-        Message("which of its rows or columns are new cannot be told: undo what moved the "
+        Message("gradmesh cannot tell which of its rows or columns are new: undo what moved the "
                 "others, or cut its patches by Refine Here instead"));
   return *cuts;
 }

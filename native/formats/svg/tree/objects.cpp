@@ -358,8 +358,8 @@ void check_can_change(const MeshObject& object) {
                    "unlink the clone"));
     case LeftAlone::cloned:
       fail(object,
-           Message("its mesh is that of a group around it, and a clone outside of the group "
-                   "shows it without; to change the mesh, give it to the object itself"));
+           Message("its mesh belongs to a group around it, and a clone outside of the group is "
+                   "painted without; to change the mesh, give it to the object itself"));
     case LeftAlone::flowed:
       fail(object, Message("it is flowed text; to change its mesh, convert it to text"));
     case LeftAlone::mixed:
