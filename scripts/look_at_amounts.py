@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tells where people may see what simplifying changed: the table and the pictures of docs/quality.md.
+"""Tells where people may see what simplifying changed: the table and the pictures of docs/development/quality.md.
 
     look_at_amounts.py [--amounts NAME...] [--pixels N] [--pictures FOLDER] [DOCUMENT...]     (after scripts/setup)
 

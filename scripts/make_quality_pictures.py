@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures of docs/quality.md into docs/images/.
+"""Writes the pictures of docs/development/quality.md into docs/images/.
 
     make_quality_pictures.py --meshes FOLDER [--json RUNS.json]      (after scripts/setup)
 

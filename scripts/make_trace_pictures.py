@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Traces pictures, has Inkscape paint the meshes, and prints the tables of docs/quality.md.
+"""Traces pictures, has Inkscape paint the meshes, and prints the tables of docs/development/quality.md.
 
     make_trace_pictures.py [--again [--meshes FOLDER]] [--look FOLDER]      (after scripts/setup)
 

@@ -35,7 +35,7 @@ struct Unknown {
 /// Returns the unknowns of these faces: their twists, and the tangents of the curves on which their
 /// sides lie, but those that would make what is plain less plain; and the points that are free.
 /// Otherwise points and the colours of corners stay: freeing these as well gains nothing
-/// (docs/quality.md).
+/// (docs/development/tried.md).
 std::vector<Unknown> unknowns_of(const Mesh& mesh, const std::vector<Face>& faces,
                                  const Plainness& plain = {});
 

@@ -9,7 +9,7 @@
 
 namespace gradmesh {
 
-/// Thrown where what was read is no message of the protocol (docs/helper.md).
+/// Thrown where what was read is no message of the protocol (docs/reference/helper.md).
 class Garbled : public std::runtime_error {
  public:
   using runtime_error::runtime_error;

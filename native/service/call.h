@@ -11,8 +11,8 @@
 
 namespace gradmesh {
 
-/// Asks the caller something during a call and returns the answer (docs/helper.md). Called on the
-/// thread of the call.
+/// Asks the caller something during a call and returns the answer (docs/reference/helper.md).
+/// Called on the thread of the call.
 using Ask = std::function<Json(const Json& question)>;
 
 /// Thrown by an Ask whose caller gives the call up. No std::exception, so that nothing on the way

@@ -4,8 +4,8 @@
 
 namespace gradmesh {
 
-/// What a caller may ask for, as docs/helper.md says. Each returns its result and throws what the
-/// core throws, WrongType, and GivenUp.
+/// What a caller may ask for, as docs/reference/helper.md says. Each returns its result and throws
+/// what the core throws, WrongType, and GivenUp.
 
 // Documents.
 Json read_document(const Call& call);

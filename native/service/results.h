@@ -12,7 +12,7 @@
 namespace gradmesh {
 
 /// What functions return of the core's own records, as objects whose members are named as in
-/// docs/helper.md.
+/// docs/reference/helper.md.
 
 /// Returns [template, [arguments]], where arguments are texts or such pairs.
 Json message_json(const Message& message);

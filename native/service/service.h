@@ -5,7 +5,8 @@
 namespace gradmesh {
 
 /// What Python may ask of the core, whether the core is a module that Python has loaded or a
-/// program beside it: functions by name, with arguments and results in JSON (docs/helper.md).
+/// program beside it: functions by name, with arguments and results in JSON
+/// (docs/reference/helper.md).
 class Service {
  public:
   /// The version of the functions. A caller of another version must not call any.

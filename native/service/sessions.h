@@ -9,7 +9,7 @@
 namespace gradmesh {
 
 /// What the functions of sessions have in common: their arguments, and how they say how a session
-/// is. Members are named as in docs/helper.md.
+/// is. Members are named as in docs/reference/helper.md.
 
 /// Returns the session over the mesh that the argument `id` names. Throws std::invalid_argument if
 /// there is none.

@@ -1,6 +1,6 @@
 """What computes: the compiled module or, where that does not load, the program beside it.
 
-Both offer one method, call(request, ask), with the functions of docs/helper.md.
+Both offer one method, call(request, ask), with the functions of docs/reference/helper.md.
 """
 
 from __future__ import annotations

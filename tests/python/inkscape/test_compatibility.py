@@ -1,4 +1,4 @@
-"""The extension uses of inkex what every Inkscape from 1.0 to 1.4 has (docs/manual.md)."""
+"""The extension uses of inkex what every Inkscape from 1.0 to 1.4 has (docs/reference/limits.md)."""
 
 import ast
 import importlib

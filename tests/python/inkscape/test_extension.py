@@ -31,6 +31,7 @@ def test_the_object_becomes_a_labelled_group_and_nothing_is_said(run):
 
 
 @pytest.mark.parametrize("options", [[], ["--result=simplest"], ["--result=one-mesh"]])
+@pytest.mark.full(all_but=1)
 def test_but_for_blocks_it_stays_what_it_is_and_nothing_is_said(run, options):
     before = SAMPLES / "fruit.svg"
     done = run(before, "--id=pear", SMALL, *options)
@@ -52,6 +53,7 @@ def test_but_for_blocks_it_stays_what_it_is_and_nothing_is_said(run, options):
         ("gqe", {"method": "gqe"}),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_each_result_is_that_of_a_method(run, result, options):
     """With the values of the dialog, which all reach the core."""
     options = {"omega": 0.3, "metric": "ssim", "resolution": 100, "visible_only": False, **options}
@@ -82,6 +84,7 @@ def test_other_objects_are_not_touched(run):
 
 
 @pytest.mark.parametrize("chosen", [["svg1"], ["cap", "stalk"], ["stalk", "title1", "cap"]])
+@pytest.mark.full
 def test_groups_and_mixed_selections(run, chosen):
     done = run(SAMPLES / "two.svg", *(f"--id={name}" for name in chosen), "--result=blocks", SMALL)
     after = by_id(done.stdout)
@@ -106,6 +109,7 @@ BOUNDS = ("epsilon", "max_local_error", "max_detail_error")
     "amount, epsilon, bound, detail",
     [("gentle", 0.005, 0.05, 0.06), ("balanced", 0.01, 0.1, 0.11), ("strong", 0.02, 0.1, 0.3)],
 )
+@pytest.mark.full(all_but=1)
 def test_an_amount_is_a_bound_of_the_core(amount, epsilon, bound, detail, metric, share):
     document = gradmesh.load(SAMPLES / "tensor.svg")
     options = {"metric": metric, "resolution": 16, "preview": True}
@@ -114,12 +118,13 @@ def test_an_amount_is_a_bound_of_the_core(amount, epsilon, bound, detail, metric
     assert {name: named.run[name] for name in bounds} == bounds
     (told,) = gradmesh.simplify(document, **bounds, **options)
     assert (told.error, told.handles_after) == (named.error, named.handles_after)
-    manual = (ROOT / "docs" / "manual.md").read_text()
-    (row,) = re.findall(rf"\| {amount.capitalize()}: [^|]+\|(.*)\|", manual)
+    page = (ROOT / "docs" / "simplify.md").read_text()
+    (row,) = re.findall(rf"\| {amount.capitalize()} \|((?: [\d.]+ \|){{5}} [\d.]+ )\|", page)
     errors = row.split("|")
     assert errors[metric == "ssim" :: 2] == [f" {value:g} " for value in bounds.values()]
 
 
+@pytest.mark.full
 def test_how_much_by_name_or_number(run):
     def left(*options):
         options = ("--result=gqe", SMALL, *options)
@@ -142,6 +147,7 @@ def test_how_much_by_name_or_number(run):
 @pytest.mark.parametrize(
     "amount, most", [(["handles", "--handles=330"], 330), (["share", "--share=50"], 330)]
 )
+@pytest.mark.full(all_but=1)
 def test_how_many_handles(run, result, amount, most):
     options = [f"--amount={amount[0]}", amount[1], f"--result={result}", SMALL]
     done = run(SAMPLES / "fruit.svg", "--id=pear", *options)
@@ -150,6 +156,7 @@ def test_how_many_handles(run, result, amount, most):
     assert mesh.handles <= most and mesh.simplified == (result == "blocks")
 
 
+@pytest.mark.full
 def test_small_parts_have_a_limit_of_their_own(run):
     def left(*options):
         done = run(SAMPLES / "two.svg", "--id=stalk", "--result=blocks", "--resolution=400", *options)
@@ -181,6 +188,7 @@ def test_one_mesh_gradient(run):
     assert set(sides) <= set("lc") and sides.count("l") > 0
 
 
+@pytest.mark.full
 def test_the_original_can_be_kept_or_forgotten(run):
     pear = [SAMPLES / "fruit.svg", "--id=pear", SMALL]
     blocks = run(*pear, "--result=blocks").stdout
@@ -192,6 +200,7 @@ def test_the_original_can_be_kept_or_forgotten(run):
         assert kept.tag == SVG + "path" and "display:none" in kept.get("style")
 
 
+@pytest.mark.full
 def test_a_preview_only_tells(run):
     def told(document, *options):
         done = run(document, "--preview=true", "--resolution=100", "--amount=custom", *options)
@@ -239,11 +248,13 @@ def test_a_preview_only_tells(run):
         ),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_what_cannot_be_done_is_said_in_one_sentence(run, options, words):
     assert words in refused(run(SAMPLES / "fruit.svg", "--amount=custom", *options))
 
 
 @pytest.mark.parametrize("name", sorted(set(BAD) - {"no mesh"}))
+@pytest.mark.full(all_but=1)
 def test_bad_documents(run, name):
     bad = BAD[name]
     said = refused(run(bad.text, "--id=box"))

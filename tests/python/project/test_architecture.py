@@ -1,4 +1,4 @@
-"""The folders of native/ include themselves and lower ranks only (docs/architecture.md)."""
+"""The folders of native/ include themselves and lower ranks only (docs/development/architecture.md)."""
 
 import re
 from pathlib import Path
@@ -97,7 +97,7 @@ def test_every_folder_has_a_rank():
 
 
 def test_the_table_of_rooms_is_that_of_the_code():
-    page = (ROOT / "docs" / "architecture.md").read_text()
+    page = (ROOT / "docs" / "development" / "architecture.md").read_text()
     rows = re.findall(r"^\| (\d+) \| `(\w+)/` \|", page, re.MULTILINE)
     assert {name: int(rank) for rank, name in rows} == RANK
     rooms = re.search(r"\| room of `app/` \| holds \|\n(.+?)\n\n", page, re.DOTALL)[1]
@@ -107,6 +107,7 @@ def test_the_table_of_rooms_is_that_of_the_code():
 
 
 @pytest.mark.parametrize("path", SOURCES, ids=lambda p: str(p.relative_to(NATIVE)))
+@pytest.mark.full(all_but=1)
 def test_includes_go_downwards(path):
     folder = path.relative_to(NATIVE).parts[0]
     for include in includes(path):
