@@ -46,6 +46,7 @@ def simplified(folder, *options):
         ("gqe1", "--epsilon", 0.008),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_nothing_is_priced_anew(tmp_path, prices, options):
     options = ("--method", *options)
     alone, loaded = tmp_path / "alone.json", tmp_path / "loaded.json"
@@ -168,6 +169,7 @@ def test_the_color_model_counts(tmp_path):
     printed(*loaded, *bilinear)
 
 
+@pytest.mark.full
 def test_a_cache_keeps_what_was_priced(tmp_path):
     def left(**options):
         document = gradmesh.load(SAMPLES / "two.svg")

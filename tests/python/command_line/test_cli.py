@@ -74,6 +74,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("arguments", [f"{command} {end}" for command, ends in WRONG.items() for end in ends])
+@pytest.mark.full(all_but=1)
 def test_wrong_usage_is_exit_code_2(fruit, arguments):
     done = gradmesh(*arguments.split(), cwd=fruit.parent)
     assert done.returncode == 2
@@ -194,6 +195,7 @@ def test_what_happened_is_told_of_handles_and_of_time(tmp_path):
         (["--patches", "40"], ("patches", 40)),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_targets(fruit, options, left):
     report = fruit.with_name("report.json")
     printed("simplify", fruit, "--preview", "--resolution", 200, "--report", report, *options)
@@ -359,6 +361,7 @@ def test_render(tmp_path):
 
 
 @pytest.mark.parametrize("metric, epsilon", [("flip", 0.01), ("ssim", 0.005)])
+@pytest.mark.full(all_but=1)
 def test_compare(tmp_path, metric, epsilon):
     out, by = tmp_path / "out.svg", ("--metric", metric)
     (mesh,) = simplified(FRUIT, out, *QUICK, *by, "--epsilon", epsilon, "--whole-mesh")

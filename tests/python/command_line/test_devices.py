@@ -46,6 +46,7 @@ def test_a_device_that_is_too_old_says_why(device):
 
 
 @pytest.mark.parametrize("old", [{}, {"MESA_GL_VERSION_OVERRIDE": "3.3"}], ids=["OpenGL", "OpenGL ES"])
+@pytest.mark.full(all_but=1)
 def test_a_device_gives_the_same_document(device, tmp_path, monkeypatch, old):
     for name, value in old.items():
         monkeypatch.setenv(name, value)

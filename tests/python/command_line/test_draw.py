@@ -169,6 +169,7 @@ def test_regions_of_a_patch(tmp_path):
 
 
 @pytest.mark.parametrize("show", LAYERS)
+@pytest.mark.full(all_but=1)
 def test_inkscape_shows_it(tmp_path, show):
     drawn, picture = Drawn(tmp_path, show), tmp_path / "picture.png"
     subprocess.run(

@@ -58,6 +58,7 @@ EDITS = [
 
 
 @pytest.mark.parametrize("command, document, options, more", EDITS, ids=lambda value: str(value))
+@pytest.mark.full(all_but=1)
 def test_what_becomes_of_the_patches(folder, tmp_path, command, document, options, more):
     out = tmp_path / document
     told = edited(command, folder / document, out, *options.split())

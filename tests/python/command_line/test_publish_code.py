@@ -55,6 +55,7 @@ def test_one_file_holds_all_meshes(tmp_path, language, extension):
 
 
 @languages
+@pytest.mark.full(all_but=1)
 def test_brackets_are_balanced(tmp_path, language, extension):
     for sample in sorted(SAMPLES.glob("*.svg")):
         out = tmp_path / (sample.stem + extension)
@@ -72,6 +73,7 @@ def test_what_is_lost_is_told(tmp_path):
 
 
 @languages
+@pytest.mark.full(all_but=1)
 def test_blocks_are_painted_side_by_side(tmp_path, language, extension):
     simple, out = tmp_path / "simple.svg", tmp_path / ("out" + extension)
     printed("simplify", "--quiet", SAMPLES / "fruit.svg", "-o", simple, "--method", "gqe", "--epsilon", "0.02")

@@ -236,6 +236,7 @@ def test_pointing_at_an_edge_and_a_point(page, fruit):
 
 
 @pytest.mark.parametrize("side", ["before", "after"])
+@pytest.mark.full
 def test_buttons_lead_to_next_prev_twin_and_parent(page, fruit, side):
     halfedges = by_id(fruit.data[side], "halfedges")
     seen = {"next": 0, "prev": 0, "twin": 0, "parent": 0}
@@ -402,6 +403,7 @@ CLIPPED = """
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [1200, 800, 420])
+@pytest.mark.full(all_but=1)
 def test_nothing_is_cut_off(page, fruit, width, scheme):
     browsers.resize(page.browser, width, 900)
     browsers.prefer_color_scheme(page.browser, scheme)

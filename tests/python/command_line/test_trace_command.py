@@ -61,6 +61,7 @@ def test_the_error_is_that_of_what_inkscape_paints(picture, inkscape):  # noqa: 
     assert abs(rmse - report["errors"]["rmse"]) < 0.3
 
 
+@pytest.mark.full
 def test_no_more_handles_than_the_error_needs(picture):
     path = picture()
     soft, _ = traced(path, "--epsilon", "0.06")
@@ -69,6 +70,7 @@ def test_no_more_handles_than_the_error_needs(picture):
     assert soft["handles"] < close["handles"] < 1000
 
 
+@pytest.mark.full
 def test_amounts_stand_for_errors(picture, tmp_path):
     path = picture()
     usual, _ = traced(path)
@@ -270,6 +272,7 @@ def test_a_page_without_a_picture_is_filled_by_it(picture, outline):
 
 
 @pytest.mark.parametrize("how", ["linked", "named in full", "in the document", "in broken lines"])
+@pytest.mark.full(all_but=1)
 def test_the_document_s_own_picture_need_not_be_named(picture, outline, tmp_path, how):
     path = picture("a ball.png")
     data = base64.encodebytes(path.read_bytes()).decode()

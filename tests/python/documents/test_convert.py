@@ -149,6 +149,7 @@ def test_the_result_does_not_depend_on_the_number_of_cores(curved, tmp_path):
     assert one.read_bytes() == out.read_bytes()
 
 
+@pytest.mark.full
 def test_an_error_that_cannot_be_kept_is_refused(curved, tmp_path):
     mesh, out = curved(2, 2), tmp_path / "out.svg"
     for command in (["convert", mesh, out], ["simplify", mesh, "-o", out]):
@@ -264,6 +265,7 @@ def test_what_cannot_become_the_other_kind_is_left(tmp_path, name, words):
 
 
 @pytest.mark.parametrize("model", ["bilinear", "bicubic"])
+@pytest.mark.full(all_but=1)
 def test_svg_may_be_simplified_to_hemesh(tmp_path, model):
     out = tmp_path / "out.hemesh"
     options = ["--color-model", model] if model == "bicubic" else []
@@ -353,6 +355,7 @@ def test_originals_are_found_by_their_ids(tmp_path):
         gradmesh.simplify(document, original=gradmesh.load(FRUIT))
 
 
+@pytest.mark.full
 def test_prices_belong_to_the_original(tmp_path):
     once, prices, out = tmp_path / "1.svg", tmp_path / "prices.json", tmp_path / "out.svg"
     simplified(FRUIT, once, 0.005)
@@ -399,6 +402,7 @@ def test_python_converts_and_then_measures_against_what_was_converted(shape):
 
 
 @pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.full(all_but=1)
 def test_inkscape_shows_the_same(inkscape, shape, tmp_path, name):
     pictures = pytest.importorskip("pictures", reason="Debian package python3-pil is absent")
     out, png = tmp_path / "out.svg", tmp_path / "ours.png"
@@ -433,6 +437,7 @@ def test_inkscape_shows_the_same(inkscape, shape, tmp_path, name):
         ("local-refinement", 16, False),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_the_authors_meshes(tmp_path, name, patches, one_piece):
     mesh, out, back = SHARED / f"{name}.hemesh", tmp_path / "out.svg", tmp_path / "back.hemesh"
     made, told = converted(mesh, out, "--subdivide", 4)
@@ -447,6 +452,7 @@ def test_the_authors_meshes(tmp_path, name, patches, one_piece):
 
 
 @of_the_authors
+@pytest.mark.full
 def test_an_authors_mesh_in_fewer_patches_than_evenly_split(tmp_path):
     """The duck has 3,680 patches where each is split into 4 x 4, at FLIP 0.024."""
     duck, out = SHARED / "global_duck.hemesh", tmp_path / "out.svg"

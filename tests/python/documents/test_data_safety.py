@@ -50,6 +50,7 @@ def expect_untouched(done, document, before, reason):
 
 
 @pytest.mark.parametrize("times", [40, pytest.param(200, marks=pytest.mark.long)])
+@pytest.mark.full
 def test_a_program_killed_at_any_moment_leaves_the_file_whole(tmp_path, times):
     document, arguments = tmp_path / "drawing.svg", [PROGRAM, "simplify"]
     before = with_photo(8).encode()
@@ -203,6 +204,7 @@ def test_all_that_is_not_the_mesh_comes_back_byte_for_byte(tmp_path):
 
 
 @pytest.mark.parametrize("sample, chosen", [("two", "cap"), ("fruit", "pear"), ("opacity", "bubble")])
+@pytest.mark.full(all_but=1)
 def test_other_meshes_come_back_byte_for_byte(tmp_path, sample, chosen):
     document, out = SAMPLES / f"{sample}.svg", tmp_path / "out.svg"
     printed("simplify", document, "-o", out, "--id", chosen, *QUICK)

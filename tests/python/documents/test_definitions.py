@@ -67,6 +67,7 @@ def simplified(inkscape, tmp_path_factory):
 
 @pytest.mark.parametrize("opacity", [False, True], ids=["opaque", "translucent"])
 @pytest.mark.parametrize("name", DEFINITIONS)
+@pytest.mark.full(all_but=1)
 def test_what_is_defined_is_simplified_where_it_is(simplified, name, opacity):
     import pictures
 

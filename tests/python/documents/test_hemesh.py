@@ -152,6 +152,7 @@ def test_colors_may_be_made_bilinear(leaf, tmp_path):
 
 @of_the_authors
 @pytest.mark.parametrize("name", NUMBERS)
+@pytest.mark.full(all_but=1)
 def test_the_authors_meshes(tmp_path, name):
     path, out = SHARED / f"{name}.hemesh", tmp_path / "out.hemesh"
     assert f" handles, {NUMBERS[name]} patches, 1 object, " in printed("info", path)

@@ -82,6 +82,7 @@ def test_the_id_is_a_new_one():
 
 
 @pytest.mark.parametrize("sample", ["opacity", "stroke", "fruit"])
+@pytest.mark.full(all_but=1)
 def test_of_a_simplified_mesh_too(sample):
     document = gradmesh.load(SAMPLES / f"{sample}.svg")
     (first,) = gradmesh.simplify(document, method="grid", epsilon=0.005)

@@ -42,6 +42,7 @@ def counts(text):
 
 
 @pytest.mark.parametrize("stale", STALE)
+@pytest.mark.full(all_but=1)
 def test_a_label_of_ours_is_brought_up_to_date(stale):
     one = simplified(fruit(stale), "plain")
     assert label(one) == counts(one)
@@ -59,6 +60,7 @@ def test_what_we_wrote_in_any_language_is_known(tmp_path):
 
 
 @pytest.mark.parametrize("method", ["plain", "gqe"])
+@pytest.mark.full(all_but=1)
 def test_a_label_of_a_person_stays(method):
     text = simplified(fruit("my pear"), method)
     assert label(text) == "my pear"

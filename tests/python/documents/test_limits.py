@@ -45,6 +45,7 @@ def nested(levels):
         ("memory=1M", (FRUIT, "pear", "bytes", "the limit of 1048576")),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_a_sentence_says_what_would_allow_it(tmp_path, limits, words):
     out = tmp_path / "out.svg"
     simplify = ("simplify", FRUIT, "-o", out, "--method", "grid")

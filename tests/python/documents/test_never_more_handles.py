@@ -96,6 +96,7 @@ def expect_not_more(before, after, results):
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.full(all_but=1)
 def test_random_meshes(kind, seed):
     before = document(kind, seed)
     changed = gradmesh.loads(before)
@@ -116,6 +117,7 @@ def test_most_random_meshes_get_simpler():
 
 @pytest.mark.skipif(not REAL, reason="the documents are not in ../shared/real")
 @pytest.mark.parametrize("name", [path.stem for path in REAL])
+@pytest.mark.full(all_but=1)
 def test_documents_of_others(name):
     (path,) = [path for path in REAL if path.stem == name]
     before = path.read_bytes()

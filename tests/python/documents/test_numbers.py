@@ -59,6 +59,7 @@ def expect_good(data, patches):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", GOOD)
+@pytest.mark.full(all_but=1)
 def test_simplified(tmp_path, name, method):
     before, after = tmp_path / "before.svg", tmp_path / "after.svg"
     before.write_bytes(document(name))
@@ -94,6 +95,7 @@ def test_painted_and_converted(name):
     expect_plain_numbers(back.document.to_bytes())
 
 
+@pytest.mark.full
 def test_inkscape_shows_the_same_wherever_the_mesh_lies(inkscape, tmp_path):
     """The blocks' paths hold what they paint, too."""
     pictures = pytest.importorskip("pictures", reason="Debian package python3-pil is absent")
@@ -121,6 +123,7 @@ def blocks(data):
 
 
 @pytest.mark.parametrize("name", GOOD)
+@pytest.mark.full(all_but=1)
 def test_edited(name):
     edited = gradmesh.loads(document(name))
     (result,) = gradmesh.simplify(edited, method="gqe", resolution=100)
@@ -139,6 +142,7 @@ def test_edited(name):
 
 
 @pytest.mark.parametrize("name", REFUSED)
+@pytest.mark.full(all_but=1)
 def test_refused(tmp_path, name):
     words = REFUSED[name][1]
     source, out = tmp_path / "drawing.svg", tmp_path / "out.svg"
@@ -156,6 +160,7 @@ def test_refused(tmp_path, name):
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.full(all_but=1)
 def test_every_command_ends_in_a_result_or_a_sentence(tmp_path, name):
     source = tmp_path / "source.svg"
     source.write_bytes(document(name))

@@ -94,6 +94,7 @@ def sides(gradient):
 
 
 @pytest.mark.parametrize("method, sample", BY)
+@pytest.mark.full(all_but=1)
 def test_only_the_mesh_gradients_are_others(simplified, method, sample):
     before, after = simplified(method, sample).roots()
     assert all_but_meshes(after) == all_but_meshes(before)
@@ -102,6 +103,7 @@ def test_only_the_mesh_gradients_are_others(simplified, method, sample):
 
 
 @pytest.mark.parametrize("method, sample, painted", OBJECTS_BY)
+@pytest.mark.full(all_but=2)
 def test_one_object_with_fewer_handles_or_patches_is_left(simplified, method, sample, painted):
     found = simplified(method, sample)
     result = found.results[painted]
@@ -118,6 +120,7 @@ def test_one_object_with_fewer_handles_or_patches_is_left(simplified, method, sa
 
 
 @pytest.mark.parametrize("sample, painted", [pair for pair in OBJECTS if pair[0] in NAMES])
+@pytest.mark.full(all_but=1)
 def test_straight_sides_are_lines_and_all_is_counted_in_the_file(simplified, sample, painted):
     result = simplified("plain", sample).results[painted]
     gradient = mesh_of(simplified("plain", sample).roots()[1], painted)
@@ -131,6 +134,7 @@ def test_straight_sides_are_lines_and_all_is_counted_in_the_file(simplified, sam
 
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
+@pytest.mark.full(all_but=1)
 def test_without_lines_a_gradient_is_where_it_was_and_of_its_kind(simplified, sample, painted):
     found = simplified("lines", sample)
     before, after = (svg_meshes.Document(io.BytesIO(data)) for data in found[:2])
@@ -147,6 +151,7 @@ def test_without_lines_a_gradient_is_where_it_was_and_of_its_kind(simplified, sa
 
 
 @pytest.mark.parametrize("method, sample, painted", OBJECTS_BY)
+@pytest.mark.full(all_but=1)
 def test_what_is_told_is_found_again(simplified, method, sample, painted):
     result = simplified(method, sample).results[painted]
     before, after = (gradmesh.loads(data) for data in simplified(method, sample)[:2])
@@ -167,6 +172,7 @@ def test_what_is_told_is_found_again(simplified, method, sample, painted):
 
 
 @pytest.mark.parametrize("sample", NAMES)
+@pytest.mark.full(all_but=1)
 def test_small_parts_keep_to_their_bound(simplified, sample):
     free = simplified("plain", sample).results
     bound = max(result.local_error for result in free.values()) / 2
@@ -180,6 +186,7 @@ def test_small_parts_keep_to_their_bound(simplified, sample):
 
 
 @pytest.mark.parametrize("sample", NAMES)
+@pytest.mark.full(all_but=1)
 def test_a_second_run_only_takes_more_out(simplified, sample):
     document = gradmesh.loads(simplified("plain", sample).after)
     results = gradmesh.simplify(document, **OPTIONS)
@@ -204,6 +211,7 @@ def test_nothing_changed_is_byte_for_byte_the_same():
 
 
 @pytest.mark.parametrize("sample", NAMES)
+@pytest.mark.full(all_but=1)
 def test_inkscape_paints_the_same(simplified, inkscape, tmp_path, sample):
     pictures = []
     for when, data in zip(("before", "after"), simplified("plain", sample)):

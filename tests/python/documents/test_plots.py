@@ -108,6 +108,7 @@ def found(data):
 
 
 @pytest.mark.parametrize("cells", [1, 5, 99])
+@pytest.mark.full(all_but=1)
 def test_cells_of_matplotlib_are_one_grid_of_their_corners(cells):
     """Of 2 x 2 to 4 x 4 cells some bend by more than 4 levels of 255, and stay four triangles each."""
     mesh = found(page(shading(fans(Lattice(cells)))))

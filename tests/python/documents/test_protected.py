@@ -96,6 +96,7 @@ DOCUMENTS = {
 }
 
 
+@pytest.mark.full
 def test_a_polygon_protects_as_a_shape_does():
     document = gradmesh.loads(DOCUMENTS["as it is"].encode(), "face.svg")
     eye = [(170, 280), (250, 280), (250, 310), (170, 310)]
@@ -110,6 +111,7 @@ def test_a_polygon_protects_as_a_shape_does():
 
 @pytest.mark.parametrize("name", DOCUMENTS)
 @pytest.mark.parametrize("method", ["simplest", "plain", "lines"])
+@pytest.mark.full(all_but=1)
 def test_protected_patches_are_written_to_the_last_digit(tmp_path, name, method):
     svg, out = tmp_path / "face.svg", tmp_path / "out.svg"
     svg.write_text(DOCUMENTS[name])
@@ -134,6 +136,7 @@ def test_the_error_is_that_of_what_is_written(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["as it is", "a side that is all but a line", "numbers of many digits"])
+@pytest.mark.full(all_but=1)
 def test_protected_patches_are_in_blocks_to_the_last_digit(tmp_path, name):
     svg, out = tmp_path / "face.svg", tmp_path / "out.svg"
     svg.write_text(DOCUMENTS[name])

@@ -1,5 +1,6 @@
 """Documents that others made, before and after a simplification as Inkscape's dialog sets it."""
 
+import functools
 import json
 from pathlib import Path
 from typing import NamedTuple, Optional
@@ -59,34 +60,40 @@ class Real(NamedTuple):
 
 @pytest.fixture(scope="module")
 def real(inkscape, tmp_path_factory):
-    """Of each document what became of it."""
+    """Returns what became of a document, by its name."""
     folder = tmp_path_factory.mktemp("real")
-    found = {}
-    for path in DOCUMENTS:
+
+    @functools.cache
+    def find(name):
+        path = REAL / f"{name}.svg"
         result, flip = simplified(path, folder), None
         if result.out.exists():
             before = page(inkscape, path, folder / f"{path.stem}-before.png")
             after = page(inkscape, result.out, folder / f"{path.stem}-after.png")
             flip = error(before, after)
-        found[path.stem] = Real(result, flip)
-    return found
+        return Real(result, flip)
+
+    return find
 
 
+@pytest.mark.full
 def test_table(real, capsys):
     lines = ["| document | meshes | patches before | after | page FLIP |", "|---|---|---|---|---|"]
-    for name, (result, flip) in real.items():
+    for name in (path.stem for path in DOCUMENTS):
+        result, flip = real(name)
         keys = ("patches_before", "patches_after")
         counts = [sum(mesh[key] for mesh in result.meshes) for key in keys]
         cells = [*counts, f"{flip:.5f}"] if result.meshes else ["", "", ""]
         lines.append(f"| {name} | {len(result.info['meshes'])} | {' | '.join(map(str, cells))} |")
     with capsys.disabled():
         print("", *lines, sep="\n")
-    assert len(real) == len(DOCUMENTS)
+    assert len(lines) == 2 + len(DOCUMENTS)
 
 
+@pytest.mark.full(all_but=3)
 @pytest.mark.parametrize("name", [path.stem for path in DOCUMENTS])
 def test_all_that_inkscape_paints_is_read(real, name):
-    result = real[name].result
+    result = real(name).result
     meshes = result.info["meshes"]
     assert bool(result.info["unused"]) == (name in UNUSED)
     if name in UNUSED:
@@ -98,14 +105,16 @@ def test_all_that_inkscape_paints_is_read(real, name):
         assert not any("refused" in mesh for mesh in meshes)
 
 
+@pytest.mark.full(all_but=3)
 @pytest.mark.parametrize("name", sorted({path.stem for path in DOCUMENTS} - UNREAD - UNUSED))
 def test_the_page_looks_the_same(real, name):
-    assert real[name].flip <= float(BALANCED["--epsilon"])
+    assert real(name).flip <= float(BALANCED["--epsilon"])
 
 
+@pytest.mark.full(all_but=3)
 @pytest.mark.parametrize("name", sorted({path.stem for path in DOCUMENTS} - UNREAD - UNUSED))
 def test_all_else_stays(real, name):
-    result = real[name].result
+    result = real(name).result
     before = REAL / f"{name}.svg"
     changed = {m["id"] for m in result.meshes if is_simpler(m)}
     if not changed:

@@ -76,6 +76,7 @@ def test_the_only_one_that_can_be_read_needs_no_name(svg, tmp_path):
 
 @with_inkex
 @pytest.mark.parametrize("ids", [(), ("--id=good", "--id=bad"), ("--id=both",)])
+@pytest.mark.full(all_but=1)
 def test_in_inkscape_the_others_are_simplified(run, svg, tmp_path, ids):
     lines = tmp_path / "lines"
     done = run(svg, *ids, GRADMESH_REPORT=str(lines))
@@ -91,6 +92,7 @@ def test_in_inkscape_the_others_are_simplified(run, svg, tmp_path, ids):
 
 @with_inkex
 @pytest.mark.parametrize("item", ["simplify", "update", "to_one_mesh", "show_analysis"])
+@pytest.mark.full(all_but=1)
 def test_alone_in_inkscape_it_is_a_sentence(run, svg, item):
     assert refused(run(svg, "--id=bad", item=item)) == f"apple.svg: {REASON}\n"
 

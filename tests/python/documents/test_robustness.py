@@ -46,6 +46,7 @@ def try_all(data, name="drawing.svg"):
     seed=st.integers(0, 2**32),
     kind=st.sampled_from(["cut", "byte", "number", "drop", "double"]),
 )
+@pytest.mark.full
 def test_spoiled_documents(sample, seed, kind):
     chance = random.Random(seed)
     text = sample.read_text()
@@ -90,6 +91,7 @@ def grid_document(chance, rows, columns, noise, opacity):
     metric=st.sampled_from(["flip", "ssim"]),
     method=st.sampled_from(["random", "grid", "dual-grid", "motorcycle", "gqe", "gqe1", "best"]),
 )
+@pytest.mark.full
 def test_random_meshes(seed, rows, columns, noise, opacity, epsilon, metric, method):
     data = grid_document(random.Random(seed), rows, columns, noise, opacity)
     document = gradmesh.loads(data)

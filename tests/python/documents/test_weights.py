@@ -39,6 +39,7 @@ def by_python(svg, **options):
 
 
 @pytest.mark.parametrize("method", ["plain", "gqe"])
+@pytest.mark.full
 def test_the_same_from_every_side(svg, tmp_path, monkeypatch, method):
     out = tmp_path / "out.svg"
     weights = {"all": 0.5, "eyes": 4}
@@ -56,10 +57,12 @@ def test_the_same_from_every_side(svg, tmp_path, monkeypatch, method):
     assert by_python(svg, method=method, weights=weights)[1] == written
 
 
+@pytest.mark.full
 def test_a_factor_of_one_changes_nothing(svg):
     assert by_python(svg, weights={"eyes": 1})[1] == by_python(svg)[1] == by_python(svg, weights={})[1]
 
 
+@pytest.mark.full
 def test_more_is_kept_where_errors_count_more(svg):
     numpy = pytest.importorskip("numpy")
     size = {"resolution": 300}
@@ -85,6 +88,7 @@ def test_more_is_kept_where_errors_count_more(svg):
     assert fewer < handles and larger > error
 
 
+@pytest.mark.full
 def test_where_shapes_overlap_the_last_one_counts(svg):
     alone = by_python(svg, weights={"all": 0.25})[1]
     assert by_python(svg, weights={"eyes": 4, "all": 0.25})[1] == alone
@@ -92,6 +96,7 @@ def test_where_shapes_overlap_the_last_one_counts(svg):
     assert by_python(svg, weights={"eyes": 4, "brow": 4})[1] == by_python(svg, weights={"eyes": 4})[1]
 
 
+@pytest.mark.full
 def test_curves_and_sessions_are_weighted(svg, tmp_path):
     curve, state = tmp_path / "curve.json", tmp_path / "state.svg"
     printed("simplify", svg, "--curve", curve, *OPTIONS, "--weigh", "eyes=4")
@@ -108,6 +113,7 @@ def test_curves_and_sessions_are_weighted(svg, tmp_path):
     assert state.read_bytes() == by_python(svg, amount="balanced", weights={"eyes": 4})[1]
 
 
+@pytest.mark.full
 def test_blocks_of_a_weighted_mesh_become_as_simple(svg, tmp_path):
     """Weights raise the errors of details, which no price of a merge knows. What an amount leaves is the
     curve's state of that amount, unless one with a smaller error has fewer handles already."""

@@ -47,12 +47,14 @@ def worst(page, sample, folder, **options):
 
 @pytest.mark.parametrize("amount", [pytest.param("gentle", marks=pytest.mark.long), "balanced"])
 @pytest.mark.parametrize("sample", sorted(file.stem for file in SAMPLES.glob("*.svg")))
+@pytest.mark.full(all_but=1)
 def test_no_detail_of_a_sample_is_seen(page, tmp_path, sample, amount):
     limit = PATTERN.get((sample, amount), SEEN[amount])
     assert worst(page(sample), sample, tmp_path, amount=amount) <= limit
 
 
 @pytest.mark.parametrize("sample", ["photo", "two"])
+@pytest.mark.full
 def test_the_mean_alone_lets_details_be_seen(page, tmp_path, sample):
     found = worst(page(sample), sample, tmp_path, epsilon=0.01, max_local_error=0.1)
     assert found > SEEN["balanced"]

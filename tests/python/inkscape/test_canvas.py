@@ -78,6 +78,7 @@ ITEMS = {
     [*((name, "box") for name in ITEMS), ("one mesh", "user")],
     ids=lambda name: name.replace(" ", "-"),
 )
+@pytest.mark.full(all_but=1)
 def test_the_canvas_is_as_the_page(inkscape, tmp_path, monkeypatch, name, units):
     monkeypatch.setenv("GRADMESH_UNATTENDED", "1")  # no line over the canvas that says what was done
     item, values, made = ITEMS[name]

@@ -11,6 +11,7 @@ ITEMS = [("swift", "import SwiftUI"), ("compose", "import androidx.compose")]
 
 
 @pytest.mark.parametrize("item, words", ITEMS)
+@pytest.mark.full(all_but=1)
 def test_a_copy_is_the_code_of_all_meshes(run, item, words):
     done = run(SAMPLES / "two.svg", item=item)
     assert (done.returncode, done.stderr) == (0, "")

@@ -226,6 +226,7 @@ def test_an_item_leaves_other_objects(ran):
     assert order[0] == order[1]
 
 
+@pytest.mark.full(all_but=1)
 def test_inkscape_opens_and_saves_it_again_without_change(inkscape, ran):
     (again,) = export(inkscape, [ran.after], kind="svg")
     assert info(again) == info(ran.after)
@@ -328,6 +329,7 @@ def test_inkex_compares_the_output(extension, tmp_path):
         ("two", ["cap", "stalk"]),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_the_mesh_is_smaller_and_looks_the_same(inkscape, tmp_path, sample, ids):
     before, after = SAMPLES / f"{sample}.svg", tmp_path / "after.svg"
     elements = simplified(inkscape, sample, after, ids, result="blocks")
@@ -373,6 +375,7 @@ NO_ERROR = {"amount": "custom", "epsilon": 0, "resolution": 2000, "visible_only"
         ({"result": "blocks", "amount": "patches", "patches": 20}, {"method": "best", "patches": 20}),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_blocks_with_their_settings(inkscape, tmp_path, values, options):
     """The same comes out as from Python: so every value of the preferences has reached the core."""
     document = gradmesh.load(SAMPLES / "two.svg")
@@ -401,6 +404,7 @@ def test_a_fault_changes_nothing(inkscape, untouched, tmp_path):
         ({"preview": "true"}, "patches would be left, with an error of FLIP 0."),
     ],
 )
+@pytest.mark.full
 def test_what_is_only_said_changes_nothing(inkscape, untouched, tmp_path, values, words):
     """It is said in a dialog only where Python has no GTK 3, and always in the log."""
     set_values(inkscape, **{"resolution": 100, **values})
@@ -412,6 +416,7 @@ def test_what_is_only_said_changes_nothing(inkscape, untouched, tmp_path, values
     assert all_but_the_view(after) == all_but_the_view(untouched)
 
 
+@pytest.mark.full
 def test_twice_is_once_more(inkscape, tmp_path):
     """What Inkscape saved is simplified again, and the label still counts from the first mesh."""
     once, twice = tmp_path / "once.svg", tmp_path / "twice.svg"

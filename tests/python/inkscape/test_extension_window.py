@@ -38,6 +38,7 @@ def are_alike(picture, other):
     return max(abs(now - before) for now, before in zip(picture, other)) <= 1
 
 
+@pytest.mark.full
 def test_say_apply_and_undo(tmp_path):
     image = pytest.importorskip("PIL.Image")
     svg = tmp_path / "fruit.svg"
@@ -101,6 +102,7 @@ def test_say_apply_and_undo(tmp_path):
 OLD_VALUES = {"amount": "patch-share", "share": 1, "result": "gqe", "tab": "help", "visible_only": 1}
 
 
+@pytest.mark.full
 def test_old_values_are_shown_and_run_as_usual(tmp_path, monkeypatch):
     """An old value is no choice of a list, which then shows its first choice, and that is run. Without
     the dialog the old value is run."""
@@ -147,6 +149,7 @@ def all_but_the_view(text):
     return ET.canonicalize(text, exclude_tags=["{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}namedview"])
 
 
+@pytest.mark.full
 def test_saved_undone_and_saved_as_with_an_extension_of_inkscapes_own(tmp_path):
     """Inkscape 1.2 has two faults here, with any edit. Undone as far as to the document that was
     opened it has nothing to save, whatever was saved between: so there is a first edit. And saving

@@ -85,11 +85,13 @@ def test_what_is_chosen_is_written_in_one_step_of_undo(by_eye, svg, tmp_path):
     assert path.tag == "{http://www.w3.org/2000/svg}path"
 
 
+@pytest.mark.full
 def test_inkscape_puts_no_box_of_its_own_above_the_window(by_eye):
     by_eye.key("End")
     assert sorted(by_eye.titles()) == sorted(["fruit.svg - Simplify by Eye", "fruit.svg - Inkscape"])
 
 
+@pytest.mark.full
 def test_clicks_on_the_waiting_inkscape_neither_cover_the_window_nor_are_answered_later(tmp_path, svg):
     reason = inkscape_harness.missing("openbox", "xprop")
     if reason:
@@ -116,6 +118,7 @@ def test_clicks_on_the_waiting_inkscape_neither_cover_the_window_nor_are_answere
     assert rectangles(svg) == before, "the tool is the one that it was"
 
 
+@pytest.mark.full
 def test_a_line_is_taken_out_by_a_click_and_what_is_protected_stays(by_eye, svg, tmp_path):
     patches = pear(svg).patches
     untouched = picture_of(by_eye, tmp_path)
@@ -134,6 +137,7 @@ def test_a_line_is_taken_out_by_a_click_and_what_is_protected_stays(by_eye, svg,
     assert pear(svg).patches < patches
 
 
+@pytest.mark.full
 def test_keys_show_what_is_known_and_take_the_brush(by_eye, svg, tmp_path):
     before, plain = pear(svg).patches, picture_of(by_eye, tmp_path)
     seen = []
@@ -152,6 +156,7 @@ def test_keys_show_what_is_known_and_take_the_brush(by_eye, svg, tmp_path):
     assert pear(svg).patches == before - 3, "one of four"
 
 
+@pytest.mark.full
 def test_cancelled_the_document_is_as_it_was(by_eye, svg):
     before = svg.read_bytes()
     by_eye.key("End")
@@ -184,6 +189,7 @@ def told(run, tmp_path):
 
 
 @pytest.mark.parametrize("saved, theme", [("1", "dark"), ("0", "light")])
+@pytest.mark.full(all_but=1)
 def test_the_window_is_as_inkscape_is(told, tmp_path, saved, theme):
     (tmp_path / "preferences.xml").write_text(
         f'<inkscape version="1"><group id="theme" preferDarkTheme="{saved}"/></inkscape>'

@@ -80,6 +80,7 @@ def test_pages_for_which_there_is_no_time_are_told(tmp_path):
 
 
 @needs("ps", *inkscape_harness.WINDOW_PROGRAMS)
+@pytest.mark.full
 def test_a_hanging_run_is_ended_with_all_it_started(tmp_path):
     with Inkscape() as inkscape:
         inkscape.install(*extension(tmp_path, "import time\ntime.sleep(1000)\n"))

@@ -217,6 +217,7 @@ def painted(inkscape, tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.full(all_but=1)
 def test_reads_what_inkscape_paints(painted, name):
     path, png = painted[name]
     ours = gradmesh.render(gradmesh.load(path), "box", PIXELS, like_inkscape=True).astype(int)

@@ -54,6 +54,7 @@ def log(tmp_path):
         ("simplify_by_eye", ["--id=spot"], "None of the selected objects"),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_what_is_no_fault_is_no_alarm(seen, tmp_path, item, options, words):
     text = (SAMPLES / "fruit.svg").read_text().replace("</svg>", RECT)
     done = seen(text, *options, item=item)
@@ -69,6 +70,7 @@ def test_what_is_no_fault_is_no_alarm(seen, tmp_path, item, options, words):
         ("save", [], "holds one gradient mesh"),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_faults_and_files_that_are_not_written_are_one(seen, item, options, words):
     document = "<svg" if item == "simplify" else SAMPLES / "two.svg"
     assert words in refused(seen(document, *options, item=item))

@@ -76,6 +76,7 @@ def test_merge_heeds_rows_of_one_block_alone(run, simplified):
 
 
 @pytest.mark.parametrize("show", ["edges", "errors", "faces", "motorcycle", "regions"])
+@pytest.mark.full(all_but=1)
 def test_analysis_comes_and_goes(run, show):
     shown = run(SAMPLES / "fruit.svg", "--id=pear", f"--show={show}", item="show_analysis")
     assert shown.stderr == ""
@@ -105,6 +106,7 @@ def test_analysis_comes_and_goes(run, show):
         ("show_analysis", ["--id=pear", "--show=taste"], "'taste'"),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_other_items_refuse_in_one_sentence(run, item, options, words):
     assert words in refused(run(SAMPLES / "fruit.svg", *options, item=item))
 

@@ -172,6 +172,7 @@ def difference(before, after):
 
 
 @pytest.mark.parametrize("name, done", lines())
+@pytest.mark.full
 def test_the_page_looks_the_same(pages, name, done):
     found, missing = pages
     page = found[name, done]

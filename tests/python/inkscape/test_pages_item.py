@@ -80,6 +80,7 @@ def test_the_current_layer_takes_them(run, file):
 
 
 @pytest.mark.parametrize("name", ["drawing.svg", "drawing.pdf", "drawing.pdf.svg"])
+@pytest.mark.full(all_but=1)
 def test_where_no_file_is_chosen_it_is_that_of_the_document(run, file, name):
     document = file("/sh sh").with_name(name)
     done = run(DOCUMENT, "--file=", item="pages", path=str(document))
@@ -136,6 +137,7 @@ def test_python_may_stop_it(file):
 
 
 @pytest.mark.parametrize("item", ["pdf", "ai"])
+@pytest.mark.full(all_but=1)
 def test_open_and_import_read_the_meshes_alone(run, file, tmp_path, item):
     path = file("/sh sh", "/sh sh")
     opened = run(path.read_bytes(), item=item)
@@ -159,6 +161,7 @@ def told(done):
 
 
 @needs("xdotool")
+@pytest.mark.full
 def test_inkscapes_own_import_stays(extension, tmp_path):
     """Beside two further types of file for the same endings: what chooses no type asks, and makes, what it did."""
     sample = SAMPLES / "two.svg"
@@ -184,6 +187,7 @@ def test_inkscapes_own_import_stays(extension, tmp_path):
 @needs()
 # Of opacity's pattern Inkscape's import makes the negative, and it leaves out fruit's shadow.
 @pytest.mark.parametrize("name, whole", [("face", True), ("two", True), ("fruit", False), ("opacity", False)])
+@pytest.mark.full(all_but=1)
 def test_meshes_take_the_place_of_what_inkscape_imports(inkscape, extension, file, tmp_path, name, whole):
     """Of the tiles that Inkscape makes of its own PDF, below what lies on them, in one step of undo."""
     file("/sh sh")  # Skips where there is no PDF.

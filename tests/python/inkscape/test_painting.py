@@ -117,6 +117,7 @@ def drawn(inkscape, tmp_path_factory):
 
 
 @pytest.mark.parametrize("sheet", SHEETS, ids=lambda sheet: f"{sheet[0]} {sheet[1]}")
+@pytest.mark.full(all_but=1)
 def test_like_inkscape_is_what_inkscape_paints(drawn, sheet):
     off = drawn(sheet, levels, like_inkscape=True)
     # Of opacities and of bicubic colours a rounding in a hundred thousand falls the other way.
@@ -132,6 +133,7 @@ def test_where_inkscape_puts_its_strips_makes_little_difference(drawn):
 
 
 @pytest.mark.parametrize("sheet", SHEETS, ids=lambda sheet: f"{sheet[0]} {sheet[1]}")
+@pytest.mark.full(all_but=1)
 def test_centres_of_pixels_are_on_the_same_surface(drawn, sheet):
     """Cairo takes another point of the pixel, up to one pixel away, and rounds down twice."""
     beyond = drawn(sheet, levels_beyond_neighbours)

@@ -49,6 +49,7 @@ def read_samples(inkscape, tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", SAMPLES_WITH_MESHES)
+@pytest.mark.full(all_but=1)
 def test_a_sample_comes_back(read_samples, name):
     source, back = read_samples[name]
     was, now = listed(source)["meshes"], listed(back)["meshes"]
@@ -90,6 +91,7 @@ def document(path, style):
 
 
 @pytest.mark.parametrize("style", CASES.values(), ids=CASES)
+@pytest.mark.full(all_but=1)
 def test_a_stroke_comes_back(inkscape, tmp_path, style):
     source = document(tmp_path / "stroke.svg", style)
     pdf, back = tmp_path / "stroke.pdf", tmp_path / "back.svg"

@@ -41,6 +41,7 @@ def pages(request, inkscape, tmp_path_factory):
 
 
 @pytest.mark.parametrize("page", SEEDS)
+@pytest.mark.full
 def test_a_page_looks_as_poppler_shows_it(pages, page):
     outcome = pages[page]
     if outcome.passes(LIMIT):
@@ -56,6 +57,7 @@ def test_a_seed_gives_the_same_page():
 
 
 @pytest.mark.parametrize("feature", (*random_pages.FEATURES, *random_pages.BEYOND_POPPLER))
+@pytest.mark.full(all_but=1)
 def test_a_feature_is_left_out_by_its_name(feature):
     others = set(random_pages.FEATURES) - {feature}
     # The first line of a table is taken where no other one may be.

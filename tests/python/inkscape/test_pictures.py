@@ -74,6 +74,7 @@ def gradients(inkscape, tmp_path_factory):
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
 @pytest.mark.parametrize("which", ["meshes", "gradients"])
+@pytest.mark.full(all_but=1)
 def test_gradmesh_paints_a_mesh_as_inkscape_does(request, which, sample, painted):
     theirs, ours = request.getfixturevalue(which)[painted]
     assert flip(theirs, ours) <= SAME
@@ -82,6 +83,7 @@ def test_gradmesh_paints_a_mesh_as_inkscape_does(request, which, sample, painted
 
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
+@pytest.mark.full(all_but=1)
 def test_the_centre_of_a_pixel_is_on_the_same_surface(meshes, tmp_path, sample, painted):
     theirs, _ = meshes[painted]
     gradmesh("render", SAMPLES / f"{sample}.svg", "--id", painted, "-o", tmp_path / "centre.png")
@@ -93,6 +95,7 @@ def test_the_centre_of_a_pixel_is_on_the_same_surface(meshes, tmp_path, sample, 
 
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
+@pytest.mark.full
 def test_blocks_show_no_seams_in_inkscape(blocks, sample, painted):
     theirs, ours = blocks[painted]
     levels = difference(theirs, ours)
@@ -119,6 +122,7 @@ def pages(inkscape, tmp_path_factory):
 
 
 @pytest.mark.parametrize("sample", PAINTED)
+@pytest.mark.full(all_but=1)
 def test_the_page_looks_the_same_in_inkscape(pages, sample):
     assert flip(*pages[sample]) <= EPSILON + 0.003
 
@@ -146,12 +150,14 @@ def saved(inkscape, coarse):
 
 
 @pytest.mark.parametrize("sample", PAINTED)
+@pytest.mark.full
 def test_the_mesh_survives_being_saved_by_inkscape(coarse, saved, tmp_path, sample):
     assert_same_meshes(coarse[sample], saved[sample], tmp_path)
 
 
 # One of each kind of group: clipped, masked, and with a group around it for the filter.
 @pytest.mark.parametrize("sample", ["fruit", "stroke", "transformed"])
+@pytest.mark.full
 def test_the_mesh_survives_being_moved_in_inkscape(inkscape, coarse, tmp_path, sample):
     (painted,) = PAINTED[sample]
     moved = tmp_path / "moved.svg"

@@ -94,6 +94,7 @@ def display():
 
 
 @pytest.mark.parametrize("stop, result", [("button", "gqe"), ("close", "gqe"), ("button", "one-mesh")])
+@pytest.mark.full(all_but=1)
 def test_the_window_tells_and_stops(run, display, tmp_path, stop, result):
     seen = tmp_path / "seen.json"
     what, before = ALL[result]

@@ -224,11 +224,13 @@ def is_empty(png):
 
 
 @pytest.mark.parametrize("name", [*PAINTED, *MADE])
+@pytest.mark.full
 def test_inkscape_shows_the_copy_as_it_shows_the_original(shown, name):
     assert alike(name, shown.expected[name], shown.again[name], INKSCAPE_AGAIN)
     assert is_empty(shown.expected[name]) == (name == "one colour, beside")
 
 
+@pytest.mark.full
 def test_all_ways_to_show_a_mesh_are_among_these(shown):
     ways = {told.shown_as for name in MADE for told in shown.told[name]}
     assert ways == {"picture", "linear gradient", "colour"}
@@ -266,6 +268,7 @@ def size_of(png):
 
 
 @pytest.mark.parametrize("name", PAINTED)
+@pytest.mark.full
 def test_chromium_shows_the_copy_as_inkscape_shows_the_original(shown, chromium, name):
     expected = shown.expected[f"bare {name}"]
     found = screenshot(chromium, shown.copy[f"bare {name}"], size_of(expected))
@@ -273,6 +276,7 @@ def test_chromium_shows_the_copy_as_inkscape_shows_the_original(shown, chromium,
     assert not is_empty(found)
 
 
+@pytest.mark.full
 def test_chromium_shows_no_mesh_of_the_original(shown, chromium):
     """Or there would be nothing to publish."""
     expected = shown.expected["bare fruit"]
@@ -298,6 +302,7 @@ def test_chromium_shows_all_kinds_of_objects(shown, chromium, name):
 
 @pytest.mark.skipif(RSVG is None, reason="librsvg2-bin is not installed")
 @pytest.mark.parametrize("name", PAINTED)
+@pytest.mark.full
 def test_librsvg_shows_the_copy_as_inkscape_shows_the_original(shown, name):
     copy = shown.copy[f"bare {name}"]
     found = copy.with_suffix(".rsvg.png")

@@ -59,6 +59,7 @@ def test_what_cannot_be_seen_is_a_person(extension, tmp_path):
 
 
 @pytest.mark.parametrize("item", ITEMS)
+@pytest.mark.full(all_but=1)
 def test_no_item_says_anything_where_nobody_is(run, extension, tmp_path, item):
     """Not even where a module does not load that comes before all others."""
     report = tmp_path / "report"
@@ -180,6 +181,7 @@ def test_no_refusal_stops_the_run(inkscape, simple, report, tmp_path):
     assert len(found) == len(REFUSALS)
 
 
+@pytest.mark.full
 def test_what_was_done_is_reported_too(inkscape, simple, report):
     # The mesh remembers what it was before it was simplified, so that more must be allowed now.
     set_simplify(inkscape, resolution=100, amount="custom", epsilon=0.06)
@@ -209,6 +211,7 @@ def test_what_was_done_is_reported_too(inkscape, simple, report):
         ({"result": "gqe", "epsilon": 0}, "unchanged", "nothing can be made simpler within an error"),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_settings(inkscape, report, tmp_path, values, outcome, words):
     values = {"amount": "custom", "resolution": 2000, "visible_only": "false", **values}
     set_simplify(inkscape, **values)
@@ -222,6 +225,7 @@ def test_settings(inkscape, report, tmp_path, values, outcome, words):
 OPENED = ["no mesh", "dangling href", "huge", "zero size"]
 
 
+@pytest.mark.full
 def test_bad_documents_in_one_run(inkscape, report, tmp_path):
     inkscape.set_values({})
     files = [tmp_path / f"{name}.svg" for name in OPENED]
@@ -237,6 +241,7 @@ def test_bad_documents_in_one_run(inkscape, report, tmp_path):
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".hemesh"])
+@pytest.mark.full(all_but=1)
 def test_hemesh_files(inkscape, report, tmp_path, suffix):
     """Refused, Inkscape 1.2.2 writes no file; of a document that it cannot save it ends at once."""
     inkscape.set_values({})
@@ -277,6 +282,7 @@ def log_of_a_run_with(file, change, item, folder):
 
 
 @pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.full(all_but=1)
 def test_faults(report, tmp_path, fault):
     """Where the report cannot be written either, the log says that there was a run."""
     file, broken, words = FAULTS[fault]
@@ -298,6 +304,7 @@ def test_warnings_and_libraries_are_heard_by_nobody(report, tmp_path):
 
 
 @pytest.mark.skipif(not REAL.is_dir(), reason=f"there is no {REAL}")
+@pytest.mark.full
 def test_documents_of_others_do_not_hold_up_the_run(inkscape, report, tmp_path):
     set_simplify(inkscape, resolution=200)
     files = [REAL / "elementary-wallpaper-64.svg", REAL / "nordzy-carla.svg", SAMPLES / "tensor.svg"]

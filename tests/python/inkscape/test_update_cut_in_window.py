@@ -47,18 +47,21 @@ def patches(net):
     return (net.shape[0] // 3) * (net.shape[1] // 3)
 
 
+@pytest.mark.full
 def test_one_block_has_more_patches(cutting):
     assert cutting.before.keys() == cutting.after.keys()
     grown = [n for n, net in cutting.before.items() if patches(cutting.after[n]) > patches(net)]
     assert len(grown) == 1
 
 
+@pytest.mark.full
 def test_updated_all_of_them_are_in_the_mesh(cutting):
     count = sum(map(patches, cutting.after.values()))
     assert count > 12 and f" {count} patches, " in cutting.said
     assert cutting.said.endswith(", updated\n")
 
 
+@pytest.mark.full
 def test_it_is_painted_as_before(cutting):
     whole = core.load(cutting.whole)
     before = core.render(whole).astype(int)

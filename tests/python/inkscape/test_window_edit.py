@@ -116,6 +116,7 @@ def changed_share(before, after, places):
     return np.mean([clear[y : y + 7, x : x + 7].any() for y, x in boxes])
 
 
+@pytest.mark.full
 def test_every_block_shows_its_handles_at_once(editing):
     assert len(editing.before) > 3
     for net in editing.before.values():
@@ -127,6 +128,7 @@ def test_every_block_shows_its_handles_at_once(editing):
     assert changed_share(editing.selected, editing.handles, everywhere) < 0.8
 
 
+@pytest.mark.full
 def test_a_dragged_corner_moves_in_every_block_that_has_it(editing):
     owners = [name for name, net in editing.before.items() if editing.corner in corners(net)]
     assert len(owners) > 1
@@ -139,6 +141,7 @@ def test_a_dragged_corner_moves_in_every_block_that_has_it(editing):
     assert abs(moved[0] - editing.corner - DRAG / editing.zoom) < 3 / editing.zoom
 
 
+@pytest.mark.full
 def test_all_other_corners_stay_where_they_are(editing):
     assert editing.before.keys() == editing.after.keys()
     for name, net in editing.before.items():
@@ -146,6 +149,7 @@ def test_all_other_corners_stay_where_they_are(editing):
         assert abs(corners(editing.after[name]) - corners(net))[stays].max() < ROUNDING
 
 
+@pytest.mark.full
 def test_the_edited_file_still_holds_the_same_mesh(editing):
     # As edited it is measured against itself.
     assert counts(editing.svg) == {**editing.counts_before, "remembers": False}

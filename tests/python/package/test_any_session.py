@@ -214,6 +214,7 @@ REAL = [*sorted((SHARED / "real").glob("*.svg")), *(SHARED / "meshes").glob("glo
 
 @pytest.mark.skipif(not REAL, reason="the documents beside the project are absent")
 @pytest.mark.parametrize("file", REAL, ids=lambda file: file.stem)
+@pytest.mark.full(all_but=1)
 def test_any_session_over_real_documents(file):
     document = gradmesh.load(file)
     try:

@@ -129,6 +129,7 @@ def expect_left_alone_in_a_sentence(data, name, words):
 
 
 @pytest.mark.parametrize("transform", ["", "translate(50 -30)", "rotate(20) scale(1.5)"])
+@pytest.mark.full(all_but=1)
 def test_it_is_remembered_in_the_other_document(simplified, other, tmp_path, transform):
     _, source, name = simplified
     pasted = f"{name}-2"
@@ -148,6 +149,7 @@ def test_it_is_remembered_in_the_other_document(simplified, other, tmp_path, tra
     assert [mesh for mesh in document.meshes if mesh.id != pasted] == others
 
 
+@pytest.mark.full(all_but=1)
 def test_edited_there_it_is_updated_there(kind, simplified, other):
     _, source, name = simplified
     data = paste(source, name, other, "-2", "scale(2)")
@@ -172,6 +174,7 @@ def test_edited_there_it_is_updated_there(kind, simplified, other):
 
 
 @pytest.mark.parametrize("into_itself", [True, False])
+@pytest.mark.full(all_but=1)
 def test_where_ids_are_there_twice_the_other_object_stays(simplified, tmp_path, into_itself):
     before, source, name = simplified
     target = source if into_itself else before
@@ -193,6 +196,7 @@ def test_where_ids_are_there_twice_the_other_object_stays(simplified, tmp_path, 
     assert remembers(document.to_bytes(), tmp_path) == [into_itself, True]
 
 
+@pytest.mark.full(all_but=1)
 def test_where_its_meshes_did_not_come_along_a_sentence_says_so(kind, simplified, other):
     _, source, name = simplified
     gone = []
@@ -213,6 +217,7 @@ def test_where_its_meshes_did_not_come_along_a_sentence_says_so(kind, simplified
         assert without(document.to_bytes(), "stalk") == without(data, "stalk")
 
 
+@pytest.mark.full(all_but=1)
 def test_without_its_mask_and_clip_it_is_what_is_seen_then(kind, simplified, other, tmp_path):
     """A mask that held the opacities is missed: nobody knows then what the mesh was."""
     _, source, name = simplified

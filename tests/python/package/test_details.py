@@ -55,6 +55,7 @@ def contrast(shown, centre):
 @pytest.mark.parametrize("amount", ["gentle", "balanced"])
 @pytest.mark.parametrize("name", SIZES)
 @pytest.mark.parametrize("seed", range(6))
+@pytest.mark.full(all_but=1)
 def test_a_detail_stays(name, amount, seed):
     text, centre = with_detail(name, seed)
     shown = gradmesh.loads(text)

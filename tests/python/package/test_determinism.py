@@ -31,6 +31,7 @@ def simplified(sample, painted, method, threads, **more):
     "sample, painted",
     [pytest.param(*pair, marks=pytest.mark.long) if pair[1] in LARGE else pair for pair in OBJECTS],
 )
+@pytest.mark.full(all_but=1)
 def test_the_same_bytes_on_any_number_of_threads(sample, painted, method):
     alone = simplified(sample, painted, method, 1)
     for threads in (2, 4):
@@ -38,6 +39,7 @@ def test_the_same_bytes_on_any_number_of_threads(sample, painted, method):
 
 
 @pytest.mark.parametrize("method", METHODS)
+@pytest.mark.full(all_but=1)
 def test_the_same_bytes_in_every_run(tmp_path, method):
     """Another process has its memory elsewhere."""
     sample, out = built.SAMPLES / "tensor.svg", tmp_path / "out.svg"

@@ -128,6 +128,7 @@ def test_what_cannot_be_merged_is_told_why(simplified):
 
 
 @pytest.mark.once
+@pytest.mark.full
 def test_blocks_of_two_meshes():
     document = gradmesh.load(SAMPLES / "two.svg")
     gradmesh.simplify(document, method="best", epsilon=0.02, resolution=100)
@@ -148,6 +149,7 @@ def look_the_same(a, b):
 @pytest.mark.once
 @pytest.mark.parametrize("whole", [False, True])
 @pytest.mark.parametrize("direction", ["rows", "columns", "both"])
+@pytest.mark.full(all_but=1)
 def test_refining_a_block_changes_nothing_that_is_seen(simplified, direction, whole):
     before = gradmesh.loads(simplified.to_bytes())
     for name in list(blocks(simplified))[:3]:
@@ -334,6 +336,7 @@ def test_what_is_no_color_is_a_value_error(color):
 
 @pytest.mark.once
 @pytest.mark.parametrize("sample", ["fruit", "transformed", "stroke", "two", "face", "opacity"])
+@pytest.mark.full(all_but=1)
 def test_one_mesh_again(sample):
     """Simplified and made one mesh: an ordinary object, that looks like the simplified one."""
     file = SAMPLES / f"{sample}.svg"
@@ -367,6 +370,7 @@ STYLED = """<svg xmlns="http://www.w3.org/2000/svg" width="300" height="300">
 
 
 @pytest.mark.parametrize("style", ["stroke:none", "stroke:#102030;stroke-width:3"])
+@pytest.mark.full(all_but=1)
 def test_styles_come_back(style):
     fruit = (SAMPLES / "fruit.svg").read_text()
     gradient = re.search(r"<meshgradient.*?</meshgradient>", fruit, re.S).group(0)

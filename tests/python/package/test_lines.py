@@ -122,6 +122,7 @@ def test_converted_its_colours_are_bicubic(tmp_path):
     assert gradmesh.load(out).meshes[0].patches == 88
 
 
+@pytest.mark.full
 def test_the_limit_counts_the_patches_of_the_document_not_those_that_are_painted(tmp_path):
     smooth, out = tmp_path / "photo.svg", tmp_path / "out.svg"
     text = (SAMPLES / "photo.svg").read_text()
@@ -133,6 +134,7 @@ def test_the_limit_counts_the_patches_of_the_document_not_those_that_are_painted
     printed("compare", smooth, out)
 
 
+@pytest.mark.full
 def test_what_the_outline_hides_need_not_count_for_a_smooth_mesh_either():
     """Its mesh has other units than the object; a corner of the vase shows all that there is."""
     text = VASE.read_text()
@@ -144,6 +146,7 @@ def test_what_the_outline_hides_need_not_count_for_a_smooth_mesh_either():
 
 
 @pytest.mark.parametrize("type", ["coons", "bicubic"])
+@pytest.mark.full(all_but=1)
 def test_inkscape_saves_the_same_mesh_again(inkscape, simplified, tmp_path, type):
     sample, painted = ("smooth", "vase") if type == "bicubic" else ("transformed", "leaf")
     source, saved = simplified[0][sample], tmp_path / "saved.svg"

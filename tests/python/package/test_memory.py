@@ -117,6 +117,7 @@ def test_forgetting_makes_the_file_smaller(copy):
 @pytest.mark.parametrize(
     "change", [lambda v: v[:-7], lambda v: "", lambda v: "AA" + v[2:], lambda v: "no memory"]
 )
+@pytest.mark.full(all_but=1)
 def test_a_damaged_memory_counts_as_absent(simplified, name, change):
     (sound,) = gradmesh.load(simplified).meshes
     change_memory(simplified, name, change)

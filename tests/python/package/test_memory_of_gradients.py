@@ -72,6 +72,7 @@ def error(path):
 
 
 @pytest.mark.parametrize("memory_is_kept", [True, False])
+@pytest.mark.full
 def test_errors_of_several_runs_add_up_without_memory_only(tmp_path, memory_is_kept):
     path, errors = tmp_path / "fruit.svg", []
     path.write_bytes(FRUIT.read_bytes())
@@ -88,6 +89,7 @@ def test_errors_of_several_runs_add_up_without_memory_only(tmp_path, memory_is_k
 @pytest.mark.parametrize(
     "sample", [pytest.param(name, marks=[pytest.mark.long] * (name == "photo")) for name in PAINTED]
 )
+@pytest.mark.full(all_but=1)
 def test_no_file_becomes_larger(sample, tmp_path):
     before, after = SAMPLES / f"{sample}.svg", tmp_path / "after.svg"
     simplify(before, after, max_local_error=0.1, visible_only=True)
@@ -116,6 +118,7 @@ def test_it_is_remembered_by_lines_too(tmp_path):
         assert again.error > 0.001  # an original of its own would begin with 0
 
 
+@pytest.mark.full
 def test_a_further_run_measures_against_it(copy):
     kept = memory(copy)
     options = {"original": gradmesh.load(FRUIT), "epsilon": 0, "preview": True}
@@ -160,6 +163,7 @@ def test_a_named_original_is_what_is_remembered(copy, tmp_path):
         (r'stop-color="(#\w{6})"', r'style="stop-color:\1;stop-opacity:1"', False),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_what_a_person_has_edited_is_the_new_original(copy, pattern, replacement, is_edit):
     assert remembers(copy)
     text, count = re.subn(pattern, replacement, copy.read_text(), count=1)

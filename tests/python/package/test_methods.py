@@ -28,6 +28,7 @@ FROM_BOTH_SIDES = [
 
 
 @pytest.mark.parametrize("options", FROM_BOTH_SIDES, ids=str)
+@pytest.mark.full(all_but=1)
 def test_every_option_from_both_sides(tmp_path, options):
     out, report = tmp_path / "out.svg", tmp_path / "report.json"
     flags = [text for name, value in options.items() for text in (f"--{name}", value)]
@@ -47,6 +48,7 @@ def test_every_option_from_both_sides(tmp_path, options):
 @pytest.mark.parametrize(
     "method, name, values", [("random", "seed", (1, 2)), ("gqe", "omega", (0, 1)), ("motorcycle", "kappa", (0, 20))]
 )
+@pytest.mark.full(all_but=1)
 def test_settings_reach_the_methods(method, name, values):
     made = [simplified(method=method, **{name: value})[1] for value in values]
     assert made[0] != made[1]
@@ -68,6 +70,7 @@ def test_by_default_one_object_with_few_handles_is_left(tmp_path):
 
 @pytest.mark.once
 @pytest.mark.parametrize("options", [{"patches": 60}, {"ratio": 0.5, "count": "patches"}, {"count": "patches"}])
+@pytest.mark.full
 def test_where_patches_are_counted_best_is_the_default(options):
     (result, data), best = simplified(**options), simplified(method="best", **options)
     assert result.method == "best" and data == best[1]
@@ -76,6 +79,7 @@ def test_where_patches_are_counted_best_is_the_default(options):
 
 @pytest.mark.once
 @pytest.mark.parametrize("target, most", [({"handles": 120}, 120), ({"ratio": 0.5}, 330), ({"handles": 30}, 30)])
+@pytest.mark.full(all_but=1)
 def test_of_svg_handles_are_counted(target, most):
     (result, data), plain = simplified(**target), simplified(method="plain", **target)
     assert (result.method, result.handles_before) == ("plain", 660) and data == plain[1]
@@ -84,6 +88,7 @@ def test_of_svg_handles_are_counted(target, most):
 
 
 @pytest.mark.once
+@pytest.mark.full
 def test_a_named_method_counts_patches_unless_told():
     best = simplified(method="best", ratio=0.5)[0]
     assert best.patches_after <= 66 and best.handles_after > 330

@@ -125,6 +125,7 @@ def test_handles_are_told_where_they_are_made_fewer(fruit):
     assert handles[-1] == fruit.meshes[0].handles < 660
 
 
+@pytest.mark.full
 def test_which_of_several_meshes_is_at_work_is_told():
     calls = []
     gradmesh.simplify(gradmesh.load(SAMPLES / "two.svg"), resolution=100, progress=calls.append)

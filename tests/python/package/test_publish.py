@@ -34,6 +34,7 @@ def sample(request):
     return request.param, ET.fromstring(text), Copy(text)
 
 
+@pytest.mark.full(all_but=1)
 def test_everything_but_the_painted_objects_stays_as_it_was(sample):
     name, before, after = sample
     gone = {e for mesh in before.iter(SVG + "meshgradient") for e in mesh.iter()}
@@ -50,6 +51,7 @@ def test_everything_but_the_painted_objects_stays_as_it_was(sample):
     assert expected.count(" id=") > 3 and expected.count("place") >= len(PAINTED[name])
 
 
+@pytest.mark.full(all_but=1)
 def test_what_is_told_is_what_is_there(sample):
     name, _, after = sample
     assert {told.id for told in after.told} == set(PAINTED[name])
@@ -63,6 +65,7 @@ def test_what_is_told_is_what_is_there(sample):
 
 @pytest.mark.once
 @pytest.mark.parametrize("name, painted", [pair for pair in OBJECTS if pair[0] not in TRANSLUCENT])
+@pytest.mark.full(all_but=1)
 def test_a_picture_shows_what_the_mesh_shows_there(name, painted):
     """Each pixel of gradmesh's own picture is found in the published one, of about as many pixels."""
     file = SAMPLES / f"{name}.svg"
@@ -137,6 +140,7 @@ def test_of_a_mesh_that_stays_one_gradient_goes_what_it_remembers():
 
 @pytest.mark.once
 @pytest.mark.parametrize("name", ["opacity", "stroke", "two", "transformed"])
+@pytest.mark.full(all_but=1)
 def test_blocks_of_other_samples(name):
     document = gradmesh.load(SAMPLES / f"{name}.svg")
     gradmesh.simplify(document, method="best", **SMALL)
@@ -202,6 +206,7 @@ def test_what_is_refused_stays_as_it_was(text, words):
 
 @pytest.mark.once
 @pytest.mark.parametrize("name", ["fruit", "two"])
+@pytest.mark.full(all_but=1)
 def test_the_same_bytes_in_every_run_and_on_any_number_of_cores(tmp_path, name):
     source, file = SAMPLES / f"{name}.svg", tmp_path / "copy.svg"
     expected = Copy(source.read_text()).bytes

@@ -241,6 +241,7 @@ def expected_pixels(image, mesh, box):
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("translucent", [False, True])
+@pytest.mark.full(all_but=1)
 def test_a_patch_has_its_colours_and_opacities(translucent, seed):
     """Within a level: Inkscape rounds down, and takes another point of a pixel than the middle."""
     chance = random.Random(seed)

@@ -24,6 +24,7 @@ def simplified(text, **options):
 
 
 @pytest.mark.parametrize("fan", [Fan(), Fan(clear=(2, 3, 4)), BACKGROUND], ids=["a", "b", "over"])
+@pytest.mark.full(all_but=1)
 def test_a_fan_keeps_few_patches_and_needs_no_mask(fan):
     document, result = simplified(fan.document(), **BALANCED)
     assert result.patches_after <= 16
@@ -32,6 +33,7 @@ def test_a_fan_keeps_few_patches_and_needs_no_mask(fan):
 
 
 @pytest.mark.skipif(inkscape_harness.missing() != "", reason=inkscape_harness.missing())
+@pytest.mark.full
 def test_inkscape_paints_the_fans_page_as_before(tmp_path):
     """Within the bound, and what it paints otherwise of other patches' points."""
     text = BACKGROUND.document()
@@ -64,6 +66,7 @@ HOLDER = {"clip path": "clip-path", "mask": "mask"}
 
 @pytest.mark.parametrize("kind", WINDOW)
 @pytest.mark.parametrize("place", ["object", "group"])
+@pytest.mark.full(all_but=1)
 def test_what_is_clipped_or_masked_around_it_does_not_count(kind, place):
     """Through a small window that is turned with the group, less of the mesh is seen."""
     hole = '<g transform="translate(-5 0)"><path style="fill:#fff" d="M 85,130 h 30 v 30 h -30 z"/></g>'

@@ -26,6 +26,7 @@ def samples(session, **what):
     return pixels
 
 
+@pytest.mark.full
 def test_states_are_written_as_the_command_line_does(tmp_path):
     curve, out = tmp_path / "curve.json", tmp_path / "out.svg"
     printed("simplify", FRUIT, "--curve", curve, "--resolution", 64)
@@ -48,6 +49,7 @@ def test_states_are_written_as_the_command_line_does(tmp_path):
     assert (result.id, result.handles_after) == ("pear", handles[state]) == (pear["id"], pear["handles"])
 
 
+@pytest.mark.full
 def test_marked_states_are_what_the_amounts_leave(tmp_path):
     curve, state, amount = tmp_path / "curve.json", tmp_path / "state.svg", tmp_path / "amount.svg"
     size = ("--resolution", 128)
@@ -136,6 +138,7 @@ def test_merging_a_set_has_a_price():
     assert "two or more" in str(session.propose_merge(session.status["protected"]).why_not)
 
 
+@pytest.mark.full
 def test_errors_count_more_in_some_patches():
     document, session = opened()
     patches = session.patches_in(VIEW, [(60, 60), (140, 60), (140, 180), (60, 180)])
@@ -153,6 +156,7 @@ def test_errors_count_more_in_some_patches():
     assert session.status["error"] == before and samples(session) == picture
 
 
+@pytest.mark.full
 def test_protected_patches_stay():
     _document, session = opened()
     everything = [(0, 0), (200, 0), (200, 260), (0, 260)]
@@ -173,6 +177,7 @@ def test_protected_patches_stay():
     assert session.refresh(wait=True)["curves"]["one gradient"]["states"] == free
 
 
+@pytest.mark.full
 def test_the_first_state_is_the_mesh_as_it_is():
     _document, session = opened()
     first = session.refresh(wait=True)["curves"]["one gradient"]["states"][0]
@@ -223,6 +228,7 @@ def test_what_is_known_is_found_out_and_forgotten():
         session.find_out("nothing")
 
 
+@pytest.mark.full
 def test_each_ground_is_another_picture():
     _document, session = opened()
     session.show("one gradient", len(session.refresh(wait=True)["curves"]["one gradient"]["states"]) - 1)
@@ -260,6 +266,7 @@ def test_what_cannot_be_is_refused():
         lambda session: session.paint(VIEW, marked=[9999]),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_what_a_smooth_mesh_or_no_mesh_allows_is_refused(edit):
     _document, session = opened(SAMPLES / "smooth.svg")
     before = dict(session.status)

@@ -48,12 +48,14 @@ def enlarged(picture, factor):
     return np.floor(along(along(picture).swapaxes(0, 1)).swapaxes(0, 1) + 1e-9)
 
 
+@pytest.mark.full
 def test_the_samples_are_small():
     """0.3 MB as meshes, 2.3 MB as exact pictures."""
     copies = {name: published((SAMPLES / f"{name}.svg").read_text())[2] for name in PAINTED}
     assert sum(map(len, copies.values())) <= 800_000
 
 
+@pytest.mark.full
 def test_a_large_page_of_few_patches_is_small():
     """Its exact picture takes 2.1 MB."""
     corners = [[0, 1980, 3840], [1020j, 2100 + 1140j, 3840 + 960j], [2160j, 1850 + 2160j, 3840 + 2160j]]
@@ -67,6 +69,7 @@ def test_a_large_page_of_few_patches_is_small():
 
 
 @pytest.mark.parametrize("opacity", [1, 0.7])
+@pytest.mark.full(all_but=1)
 def test_an_enlarged_picture_shows_the_exact_one(opacity):
     """Of one patch, whose colours are known at each place."""
     colours = [[(c, opacity) for c in line] for line in MANY]

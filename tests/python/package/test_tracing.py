@@ -28,6 +28,7 @@ def test_a_mesh_that_looks_like_the_picture(picture):
     assert traced.advice is None and not traced.stopped
 
 
+@pytest.mark.full
 def test_an_amount_stands_for_an_epsilon(picture):
     gentle, balanced, strong = (gradmesh.trace(picture, amount=name) for name in ("gentle", "balanced", "strong"))
     assert gentle.errors.flip < balanced.errors.flip <= 0.03 < strong.errors.flip
@@ -146,6 +147,7 @@ def test_a_traced_mesh_is_measured_against_its_picture(picture, tmp_path):
     assert without.error < here.error
 
 
+@pytest.mark.full
 def test_an_amount_is_beyond_what_the_trace_left_out(picture):
     document = document_on(picture)
     (traced,) = gradmesh.trace_in(document, ["photo"], handles=150, epsilon=0)
@@ -164,6 +166,7 @@ def test_an_amount_is_beyond_what_the_trace_left_out(picture):
         lambda text: re.sub(r"(stop-color(?:=.|:))#[0-9a-f]{6}", r"\1#102030", text, count=1),
     ),
 )
+@pytest.mark.full(all_but=1)
 def test_what_was_changed_since_is_its_own_original(picture, tmp_path, change):
     document = document_on(picture)
     (traced,) = gradmesh.trace_in(document, ["spot"], handles=40)

@@ -25,6 +25,7 @@ def require_benchmarks():
         pytest.skip("benchmarks are of Release builds only")
 
 
+@pytest.mark.full
 def test_tables_are_printed_and_kept(tmp_path):
     require_benchmarks()
     kept = tmp_path / "bench.json"

@@ -204,6 +204,7 @@ ExtensionsTarget("extension", "Extensions", "extensions")._install(sys.argv[1], 
 
 @in_inkscape.needs()
 @pytest.mark.skipif(not (INKEX / "inkman").is_dir(), reason="there is no extension manager")
+@pytest.mark.full
 def test_the_extension_manager_installs_the_zip(archive, tmp_path):
     pytest.importorskip("appdirs", reason="the extension manager imports it, and Debian 13 has it no more")
     with Inkscape(values={"org.gradmesh.simplify.result": "gqe"}) as inkscape:
@@ -224,6 +225,7 @@ def debian_package(tmp_path_factory):
 
 
 @needs("cpack", "dpkg", "dpkg-deb", "dpkg-shlibdeps")
+@pytest.mark.full
 def test_the_debian_package_runs_from_any_root(debian_package, tmp_path):
     run("dpkg", "-x", debian_package, tmp_path)
     usr = tmp_path / "usr"
@@ -248,6 +250,7 @@ def test_the_debian_package_runs_from_any_root(debian_package, tmp_path):
 
 
 @needs("cpack", "dpkg", "dpkg-deb", "dpkg-shlibdeps")
+@pytest.mark.full
 def test_the_debian_package_names_what_it_needs(debian_package):
     depends = run("dpkg-deb", "--field", debian_package, "Depends")
     names = set(re.findall(r"(?:^|, )([\w.+-]+)", depends))
@@ -268,6 +271,7 @@ def has_modules(*names):
     not has_modules("pip", "setuptools", "wheel"),
     reason="not installed: python3-pip, python3-setuptools or python3-wheel",
 )
+@pytest.mark.full
 def test_the_wheel_is_installed_by_pip(tmp_path):
     source, dist, target = (tmp_path / name for name in ("source", "dist", "target"))
     shutil.copytree(ROOT / "python", source / "python")  # setuptools leaves files beside its sources

@@ -56,6 +56,7 @@ def rendered(inkscape, image, text, folder, only=None):
 
 
 @pytest.mark.parametrize("sample", PAINTED)
+@pytest.mark.full(all_but=1)
 def test_inkscape_renders_the_page_at_its_size(inkscape, image, tmp_path, sample):
     text = (SAMPLES / f"{sample}.svg").read_text(encoding="utf-8")
     picture = rendered(inkscape, image, text, tmp_path)
@@ -66,6 +67,7 @@ def test_inkscape_renders_the_page_at_its_size(inkscape, image, tmp_path, sample
 
 
 @pytest.mark.parametrize("sample, painted", OBJECTS)
+@pytest.mark.full(all_but=1)
 def test_the_mesh_paints_the_whole_object_without_its_fallback(
     inkscape, image, tmp_path, sample, painted
 ):

@@ -103,6 +103,7 @@ def test_a_translation_has_the_places_of_its_message():
         ),
     ],
 )
+@pytest.mark.full(all_but=1)
 def test_a_refusal_of_the_core_is_german_throughout(run, document, item, options, said):
     if document in BAD:
         done = run(BAD[document].text, "--id=box", *options, item=item, **GERMAN)
@@ -117,6 +118,7 @@ def label(svg):
     return pear.get("{http://www.inkscape.org/namespaces/inkscape}label")
 
 
+@pytest.mark.full
 def test_labels_are_german_and_go_with_the_blocks(run):
     options = ("--id=pear", "--result=blocks", "--resolution=150")
     simplified = run(SAMPLES / "fruit.svg", *options, **GERMAN).stdout
@@ -130,6 +132,7 @@ def test_labels_are_german_and_go_with_the_blocks(run):
 
 
 @pytest.mark.parametrize("show", ["edges", "errors", "faces", "motorcycle", "regions"])
+@pytest.mark.full(all_but=1)
 def test_drawings_are_german_throughout(run, show):
     """No text of a drawing is as in English, but for numbers."""
 
