@@ -73,7 +73,7 @@ std::string element(const Layer& layer) {
   return text + "</g>\n";
 }
 
-std::string rectangle(glm::dvec2 low, glm::dvec2 high) {
+std::string box_attributes(glm::dvec2 low, glm::dvec2 high) {
   return attribute("x", low.x) + attribute("y", low.y) + attribute("width", high.x - low.x) +
          attribute("height", high.y - low.y);
 }
@@ -81,7 +81,7 @@ std::string rectangle(glm::dvec2 low, glm::dvec2 high) {
 std::string element(const PlacedImage& picture) {
   return R"(<g inkscape:groupmode="layer" inkscape:label="Picture")" +
          attribute("opacity", picture.opacity) + ">\n<image" +
-         rectangle(picture.low, picture.high) + " preserveAspectRatio=\"none\"" +
+         box_attributes(picture.low, picture.high) + " preserveAspectRatio=\"none\"" +
          attribute("xlink:href", "data:image/png;base64," + base64(png_bytes(picture.image))) +
          "/>\n</g>\n";
 }
@@ -99,7 +99,7 @@ std::string svg_text(const Drawing& drawing) {
       attribute("viewBox", format_number(low.x) + " " + format_number(low.y) + " " +
                                format_number(size.x) + " " + format_number(size.y)) +
       " font-family=\"sans-serif\">\n<title>" + escaped(drawing.title) + "</title>\n<rect" +
-      rectangle(low, drawing.box.high()) + " fill=\"white\"/>\n";
+      box_attributes(low, drawing.box.high()) + " fill=\"white\"/>\n";
   if (drawing.picture) text += element(*drawing.picture);
   for (const Layer& layer : drawing.layers) text += element(layer);
   return text + "</svg>\n";

@@ -6,12 +6,12 @@ namespace gradmesh {
 namespace {
 
 /// Within how many pixels of the pointer a point or handle is meant, on an ordinary screen.
-constexpr double reach = 10;
+constexpr double grip_reach = 10;
 
 }  // namespace
 
 void ShapeTool::point(Eye& eye, glm::dvec2 at, const Held&) {
-  grip_ = grip_at(eye.session().mesh(), eye.to_pixels(), at, reach * eye.density);
+  grip_ = grip_at(eye.session().mesh(), eye.to_pixels(), at, grip_reach * eye.density);
 }
 
 glm::dvec2 ShapeTool::place_of_grip(const Eye& eye) const {

@@ -17,6 +17,11 @@ inline std::optional<double> number_of(QPDFObjectHandle object) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+/// Returns the elements of an array; none if it is none.
+inline std::vector<QPDFObjectHandle> elements_of(QPDFObjectHandle object) {
+  return object.isArray() ? object.getArrayAsVector() : std::vector<QPDFObjectHandle>();
+}
+
 /// Returns the numbers of an array; empty if it is none, or holds something else.
 inline std::vector<double> numbers_of(QPDFObjectHandle object) {
   std::vector<double> numbers;

@@ -11,10 +11,6 @@ namespace {
 /// Expressions and memberships of strangers may lie in one another without end.
 constexpr int deepest = 32;
 
-std::vector<QPDFObjectHandle> elements_of(QPDFObjectHandle object) {
-  return object.isArray() ? object.getArrayAsVector() : std::vector<QPDFObjectHandle>();
-}
-
 /// Returns what the usage of a layer says of viewing it: by the categories of a usage application
 /// (ISO 32000-1, tables 102 and 103) whose answer depends on nothing but the event.
 std::optional<bool> state_by_usage(QPDFObjectHandle layer, QPDFObjectHandle categories) {

@@ -25,10 +25,6 @@ int code_of(QPDFObjectHandle object, int otherwise) {
   return clamped_int(number_of(object).value_or(otherwise), -1, most_codes);
 }
 
-std::vector<QPDFObjectHandle> elements_of(QPDFObjectHandle object) {
-  return object.isArray() ? object.getArrayAsVector() : std::vector<QPDFObjectHandle>();
-}
-
 /// Returns the font that a descriptor holds, if it does.
 std::shared_ptr<FontFile> file_of(QPDFObjectHandle descriptor) {
   for (const char* key : {"/FontFile", "/FontFile2", "/FontFile3"})

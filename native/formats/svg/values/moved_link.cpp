@@ -10,14 +10,14 @@ namespace gradmesh {
 namespace {
 
 /// A part of the path in an address.
-struct Part {
+struct LinkPart {
   std::string spelled;
   /// Without percent-encoding.
   std::string name;
 
-  bool operator==(const Part& other) const { return name == other.name; }
+  bool operator==(const LinkPart& other) const { return name == other.name; }
 };
-using Parts = std::vector<Part>;
+using Parts = std::vector<LinkPart>;
 
 bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_ascii_digit(char c) { return c >= '0' && c <= '9'; }
@@ -100,7 +100,7 @@ std::string relative_path(const Parts& folder, const Parts& file) {
 /// Returns the address of a file below a root, such as a drive of Windows.
 std::string absolute_address(const std::string& root, const Parts& file) {
   std::string address = root.starts_with("//") ? "file:" + root : "file:///" + root;
-  for (const Part& part : file) address += "/" + part.spelled;
+  for (const LinkPart& part : file) address += "/" + part.spelled;
   return address;
 }
 
