@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures of the README and the manual into docs/images/, all from the real thing.
+"""Writes the pictures of the README and the pages for people into docs/images/, all from the real thing.
 
     make_readme_pictures.py       (after scripts/setup)
 
@@ -113,6 +113,7 @@ def before_after(folder, out):
 # Where things are on the harness's screen once the page fits the window.
 PEAR, LIVE_PREVIEW = (750, 480), (24, 517)
 MESH_TOOL, WINDOW, MESH = (16, 511), (0, 0, 1110, 960), (500, 270, 930, 830)
+PANS, BESIDE = 20, (0, 0, 1300, 960)
 
 
 def shot(window, folder, area):
@@ -127,9 +128,11 @@ def dialog(folder, out):
         with inkscape.window(SAMPLES / f"{SAMPLE}.svg") as window:
             window.key("5")
             window.click(*PEAR)
+            for _ in range(PANS):
+                window.key("ctrl+Left")  # so that the dialog covers nothing of the pear
             window.key("F10")
             window.click(*LIVE_PREVIEW)
-            shot(window, folder, WINDOW).save(out, optimize=True)
+            shot(window, folder, BESIDE).save(out, optimize=True)
 
 
 #: Of the window of 1200 x 900 over the sample "face", in the display's corner: around each eye and the
@@ -169,8 +172,10 @@ def nodes(folder, out):
 
 
 def report(folder, out):
-    page = folder / "report.html"
-    run("report", SAMPLES / f"{SAMPLE}.svg", folder / "after.svg", "-o", page)
+    sample = SAMPLES / f"{SAMPLE}.svg"
+    after, done, page = folder / "after.svg", folder / "run.json", folder / "report.html"
+    run("simplify", sample, "-o", after, "--id", MESH_ID, "--report", done)
+    run("report", sample, after, "-o", page, "--run", done)
     with browser.chromium(1100, 900) as chromium:
         chromium.get(page.as_uri())
         chromium.save_screenshot(str(out))

@@ -3,7 +3,6 @@
 
     make_tutorial_pictures.py       (after scripts/setup)
 
-photograph-import.png      what Inkscape asks about a picture that is imported
 photograph-path.jpg        the path while the pen tool draws it, and its nodes
 photograph-dialog.jpg      the dialog of Trace Picture, with its preview
 photograph-result.jpg      the photograph and the mesh, at 100 % and at 200 %
@@ -106,8 +105,7 @@ def import_photograph(window, folder, photograph):
     window.xdotool("type", "--delay", "60", str(photograph))
     window.settle()
     window.key("Return")
-    dialog = focus(window, "bitmap image import")
-    save(shot(window, folder, (0, 0, *size_of(window, dialog))), "photograph-import.png")
+    focus(window, "bitmap image import")
     window.key("Return")
     focus(window, "drawing.svg")
     window.key("ctrl+shift+r")

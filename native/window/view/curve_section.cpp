@@ -160,8 +160,7 @@ void show_curve(const Panel& panel) {
   show_slider(panel);
   show_amounts(panel);
   if (panel.eye.session().shown().is_made_by_hand())
-    panel.ui.text(
-        panel.ui.said(Message("What was made by hand stays, and is what errors are measured by.")));
+    panel.ui.text(panel.ui.said(Message("Hand edits stay, and errors are measured against them.")));
   panel.ui.check(Message("By patches"), Message("Draw the curve by patches, not by handles"),
                  panel.eye.looks.by_patches);
 }

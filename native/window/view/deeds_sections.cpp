@@ -70,7 +70,7 @@ void show_meshes(const Panel& panel) {
   const bool is_open = ImGui::BeginCombo("##meshes", eye.id().c_str());
   panel.ui.note("meshes");
   if (!is_open)
-    return panel.ui.tip(Message("Which mesh is looked at; what was made of others stays"));
+    return panel.ui.tip(Message("Choose the mesh to work on. Changes of the others stay"));
   for (std::size_t i = 0; i < eye.ids().size(); ++i) {
     ImGui::PushID(int(i));
     if (ImGui::Selectable(eye.ids()[i].c_str(), eye.id() == eye.ids()[i])) eye.choose(i);
@@ -110,13 +110,12 @@ void show_marked(const Panel& panel) {
     eye.merge_marked();
   Ui::beside();
   if (panel.ui.button(protect,
-                      is_release
-                          ? Message("Let what is marked change again (P)")
-                          : Message("Let what is marked stay as it is, whatever is done (P)"),
+                      is_release ? Message("Release the marked patches (P)")
+                                 : Message("Protect the marked patches: they stay as they are (P)"),
                       has_marks, width))
     eye.protect_marked();
   if (in_a_row > 2) Ui::beside();
-  if (panel.ui.button(here, Message("Let only what is marked change, and protect all others (O)"),
+  if (panel.ui.button(here, Message("Protect all other patches: only the marked ones change (O)"),
                       has_marks, width))
     eye.protect_others();
   show_weights(panel);

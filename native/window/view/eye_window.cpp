@@ -103,8 +103,7 @@ void EyeWindow::show_question() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
-  ImGui::TextUnformatted(
-      ui_.said(Message("Shall what was made of the mesh be written into the document?")).c_str());
+  ImGui::TextUnformatted(ui_.said(Message("Write the changed mesh into the document?")).c_str());
   const Message discard = Message("Discard"), back = Message("Go Back"), apply = Message("Apply");
   float width = 0;
   for (const Message& label : {discard, back, apply})

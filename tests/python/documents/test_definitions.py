@@ -94,7 +94,7 @@ def test_nothing_of_a_clip_is_painted(tmp_path):
     path.write_text(document('<clipPath id="k">{}</clipPath><g clip-path="url(#k)"/>'))
     assert meshes(path) == []
     said = refused("simplify", path, "-o", tmp_path / "out.svg", "--id", "o")
-    assert said.endswith('ellipse "o": it is in a clipPath, of which nothing is painted.')
+    assert said.endswith('ellipse "o": it is in a clipPath, which paints nothing.')
 
 
 def test_what_limited_a_cloned_object_stays(tmp_path):

@@ -66,8 +66,7 @@ std::optional<Masked> masked_by(const std::vector<PaintedShading>& mask, const A
 PaintedPatches painted_patches(const PaintedShading& painted, KeptShadings& kept) {
   const Affine from_page = painted.stroke ? painted.stroke->pen.inverse() : Affine();
   PaintedPatches made{placed(*kept.read(painted), from_page * painted.to_page), {}, {}};
-  if (!made.shading.colors.paints())
-    throw InputError("its colorant is None, of which nothing is seen");
+  if (!made.shading.colors.paints()) throw InputError("its colorant is None, which paints nothing");
   const std::vector<ShadingPatch>& patches = made.shading.patches;
   auto masked = painted.mask ? masked_by(*painted.mask, from_page, patches, kept) : std::nullopt;
   made.mask_left_out = painted.mask && !masked;

@@ -267,8 +267,7 @@ std::vector<std::size_t> objects_in(const xmlNode* element,
 /// Returns why an element is no mesh and holds none.
 Message why_unpainted(const xmlNode* node) {
   for (const xmlNode* outer = node; outer; outer = parent_element(outer))
-    if (svg_name(outer) == "clipPath")
-      return Message("it is in a clipPath, of which nothing is painted");
+    if (svg_name(outer) == "clipPath") return Message("it is in a clipPath, which paints nothing");
   return Message("it is not painted by a mesh gradient");
 }
 
