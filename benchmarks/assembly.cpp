@@ -11,8 +11,8 @@ namespace {
 
 /// A patch of about 35 x 35 pixels, as most are, in a mesh of many; its corners and their colours
 /// are unknown.
-struct Case {
-  Case(const MeshFile& file) : input(file) {
+struct FitCase {
+  FitCase(const MeshFile& file) : input(file) {
     const Frame frame = input.frame(700);
     reference.emplace(input.mesh, frame, MetricKind::flip);
     double nearest = 1e9;
@@ -43,7 +43,7 @@ struct Case {
 };
 
 /// The number of samples along a side, as of normal_equations().
-int sample_count(const Case& c, int side) {
+int sample_count(const FitCase& c, int side) {
   double longest = 0;
   for (const int k : {side, side + 2}) {
     const Cubic<Value> curve = c.patch.side(k);
@@ -57,7 +57,7 @@ int sample_count(const Case& c, int side) {
 /// The same equations as normal_equations() assembles of an opaque patch that lies within the
 /// picture, straight from their definition: at each sample the surface with its derivatives, and
 /// a row of the Jacobian for each channel.
-NormalEquations sample_by_sample(const Case& c) {
+NormalEquations sample_by_sample(const FitCase& c) {
   constexpr double anchor = 0.5 / 255, scale = 0.08;
   const glm::dmat2& linear = c.reference->frame().to_pixels.linear;
   NormalEquations result;
@@ -108,13 +108,13 @@ NormalEquations sample_by_sample(const Case& c) {
   return result;
 }
 
-NormalEquations as_fits_do(const Case& c) {
+NormalEquations as_fits_do(const FitCase& c) {
   return normal_equations(c.patch, c.influences, {}, c.columns, *c.reference);
 }
 
 void assemble(benchmark::State& state, const MeshFile& file,
-              NormalEquations (*equations)(const Case&)) {
-  const Case c(file);
+              NormalEquations (*equations)(const FitCase&)) {
+  const FitCase c(file);
   const NormalEquations found = as_fits_do(c), wanted = sample_by_sample(c);
   if (!found.matrix.isApprox(wanted.matrix, 1e-9) || !found.rhs.isApprox(wanted.rhs, 1e-9))
     return state.SkipWithError("the two ways to assemble a patch differ");

@@ -6,8 +6,8 @@
 namespace gradmesh::bench {
 namespace {
 
-struct Case {
-  Case()
+struct OpenEye {
+  OpenEye()
       : input(mesh_file("photo")),
         eye({"photo"},
             [this](const std::string&) { return edit_by_eye(*input.document, input.entry, {}); }),
@@ -23,8 +23,8 @@ struct Case {
 };
 
 /// Returns the window over the mesh as it is, which takes long to open: benchmarks share it.
-Case& opened() {
-  static Case c;
+OpenEye& opened() {
+  static OpenEye c;
   c.eye.attempt([](Session& session) {
     session.hands().set_form(MeshKind::one_gradient);
     session.show(MeshKind::one_gradient, 0, false);
@@ -35,13 +35,13 @@ Case& opened() {
 
 /// A frame in which nothing has changed: panel, letters, the picture that is there.
 void frame(benchmark::State& state) {
-  Case& c = opened();
+  OpenEye& c = opened();
   for (auto _ : state) c.screen.frame();
 }
 
 /// A frame in which the picture has moved by a pixel, so that it is painted anew.
 void picture(benchmark::State& state) {
-  Case& c = opened();
+  OpenEye& c = opened();
   double by = 1;
   for (auto _ : state) {
     c.eye.viewport().pan({by = -by, 0});
@@ -51,7 +51,7 @@ void picture(benchmark::State& state) {
 
 /// The slider moves to another state, and its picture is there.
 void slider(benchmark::State& state) {
-  Case& c = opened();
+  OpenEye& c = opened();
   int to = 0;
   const int last = int(c.eye.curve()->curve.states.size()) - 1;
   for (auto _ : state) {
@@ -64,7 +64,7 @@ void slider(benchmark::State& state) {
 /// The pointer comes to another line of one gradient, or edge of blocks, and the picture without it
 /// is there.
 void pointing(benchmark::State& state, MeshKind form) {
-  Case& c = opened();
+  OpenEye& c = opened();
   c.eye.attempt([&](Session& session) { session.hands().set_form(form); });
   const Mesh& mesh = c.eye.session().mesh();
   std::vector<glm::dvec2> places;

@@ -30,8 +30,9 @@ SEEDS = range(FIRST, FIRST + int(os.environ.get("GRADMESH_RANDOM_PAGES", 40)))
 def pages(request, inkscape, tmp_path_factory):
     """Of each seed that a test asks for what became of its page, all painted by one Inkscape."""
     folder = tmp_path_factory.mktemp("pages")
-    items = [item.callspec.params for item in request.session.items if hasattr(item, "callspec")]
-    paths = {seed: folder / f"{seed}.pdf" for seed in sorted({item["page"] for item in items if "page" in item})}
+    items = [item for item in request.session.items if item.module is request.module and hasattr(item, "callspec")]
+    seeds = sorted({item.callspec.params["page"] for item in items if "page" in item.callspec.params})
+    paths = {seed: folder / f"{seed}.pdf" for seed in seeds}
     for seed, path in paths.items():
         path.write_bytes(random_pages.document(seed))
     found = outcomes(inkscape, paths.values(), timeout=60 + 10 * len(paths))
