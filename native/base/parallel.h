@@ -14,7 +14,9 @@
 namespace gradmesh {
 
 /// Calls `body(i)` for every i in [0, count), on as many threads as the innermost ThreadLimit
-/// allows. Bodies must not depend on each other. A caller that sums over i does so afterwards, in
+/// allows. Bodies must not depend on each other, and may call parallel_for themselves: a thread
+/// that waits for the others takes no body of another loop meanwhile, so that what it keeps for
+/// itself (base/per_thread.h) stays as it was. A caller that sums over i does so afterwards, in
 /// order, so that results do not depend on the number of threads.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
@@ -36,10 +38,12 @@ void parallel_for(std::size_t count, const Body& body) {
   for (const std::exception_ptr& fault : faults)
     if (fault) std::rethrow_exception(fault);
 #else
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-                    });
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+                      });
+  });
 #endif
 }
 

@@ -12,23 +12,29 @@ namespace gradmesh {
 /// or a highlight, which the mean of a whole frame hardly shows.
 inline constexpr int local_side = 32;
 
-/// Calls `body(x, y, mean)` for every window of 32 x 32 pixels inside the map, row by row; (x, y)
-/// is the window's top left pixel. Windows are as wide or high as the map where that is smaller.
-/// The map may be a part of the frame: the same windows have the same means. `map` holds values of
-/// at most 8: those of SSIM, up to 2, times the largest weight.
+/// Returns how many rows there are of windows of 32 x 32 pixels inside the map; windows are as wide
+/// or high as the map where that is smaller.
+inline int local_mean_rows(const Plane& map) {
+  return map.samples.empty() ? 0 : map.height - std::min(local_side, map.height) + 1;
+}
+
+/// Calls `body(x, y, mean)` for every window in the rows from `first` up to but not `end`, row by
+/// row; (x, y) is the window's top left pixel. The map may be a part of the frame: the same windows
+/// have the same means. `map` holds values of at most 8: those of SSIM, up to 2, times the largest
+/// weight.
 template <class Body>
-void for_each_local_mean(const Plane& map, const Body& body) {
-  if (map.samples.empty()) return;
+void for_each_local_mean(const Plane& map, int first, int end, const Body& body) {
+  if (first >= end) return;
   const int width = std::min(local_side, map.width), height = std::min(local_side, map.height);
   // As whole multiples of 2^-40 all running sums are exact: they do not depend on where they began.
   // A double holds such multiples up to 2^13, which is the sum of 32 x 32 values of 8.
   const auto rounded = [](double value) { return (value + 0x1p12) - 0x1p12; };
   std::vector<double> columns(std::size_t(map.width), 0.0);
-  for (int y = map.y0; y < map.y0 + map.height; ++y) {
+  for (int y = map.y0 + first; y < map.y0 + end + height - 1; ++y) {
     const float* entering = map.at(map.x0, y);
     for (std::size_t x = 0; x < columns.size(); ++x) columns[x] += rounded(entering[x]);
     const int top = y + 1 - height;
-    if (top < map.y0) continue;
+    if (top < map.y0 + first) continue;
     double sum = std::accumulate(columns.begin(), columns.begin() + width, 0.0);
     body(map.x0, top, sum / (width * height));
     for (int x = width; x < map.width; ++x) {
@@ -40,11 +46,13 @@ void for_each_local_mean(const Plane& map, const Body& body) {
   }
 }
 
-/// Returns the largest mean of these windows, to 1e-12; 0 for a map without pixels.
-inline double largest_local_mean(const Plane& map) {
-  double largest = 0;
-  for_each_local_mean(map, [&](int, int, double mean) { largest = std::max(largest, mean); });
-  return largest;
+/// Does the same for every window inside the map.
+template <class Body>
+void for_each_local_mean(const Plane& map, const Body& body) {
+  for_each_local_mean(map, 0, local_mean_rows(map), body);
 }
+
+/// Returns the largest mean of these windows, to 1e-12; 0 for a map without pixels.
+double largest_local_mean(const Plane& map);
 
 }  // namespace gradmesh

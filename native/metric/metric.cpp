@@ -88,8 +88,13 @@ void Metric::fill_map(const Image& test, Window window, Plane& map) const {
   for_each_strip(inside, [&](Window strip) { score_near_differences(test, strip, map); });
 }
 
-double Metric::update_map(const Image& before, const Image& test, Window changed, Plane& map,
-                          double limit) const {
+double Metric::update_map_in_parallel(const Image& before, const Image& test, Window changed,
+                                      Plane& map, double limit) const {
+  return updated(before, test, changed, map, limit, thread_count());
+}
+
+double Metric::updated(const Image& before, const Image& test, Window changed, Plane& map,
+                       double limit, std::size_t at_once) const {
   changed = around(changed, 0);
   if (changed.empty()) return 0;
   const Window measured = around(changed, reach_);
@@ -111,12 +116,24 @@ double Metric::update_map(const Image& before, const Image& test, Window changed
   order.resize(tiles.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(-area(tiles[i]), i); });
-  double rise = 0;
-  for (const std::size_t i : order) {
+  const auto score_tile = [&](std::size_t i) {
     score_near_differences(test, tiles[i], map);
-    sums[i] = sum(map, tiles[i]);
-    rise = std::accumulate(sums.begin(), sums.end(), 0.0) - old_sum;
-    if (rise > limit) break;
+    return sum(map, tiles[i]);
+  };
+  auto& found = per_thread<std::vector<double>, struct Found>();
+  double rise = 0;
+  for (std::size_t first = 0; first < order.size(); first += at_once) {
+    found.resize(std::min(at_once, order.size() - first));
+    if (found.size() == 1)
+      found[0] = score_tile(order[first]);
+    else
+      parallel_for(found.size(), [&](std::size_t n) { found[n] = score_tile(order[first + n]); });
+    // One tile after the other, so that it gives up after the same one on any number of threads.
+    for (std::size_t n = 0; n < found.size(); ++n) {
+      sums[order[first + n]] = found[n];
+      rise = std::accumulate(sums.begin(), sums.end(), 0.0) - old_sum;
+      if (rise > limit) return rise;
+    }
   }
   return rise;
 }

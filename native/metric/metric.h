@@ -49,7 +49,12 @@ class Metric {
   /// twice the reach. Throws std::invalid_argument where they do not. Runs on one thread and takes
   /// no memory once it has been called on windows as large.
   double update_map(const Image& before, const Image& test, Window changed, Plane& map,
-                    double limit = std::numeric_limits<double>::infinity()) const;
+                    double limit = std::numeric_limits<double>::infinity()) const {
+    return updated(before, test, changed, map, limit, 1);
+  }
+  /// Does and returns the same on all threads.
+  double update_map_in_parallel(const Image& before, const Image& test, Window changed, Plane& map,
+                                double limit = std::numeric_limits<double>::infinity()) const;
 
   const Image& reference() const { return reference_; }
 
@@ -79,6 +84,9 @@ class Metric {
     return window.grown(by).clipped(reference_.window());
   }
   void score_near_differences(const Image& test, Window window, Plane& map) const;
+  /// Returns what update_map does, with so many tiles scored at a time.
+  double updated(const Image& before, const Image& test, Window changed, Plane& map, double limit,
+                 std::size_t at_once) const;
 
   Image reference_;
   int reach_;

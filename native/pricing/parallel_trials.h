@@ -10,6 +10,28 @@
 
 namespace gradmesh {
 
+/// Calls `body(worker, i)` for each i in [0, count), lower ones first, `worker` being a number
+/// below `workers` of which there are not two calls at the same time. `stop(done)`, `done` being
+/// the number of calls that have ended, is called on the calling thread, before anything is begun
+/// and before each of that thread's calls of the body; once it returns true no more calls are
+/// begun. Returns true if `stop` never returned true.
+template <class Body>
+bool for_each_in_turn(std::size_t workers, std::size_t count,
+                      const std::function<bool(std::size_t done)>& stop, const Body& body) {
+  // Now, as others may be done before it gets to its first call.
+  if (stop(0)) return false;
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<std::size_t> next = 0, done = 0;
+  std::atomic<bool> stopped = false;
+  parallel_for(std::min(workers, count), [&](std::size_t own) {
+    for (std::size_t i = 0; !stopped && (i = next++) < count; ++done) {
+      if (std::this_thread::get_id() == caller && stop(done)) stopped = true;
+      if (!stopped) body(own, i);
+    }
+  });
+  return !stopped;
+}
+
 /// Runs many independent trials on all cores: each thread has a trial of its own, with its own
 /// mesh, journal and window, and all start from the same state. Trial is a MergeTrial or another
 /// type that can be forked.
@@ -24,26 +46,13 @@ class ParallelTrials {
     }
   }
 
-  /// Calls `body(trial, i)` for each i in [0, count), lower ones first; the body must leave its
-  /// trial as it found it. `stop(done)`, `done` being the number of calls that have ended, is
-  /// called on the calling thread, before anything is begun and before each of that thread's calls
-  /// of the body; once it returns true no more calls are begun. Returns true if `stop` never
-  /// returned true.
+  /// Calls `body(trial, i)` for each i in [0, count), as for_each_in_turn does; the body must leave
+  /// its trial as it found it.
   template <class Body>
   bool for_each(std::size_t count, const std::function<bool(std::size_t done)>& stop,
                 const Body& body) {
-    // Now, as others may be done before it gets to its first call.
-    if (stop(0)) return false;
-    const std::thread::id caller = std::this_thread::get_id();
-    std::atomic<std::size_t> next = 0, done = 0;
-    std::atomic<bool> stopped = false;
-    parallel_for(std::min(trials_.size(), count), [&](std::size_t own) {
-      for (std::size_t i = 0; !stopped && (i = next++) < count; ++done) {
-        if (std::this_thread::get_id() == caller && stop(done)) stopped = true;
-        if (!stopped) body(*trials_[own], i);
-      }
-    });
-    return !stopped;
+    return for_each_in_turn(trials_.size(), count, stop,
+                            [&](std::size_t own, std::size_t i) { body(*trials_[own], i); });
   }
 
  private:

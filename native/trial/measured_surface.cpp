@@ -54,7 +54,8 @@ MeasuredSurface::OnGround::OnGround(const OnGround& near, const Mesh& surface, c
   paint_whole(surface, frame, part);
   copy(part.image, changed, image);
   const auto pixels = double(map.pixels());
-  sum = near.sum + metric.update_map(near.image, image, changed, map, limit * pixels - near.sum);
+  sum = near.sum +
+        metric.update_map_in_parallel(near.image, image, changed, map, limit * pixels - near.sum);
   if (sum / pixels > limit) {
     error = {.mean = sum / pixels, .keeps_local_bound = !bound};
     return;

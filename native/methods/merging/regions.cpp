@@ -1,6 +1,7 @@
 #include "methods/merging/regions.h"
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <map>
 #include <set>
@@ -43,11 +44,12 @@ class Growth {
         trials_(trial) {}
 
   std::vector<RegionPrice> run() {
+    finders_.emplace_back(mesh_);
     for (const Halfedge edge : inner_edges(mesh_))
       if (mesh_.is_leaf(edge) && leaf_across(mesh_, edge).valid())
         reach(region_of_edge(mesh_, edge));
-      else
-        reach(finder_.around(edge));
+      else if (const auto found = finders_.front().around(edge))
+        reach(*found);
     for (bool in_time = true; in_time && !reached_.empty();) {
       const std::vector<Region> wave = std::exchange(reached_, {});
       const std::size_t kept = regions_.size();
@@ -56,10 +58,7 @@ class Growth {
       std::vector<RegionPrice> growing(regions_.begin() + kept, regions_.end());
       const bool freely = seen_.size() <= most_freely();
       if (!freely) keep_best_for_a_patch(growing);
-      for (const RegionPrice& r : growing) {
-        in_time = in_time && !should_stop(0, growing.size());
-        if (in_time) reach_larger(r.region, freely);
-      }
+      in_time = in_time && reach_larger(growing, freely);
     }
     std::ranges::sort(regions_, {},
                       [](const RegionPrice& r) { return std::pair(r.size(), r.region); });
@@ -75,10 +74,9 @@ class Growth {
   void reach(const Region& name) {
     if (seen_.insert(name).second) reached_.push_back(name);
   }
-  void reach(const std::optional<FoundRegion>& found) {
-    if (!found) return;
-    reach(found->name);
-    found_.emplace(found->name, found->faces);
+  void reach(const FoundRegion& found) {
+    reach(found.name);
+    found_.emplace(found.name, found.faces);
   }
 
   /// Takes the region if it keeps to the limit.
@@ -91,9 +89,13 @@ class Growth {
 
   std::vector<Face> patches_of(const Region& name) const {
     if (const auto found = found_.find(name); found != found_.end()) return found->second;
-    std::vector<Face> patches;
-    for (const Halfedge top : region_tops(mesh_, name)) patches.push_back(mesh_.face(top));
-    return patches;
+    return faces_of(region_tops(mesh_, name));
+  }
+
+  std::vector<Face> faces_of(const std::vector<Halfedge>& tops) const {
+    std::vector<Face> faces;
+    for (const Halfedge top : tops) faces.push_back(mesh_.face(top));
+    return faces;
   }
 
   std::size_t most_freely() const { return tried_freely * std::size_t(mesh_.face_count()); }
@@ -115,14 +117,67 @@ class Growth {
     });
   }
 
-  /// Reaches the regions that are one step larger. If all grow `freely`, all parts of regions
-  /// without T-junctions inside have been tried, and of these regions only those are reached that
-  /// can be expected to keep to the limit.
-  void reach_larger(const Region& name, bool freely) {
+  /// Reaches the regions that are one step larger than some. If all grow `freely`, all parts of
+  /// regions without T-junctions inside have been tried, and of these regions only those are
+  /// reached that can be expected to keep to the limit. Returns true if there was time for all of
+  /// them.
+  bool reach_larger(const std::vector<RegionPrice>& growing, bool freely) {
+    std::vector<std::vector<MergedArea>> areas(growing.size());
+    if (has_junctions_ && !find_larger(growing, areas)) return false;
+    for (std::size_t i = 0; i < growing.size(); ++i) {
+      if (should_stop(0, growing.size())) return false;
+      for (const MergedArea& area : areas[i])
+        if (const std::optional<Region>& name = names_.at(area.faces)) reach({*name, area.faces});
+      reach_larger_grids(growing[i].region, freely);
+    }
+    return true;
+  }
+
+  /// Finds the areas with T-junctions inside that are one step larger than each region, and names
+  /// them. Returns true if there was time for all of them.
+  bool find_larger(const std::vector<RegionPrice>& regions,
+                   std::vector<std::vector<MergedArea>>& areas) {
+    while (finders_.size() < thread_count()) finders_.emplace_back(mesh_);
+    const auto stop = [&](std::size_t) { return should_stop(0, regions.size()); };
+    const auto in_turn = [&](std::size_t count, const auto& find) {
+      return for_each_in_turn(finders_.size(), count, stop,
+                              [&](std::size_t own, std::size_t i) { find(finders_[own], i); });
+    };
+    if (!in_turn(regions.size(), [&](RegionFinder& finder, std::size_t i) {
+          areas[i] = larger_than(regions[i].region, finder);
+        }))
+      return false;
+    // Neighbours have larger ones in common, and to find a name takes merging the area once more.
+    std::vector<std::pair<const MergedArea*, std::optional<Region>*>> unnamed;
+    for (const auto& of_region : areas)
+      for (const MergedArea& area : of_region)
+        if (const auto [at, is_new] = names_.try_emplace(area.faces); is_new)
+          unnamed.emplace_back(&area, &at->second);
+    return in_turn(unnamed.size(), [&](RegionFinder& finder, std::size_t i) {
+      const std::optional<FoundRegion> found = finder.named(*unnamed[i].first);
+      if (found && region_tops(mesh_, found->name).empty()) *unnamed[i].second = found->name;
+    });
+  }
+
+  /// Returns the areas that are one step larger than a region and are no grids of patches.
+  std::vector<MergedArea> larger_than(const Region& name, RegionFinder& finder) const {
+    std::vector<std::vector<Face>> grids;
+    if (const std::vector<Halfedge> tops = region_tops(mesh_, name); !tops.empty())
+      for (Region view : region_views(mesh_, name, tops)) {
+        ++view.columns;
+        grids.push_back(faces_of(region_tops(mesh_, view)));
+        std::ranges::sort(grids.back());
+      }
+    std::vector<MergedArea> larger;
+    for (std::optional<MergedArea> area : finder.larger(name))
+      if (area && std::ranges::find(grids, area->faces) == grids.end())
+        larger.push_back(*std::move(area));
+    return larger;
+  }
+
+  /// Reaches those without T-junctions inside.
+  void reach_larger_grids(const Region& name, bool freely) {
     const std::vector<Halfedge> tops = region_tops(mesh_, name);
-    if (has_junctions_)
-      for (const auto& found : finder_.larger(name))
-        if (found && region_tops(mesh_, found->name).empty()) reach(found);
     if (tops.empty()) return;
     for (Region view : region_views(mesh_, name, tops)) {
       ++view.columns;
@@ -234,7 +289,11 @@ class Growth {
   StopWatch& watch_;
   const double error_;
   const bool has_junctions_;
-  RegionFinder finder_{mesh_};
+  /// One for each thread; one where there are no T-junctions.
+  std::deque<RegionFinder> finders_;
+  /// The names of areas with T-junctions inside that were found, by their patches; none of those
+  /// that are no regions.
+  std::map<std::vector<Face>, std::optional<Region>> names_;
   /// The patches of the regions that the finder has found.
   std::map<Region, std::vector<Face>> found_;
   ParallelTrials<MergeTrial> trials_;

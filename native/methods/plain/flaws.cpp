@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/clamped_int.h"
+#include "base/parallel.h"
 #include "geom/cross.h"
 #include "geom/hermite.h"
 
@@ -41,10 +42,15 @@ Points corners_of_cells(const Patch& patch) {
   return points;
 }
 
-template <class Each>
-void for_each_share(const PlainGrid& grid, const Each& each) {
-  for (int i = 0; i < grid.rows(); ++i)
-    for (int j = 0; j < grid.columns(); ++j) each(narrowest_share(grid.patch(i, j)));
+/// Returns the narrowest_share() of each patch.
+std::vector<double> narrowest_shares(const PlainGrid& grid) {
+  const auto columns = std::size_t(grid.columns());
+  std::vector<double> shares(std::size_t(grid.rows()) * columns);
+  parallel_for(std::size_t(grid.rows()), [&](std::size_t i) {
+    for (std::size_t k = 0; k < columns; ++k)
+      shares[i * columns + k] = narrowest_share(grid.patch(int(i), int(k)));
+  });
+  return shares;
 }
 
 /// Returns the gap of border_gap at one side; `farthest` where no outline is near.
@@ -136,18 +142,17 @@ bool is_pinched(const Patch& moved, const Patch& before) {
 
 Crush::Crush(const PlainGrid& start) : least_share_(narrow) {
   constexpr double kept = 0.2;
-  for_each_share(start, [&](double share) {
+  for (const double share : narrowest_shares(start))
     if (share > 0) least_share_ = std::min(least_share_, kept * share);
-  });
   at_first_ = counted(start);
 }
 
 Crush::Count Crush::counted(const PlainGrid& grid) const {
   Count count;
-  for_each_share(grid, [&](double share) {
+  for (const double share : narrowest_shares(grid)) {
     count.pinched += share < least_share_;
     count.folded += share < 0;
-  });
+  }
   return count;
 }
 

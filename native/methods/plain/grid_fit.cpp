@@ -82,14 +82,8 @@ class GridFit {
 
   Verdict judge(int /*attempt*/) {
     if (!is_finite_) return {};
-    std::vector<bool> crush(unknown_count(), false);
-    bool any = false;
-    for (const InfluencedPatch& p : patches_)
-      if (begins_to_be_crushed(p.row, p.column)) {
-        any = true;
-        for (const Influence& by : p.by) crush[std::size_t(by.unknown)] = true;
-      }
-    if (any) return {false, true, std::move(crush)};
+    if (std::vector<bool> crush = what_crushes(); !crush.empty())
+      return {false, true, std::move(crush)};
     Equations then = steps_left_ > 0 ? equations(*moved_) : squares(*moved_);
     if (!(then.squares < now_.squares)) return {};
     grid_ = *std::move(moved_);
@@ -110,6 +104,21 @@ class GridFit {
     int row, column;
     std::vector<Influence> by;
   };
+
+  /// Returns, by unknowns, which change a patch that begins to be crushed; empty if none does.
+  std::vector<bool> what_crushes() const {
+    std::vector<char> is_crushed(patches_.size());
+    parallel_for(patches_.size(), [&](std::size_t n) {
+      is_crushed[n] = begins_to_be_crushed(patches_[n].row, patches_[n].column);
+    });
+    std::vector<bool> crush;
+    for (std::size_t n = 0; n < patches_.size(); ++n) {
+      if (!is_crushed[n]) continue;
+      crush.resize(unknown_count(), false);
+      for (const Influence& by : patches_[n].by) crush[std::size_t(by.unknown)] = true;
+    }
+    return crush;
+  }
 
   bool begins_to_be_crushed(int row, int column) const {
     const Patch before = grid_.patch(row, column), after = moved_->patch(row, column);

@@ -11,14 +11,16 @@ std::optional<FoundRegion> RegionFinder::around(Halfedge curve) {
   return take_back(grow(journal_, face, start_.side_number(leaf)) ? face : Face{});
 }
 
-std::array<std::optional<FoundRegion>, 4> RegionFinder::larger(const Region& region) {
-  std::array<std::optional<FoundRegion>, 4> found;
-  for (int side = 0; side < 4; ++side) {
-    Face face = merge_region(journal_, region);
-    if (face.valid() && !grow(journal_, face, region.top + side)) face = {};
-    found[std::size_t(side)] = take_back(face);
+std::array<std::optional<MergedArea>, 4> RegionFinder::larger(const Region& region) {
+  std::array<std::optional<MergedArea>, 4> areas;
+  const Face face = merge_region(journal_, region);
+  const std::size_t depth = journal_.depth();
+  for (int side = 0; side < 4 && face.valid(); ++side) {
+    if (grow(journal_, face, region.top + side)) areas[std::size_t(side)] = area_of(face);
+    journal_.undo_to(depth);
   }
-  return found;
+  undo();
+  return areas;
 }
 
 std::optional<FoundRegion> RegionFinder::find(const Region& region) {
@@ -26,15 +28,20 @@ std::optional<FoundRegion> RegionFinder::find(const Region& region) {
 }
 
 std::optional<FoundRegion> RegionFinder::take_back(Face merged) {
-  if (!merged.valid()) {
-    undo();
-    return std::nullopt;
-  }
-  const std::vector<Face> faces = merged_faces(merged);
-  std::array<Point, 4> corners;
-  for (std::size_t k = 0; k < 4; ++k) corners[k] = copy_.origin(copy_.sides(merged)[k]);
+  std::optional<MergedArea> area;
+  if (merged.valid()) area = area_of(merged);
   undo();
+  return area ? named(*area) : std::nullopt;
+}
 
+MergedArea RegionFinder::area_of(Face merged) const {
+  MergedArea area{merged_faces(merged), {}};
+  for (std::size_t k = 0; k < 4; ++k) area.corners[k] = copy_.origin(copy_.sides(merged)[k]);
+  return area;
+}
+
+std::optional<FoundRegion> RegionFinder::named(const MergedArea& area) {
+  const auto& [faces, corners] = area;
   // The name starts at the corner whose patch comes first (region_name).
   for (const Face face : faces)
     for (int top = 0; top < 4; ++top) {

@@ -104,8 +104,24 @@ std::vector<Face> merged_patches(const Mesh& start, const Region& region) {
   return merged;
 }
 
+/// Returns the patches, in rising order, of the regions without T-junctions inside that have one
+/// row or column more than one of these.
+std::vector<std::vector<Face>> larger_grids(const Mesh& mesh, const Region& name) {
+  std::vector<std::vector<Face>> grids;
+  const auto tops = region_tops(mesh, name);
+  if (tops.empty()) return grids;
+  for (Region view : region_views(mesh, name, tops)) {
+    ++view.columns;
+    std::vector<Face> faces;
+    for (const Halfedge top : region_tops(mesh, view)) faces.push_back(mesh.face(top));
+    std::ranges::sort(faces);
+    grids.push_back(std::move(faces));
+  }
+  return grids;
+}
+
 TEST(RegionFinder, names_each_region_by_one_of_its_corners_and_its_patches) {
-  int with_junctions = 0;
+  int with_junctions = 0, larger_by_grids = 0;
   for (const Mesh& start : start_meshes()) {
     RegionFinder finder(start);
     std::map<std::vector<Face>, Region> names;
@@ -114,11 +130,20 @@ TEST(RegionFinder, names_each_region_by_one_of_its_corners_and_its_patches) {
       const auto found = finder.around(edge);
       if (!found) continue;
       std::vector<FoundRegion> regions{*found};
+      const std::vector<std::vector<Face>> grids = larger_grids(start, found->name);
       for (const auto& larger : finder.larger(found->name)) {
         if (!larger) continue;
         EXPECT_TRUE(std::ranges::includes(larger->faces, found->faces));
         EXPECT_GT(larger->faces.size(), found->faces.size());
-        regions.push_back(*larger);
+        const auto named = finder.named(*larger);
+        if (!named) continue;
+        EXPECT_EQ(named->faces, larger->faces);
+        // Pricing does not ask for the name of what is known to be a grid.
+        if (std::ranges::find(grids, larger->faces) != grids.end()) {
+          EXPECT_FALSE(region_tops(start, named->name).empty());
+          ++larger_by_grids;
+        }
+        regions.push_back(*named);
       }
       for (const FoundRegion& region : regions) {
         EXPECT_EQ(merged_patches(start, region.name), region.faces);
@@ -134,6 +159,7 @@ TEST(RegionFinder, names_each_region_by_one_of_its_corners_and_its_patches) {
     }
   }
   EXPECT_GT(with_junctions, 100);
+  EXPECT_GT(larger_by_grids, 100);
 }
 
 TEST(RegionFinder, finds_the_whole_of_a_locally_refined_patch) {
@@ -146,8 +172,10 @@ TEST(RegionFinder, finds_the_whole_of_a_locally_refined_patch) {
       ASSERT_TRUE(region);
       for (bool grows = true; grows;) {
         grows = false;
-        for (const auto& larger : finder.larger(region->name))
+        for (const auto& area : finder.larger(region->name)) {
+          const auto larger = area ? finder.named(*area) : std::nullopt;
           if (larger && larger->faces.size() > region->faces.size()) region = larger, grows = true;
+        }
       }
       EXPECT_EQ(region->faces.size(), 16u);
     }

@@ -11,7 +11,7 @@ gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not t
 
 from pages import Page, worst_window
 
-pytestmark = [needs(), pytest.mark.once]
+pytestmark = [needs(), pytest.mark.module_only]
 
 PIXELS = 1400
 #: The largest mean of FLIP in 8 x 8 pixels, outlines aside: what is seen begins at about 0.14.

@@ -13,7 +13,7 @@ gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not t
 
 from shape_documents import CELL, COLUMNS, MARK, cells, shapes_document
 
-pytestmark = [needs(*WINDOW_PROGRAMS), pytest.mark.once]
+pytestmark = [needs(*WINDOW_PROGRAMS), pytest.mark.module_only]
 
 #: Levels by which pixels at outlines may differ, and the share of a shape's cell that may differ by more.
 LEVELS, SHARE = 24, 0.02

@@ -14,7 +14,7 @@ from built import ROOT, SAMPLES  # noqa: E402
 
 import gradmesh  # noqa: E402
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 SHARED = ROOT.parent / "shared"
 SIZE = 60  # pixels of pictures, along each side

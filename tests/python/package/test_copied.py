@@ -26,7 +26,7 @@ KINDS = {
 REFERENCE = re.compile(r"url\(#([^)]+)\)")
 INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 @pytest.fixture(scope="module", params=KINDS)

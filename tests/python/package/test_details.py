@@ -10,7 +10,7 @@ from meshgrid import Mesh, colour
 
 np = pytest.importorskip("numpy")
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 SIDE = 350  # of the mesh, in user units, and of the picture in which the error is measured, in pixels
 #: Least and largest width, and height, in pixels.

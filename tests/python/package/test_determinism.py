@@ -14,7 +14,7 @@ OPTIONS = {"resolution": 48, "seed": 5, "epsilon": 0.02}
 LARGE = ("bubble", "cap", "photo")
 PRICED = ("motorcycle", "gqe", "gqe1", "best")
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 def simplified(sample, painted, method, threads, **more):

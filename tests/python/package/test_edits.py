@@ -100,7 +100,7 @@ def tensors(document, block):
     return ET.tostring(elements(document)[gradient]).count(b"tensor=")
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_what_is_merged_stays_plain():
     document = gradmesh.load(SAMPLES / "fruit.svg")
     gradmesh.simplify(document, method="best", count="handles", **SMALL)
@@ -127,7 +127,7 @@ def test_what_cannot_be_merged_is_told_why(simplified):
     assert simplified.to_bytes() == before
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.full
 def test_blocks_of_two_meshes():
     document = gradmesh.load(SAMPLES / "two.svg")
@@ -146,7 +146,7 @@ def look_the_same(a, b):
     return np.abs(first - second)[painted].max() <= 1 and missed < 1e-3
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize("whole", [False, True])
 @pytest.mark.parametrize("direction", ["rows", "columns", "both"])
 @pytest.mark.full(all_but=1)
@@ -159,7 +159,7 @@ def test_refining_a_block_changes_nothing_that_is_seen(simplified, direction, wh
         assert look_the_same(before, refined)
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_refining_here_leaves_the_other_patches_alone(simplified):
     name = list(blocks(simplified))[0]
     local, whole = (gradmesh.loads(simplified.to_bytes()) for _ in range(2))
@@ -169,7 +169,7 @@ def test_refining_here_leaves_the_other_patches_alone(simplified):
     assert across.patches_after > here.patches_after
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.skipif(not SHARED.exists(), reason="the authors' meshes are not here")
 @pytest.mark.parametrize("direction", ["rows", "columns"])
 def test_refining_beside_a_recoloured_junction(direction):
@@ -191,7 +191,7 @@ def test_refining_an_object(tmp_path):
     assert look_the_same(gradmesh.load(SAMPLES / "fruit.svg"), document)
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_a_refined_mesh_merges_back(simplified):
     name = list(blocks(simplified))[0]
     patches = simplified.meshes[0].patches
@@ -334,7 +334,7 @@ def test_what_is_no_color_is_a_value_error(color):
         gradmesh.recolor(document, 0, color)
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize("sample", ["fruit", "transformed", "stroke", "two", "face", "opacity"])
 @pytest.mark.full(all_but=1)
 def test_one_mesh_again(sample):
@@ -398,7 +398,7 @@ def test_a_mesh_that_is_not_simplified_is_none_of_its_business():
         gradmesh.to_one_mesh(document)
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_a_fill_and_a_stroke_of_blocks_are_left_as_they_are():
     fruit = (SAMPLES / "fruit.svg").read_text()
     gradient = re.search(r"<meshgradient.*?</meshgradient>", fruit, re.S).group(0)
@@ -413,7 +413,7 @@ def test_a_fill_and_a_stroke_of_blocks_are_left_as_they_are():
     assert document.to_bytes() == before
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_what_was_forgotten_stays_forgotten():
     document = gradmesh.load(SAMPLES / "fruit.svg")
     gradmesh.simplify(document, epsilon=0.02, remember_original=False, **BLOCKS)

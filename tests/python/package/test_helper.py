@@ -19,7 +19,7 @@ from gradmesh.interrupts import Interrupts
 
 TWO = SAMPLES / "two.svg"
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 def new_core(program=PROGRAM):

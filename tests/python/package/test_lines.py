@@ -15,7 +15,7 @@ EPSILON = 0.02
 SMALL = ("--resolution", 300)
 VASE = SAMPLES / "smooth.svg"
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 @pytest.fixture(scope="module")

@@ -19,7 +19,7 @@ EPSILON = 0.01
 ROUNDING = 5e-5  # of what is remembered
 FRUIT = SAMPLES / "fruit.svg"
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 def run_again(path, method="grid", **options):

@@ -20,7 +20,7 @@ FRUIT = SAMPLES / "fruit.svg"
 WHOLE = {"resolution": 300, "epsilon": EPSILON, "visible_only": False}
 KOTUKU = ROOT.parent / "shared" / "real" / "kotuku-meshgradient.svg"
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 def simplify(path, out, **options):

@@ -44,7 +44,7 @@ def test_every_option_from_both_sides(tmp_path, options):
     assert {**result.run, "seconds": 0} == {**told, "changed": True, "refused": None, "seconds": 0}
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize(
     "method, name, values", [("random", "seed", (1, 2)), ("gqe", "omega", (0, 1)), ("motorcycle", "kappa", (0, 20))]
 )
@@ -54,7 +54,7 @@ def test_settings_reach_the_methods(method, name, values):
     assert made[0] != made[1]
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_by_default_one_object_with_few_handles_is_left(tmp_path):
     out, report = tmp_path / "out.svg", tmp_path / "report.json"
     options = ["--resolution", 100, "--report", report]
@@ -68,7 +68,7 @@ def test_by_default_one_object_with_few_handles_is_left(tmp_path):
     assert [data for _, data in results] == 3 * [out.read_bytes()]
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize("options", [{"patches": 60}, {"ratio": 0.5, "count": "patches"}, {"count": "patches"}])
 @pytest.mark.full
 def test_where_patches_are_counted_best_is_the_default(options):
@@ -77,7 +77,7 @@ def test_where_patches_are_counted_best_is_the_default(options):
     assert result.patches_after <= options.get("patches", 66)
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize("target, most", [({"handles": 120}, 120), ({"ratio": 0.5}, 330), ({"handles": 30}, 30)])
 @pytest.mark.full(all_but=1)
 def test_of_svg_handles_are_counted(target, most):
@@ -87,7 +87,7 @@ def test_of_svg_handles_are_counted(target, most):
     assert most / 2 <= result.handles_after <= most
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.full
 def test_a_named_method_counts_patches_unless_told():
     best = simplified(method="best", ratio=0.5)[0]
@@ -96,7 +96,7 @@ def test_a_named_method_counts_patches_unless_told():
     assert simplified(method="plain", ratio=0.5, count="patches")[0].patches_after <= 66
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_of_hemesh_files_patches_are_counted():
     def left(**target):
         document = gradmesh.loads(grid(4, 5), "leaf.hemesh")
@@ -155,7 +155,7 @@ def test_the_options_are_listed_with_their_defaults():
     assert options["method"]["names"] == ["simplest", *METHODS[:7], "lines", "plain", "manual"]
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_best_is_the_default_of_hemesh_files():
     left = []
     for method in ({}, {"method": "simplest"}, {"method": "best"}):
@@ -166,7 +166,7 @@ def test_best_is_the_default_of_hemesh_files():
     assert left[0] == left[1] == left[2]
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 def test_best_is_the_default_of_blocks():
     group = simplified(method="best", resolution=200)[1]
     for method in ({}, {"method": "best"}):

@@ -63,7 +63,7 @@ def test_what_is_told_is_what_is_there(sample):
         assert told.bytes == len(base64.b64decode(image.get(HREF).partition(",")[2]))
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize("name, painted", [pair for pair in OBJECTS if pair[0] not in TRANSLUCENT])
 @pytest.mark.full(all_but=1)
 def test_a_picture_shows_what_the_mesh_shows_there(name, painted):
@@ -138,7 +138,7 @@ def test_of_a_mesh_that_stays_one_gradient_goes_what_it_remembers():
     assert Copy(document.to_bytes().decode()).image is not None
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize("name", ["opacity", "stroke", "two", "transformed"])
 @pytest.mark.full(all_but=1)
 def test_blocks_of_other_samples(name):
@@ -204,7 +204,7 @@ def test_what_is_refused_stays_as_it_was(text, words):
 # --- the same again ---
 
 
-@pytest.mark.once
+@pytest.mark.module_only
 @pytest.mark.parametrize("name", ["fruit", "two"])
 @pytest.mark.full(all_but=1)
 def test_the_same_bytes_in_every_run_and_on_any_number_of_cores(tmp_path, name):

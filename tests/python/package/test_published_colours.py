@@ -18,7 +18,7 @@ from svg_meshes import SVG, declared
 
 LINEAR = SHAPE.format('style="fill:url(#m)"')
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 # --- colours and linear gradients ---

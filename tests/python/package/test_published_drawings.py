@@ -7,7 +7,7 @@ from published_copy import Copy, pixels
 
 ONE_COLOUR, LINE, SECOND = [[RED] * 2] * 2, [[RED, BLUE]] * 2, [[BLUE, RED], [GREEN, RED]]
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 #: Beside the gradient `m`, of many colours: gradients of one colour, of colours along a line, and of
 #: many again, one that has its rows from `m`, and what objects have beside their paint.

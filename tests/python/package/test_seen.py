@@ -14,7 +14,7 @@ import gradmesh
 BALANCED = {"epsilon": 0.01, "max_local_error": 0.1}
 BACKGROUND = Fan(turns=1.25, clear=(2, 3, 4))
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 def simplified(text, **options):

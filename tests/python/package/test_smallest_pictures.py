@@ -20,7 +20,7 @@ Image = pytest.importorskip("PIL.Image")
 #: Points of a line of 15 patches, and where they are.
 EDGES = range(0, 46, 3), [10 + 5 * ((i + 1) // 2) for i in range(16)]
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 def published(text, **options):

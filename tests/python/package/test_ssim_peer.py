@@ -10,7 +10,7 @@ gradmesh = pytest.importorskip("gradmesh", reason="the compiled package is not t
 
 REACH = 5  # of the 11 x 11 window
 
-pytestmark = pytest.mark.once
+pytestmark = pytest.mark.module_only
 
 
 def peers_error(a, b):
