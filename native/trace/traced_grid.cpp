@@ -1,13 +1,18 @@
 #include "trace/traced_grid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/clamped_int.h"
+#include "base/parallel.h"
+#include "base/waiting_caller.h"
 #include "trace/equations.h"
 #include "trace/guide_stray.h"
 #include "trace/line_changes.h"
@@ -59,12 +64,85 @@ const TracedGrid* best_but(const std::vector<TracedGrid>& found, std::size_t lef
   return best;
 }
 
-/// A part of the work, and how many such parts there are: to grow or to finish one grid.
-struct Turn {
-  std::size_t number, count;
-  /// The best that came of other beginnings so far; null if none has had a turn.
-  const TracedGrid* rival;
+/// Works on several beginnings at the same time, while the thread that waits tells the watch how
+/// far that is, and shows what a stop would keep: the best that was grown, or else the first
+/// beginning.
+class Telling {
+ public:
+  /// `total` is how far all work goes, in points.
+  Telling(std::size_t beginnings, std::size_t total, StopWatch& watch, const Tell& tell)
+      : watch_(watch), tell_(tell), total_(total), done_(beginnings, 0), kept_(beginnings) {}
+
+  /// Calls `work(n)` for each n below `count`, lower ones first.
+  void run(std::size_t count, const std::function<void(std::size_t)>& work) {
+    std::atomic<std::size_t> next = 0;
+    const auto work_in_turn = [&](std::size_t) {
+      for (std::size_t n; (n = next++) < count;) work(n);
+    };
+    caller_.wait_for([&] { parallel_for(std::min(count, thread_count()), work_in_turn); },
+                     [&] { return tell_news(); });
+  }
+
+  /// What a stop would keep of a beginning, with the root of the mean of squares in levels.
+  struct Kept {
+    TracedGrid grid;
+    double error;
+    bool is_grown;
+  };
+
+  /// Says how far the work on a beginning is, and what a stop would keep of it or of its rival.
+  void say(std::size_t beginning, std::size_t done, Kept kept) {
+    {
+      const std::lock_guard lock(mutex_);
+      done_[beginning] = done;
+      kept_[beginning] = std::move(kept);
+    }
+    caller_.there_is_news();
+  }
+  /// Returns true if the work has to stop.
+  bool is_over() const { return caller_.should_end(); }
+  /// Returns what was told last, which is what is kept where the work had to stop.
+  const std::optional<Kept>& told() const { return told_; }
+
+ private:
+  bool tell_news() {
+    std::optional<Kept> best;
+    std::size_t done = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      done = std::accumulate(done_.begin(), done_.end(), done);
+      for (const std::optional<Kept>& kept : kept_)
+        if (kept && (!best || is_to_be_shown(*kept, *best))) best = kept;
+    }
+    if (!best) return true;
+    told_ = std::move(best);
+    const LineGrid& grid = told_->grid.grid;
+    if (tell_) tell_(grid);
+    return !watch_.should_stop(
+        {done, total_, grid.rows() * grid.columns(), told_->error / 255, grid.points()});
+  }
+
+  /// Returns true if the first rather than the second, which comes of an earlier beginning.
+  static bool is_to_be_shown(const Kept& a, const Kept& b) {
+    if (a.is_grown != b.is_grown) return a.is_grown;
+    return a.is_grown && is_better(a.grid, b.grid);
+  }
+
+  StopWatch& watch_;
+  const Tell& tell_;
+  const std::size_t total_;
+  std::optional<Kept> told_;
+  WaitingCaller caller_;
+  std::mutex mutex_;
+  /// By beginning; guarded by the mutex.
+  std::vector<std::size_t> done_;
+  std::vector<std::optional<Kept>> kept_;
 };
+
+TracedGrid in_whole_levels(TracedGrid traced) {
+  traced.grid = traced.grid.in_whole_levels();
+  return traced;
+}
 
 /// At most how many lines and points a grid may have for a target: a patch has two pixels each way.
 MostLines most_lines(const TargetPicture& target, int points) {
@@ -76,28 +154,28 @@ class Tracer {
  public:
   /// `number` is that of the beginning.
   Tracer(const Beginning& beginning, std::size_t number, const Pyramid& levels, int points,
-         StopWatch& watch, const Tell& tell)
+         Telling& telling)
       : number_(number),
         counts_(beginning.counts),
         levels_(levels),
         is_enough_(beginning.is_enough),
-        tell_(tell),
-        watch_(watch),
+        telling_(telling),
         most_(most_lines(*beginning.target, points)),
         grid_(beginning.grid),
         level_(std::min<std::size_t>(2, levels.size() - 1)) {}
 
   /// Puts lines in, on the smallest pictures that show what they gain.
-  void grow_up(Turn turn) {
-    turn_ = turn;
+  void grow_up() {
     fit_unasked({15, 1e-3});
     while (!is_growing_over() && !(is_to_ask() && find_enough()) && grow()) fit_unasked(shortly);
     find_enough();
+    if (!telling_.is_over()) say(most_.points, result());
   }
 
-  /// Fits on the whole picture, exchanges lines and takes out what is not needed.
-  void finish(Turn turn) {
-    turn_ = turn;
+  /// Fits on the whole picture, exchanges lines and takes out what is not needed. `rival` is the
+  /// best of what other beginnings have grown to; null if there is none.
+  void finish(const TracedGrid* rival) {
+    rival_ = rival;
     while (level_ > 0 && !is_over()) {
       --level_;
       fit({8, 1e-3});
@@ -126,41 +204,35 @@ class Tracer {
 
   void fit(FitLength length) { squares_ = fit_lines(grid_, target(), evenness_, length); }
 
-  /// Reports how far the turn has come, in points, and the best grid so far. Returns true if the
-  /// run has to stop.
-  bool is_over_at(std::size_t done, const LineGrid& best, double error) {
-    if (tell_) tell_(best);
-    const auto points = std::size_t(most_.points);
-    return watch_.should_stop({turn_.number * points + done, turn_.count * points,
-                               best.rows() * best.columns(), error / 255, best.points()});
+  /// Says how far the grid is, in points, and what a stop would keep that is grown.
+  void say(int points, const TracedGrid& grown) {
+    telling_.say(number_, std::size_t(points),
+                 Telling::Kept{grown, rmse(grown.squares, levels_.front()), true});
   }
 
-  bool is_over_at(std::size_t done, const TracedGrid& best) {
-    return is_over_at(done, best.grid, rmse(best.squares, levels_.front()));
-  }
-
-  /// Reports how far the grid has grown. It is worse than one that is grown, so that it does not
-  /// have to be measured on the whole picture as long as there is such a one.
+  /// Says how far the grid has grown. Returns true if the run has to stop.
   bool is_growing_over() {
-    const auto done = std::size_t(grid_.points());
-    return turn_.rival ? is_over_at(done, *turn_.rival)
-                       : is_over_at(done, grid_, rmse(squares_, target()));
+    telling_.say(
+        number_, std::size_t(grid_.points()),
+        Telling::Kept{{grid_, number_, squares_, false, counts_}, rmse(squares_, target()), false});
+    return telling_.is_over();
   }
 
-  /// Reports how far the grid is finished. How many steps that takes is not known: each goes an
-  /// eighth of the way that is left.
+  /// Says how far the grid is finished. How many steps that takes is not known: each goes an eighth
+  /// of the way that is left. Returns true if the run has to stop.
   bool is_over() {
-    finished_ += (std::size_t(most_.points) - finished_) / 8;
+    finished_ += (most_.points - finished_) / 8;
     const TracedGrid own{grid_.in_whole_levels(), number_, squares_on_whole(), false, counts_};
-    return is_over_at(finished_, is_behind(own) ? *turn_.rival : own);
+    say(most_.points + finished_, is_behind(own) ? *rival_ : own);
+    return telling_.is_over();
   }
 
   /// Returns whether the rival is better. A grid of more squares counts as enough only if the rival
   /// is: to ask each time would make a run a tenth longer.
   bool is_behind(TracedGrid own) {
-    if (!turn_.rival) return false;
-    own.is_enough = turn_.rival->is_enough;
-    return is_better(*turn_.rival, own) || (own.is_enough && !is_enough());
+    if (!rival_) return false;
+    own.is_enough = rival_->is_enough;
+    return is_better(*rival_, own) || (own.is_enough && !is_enough());
   }
 
   double squares_on_whole() const {
@@ -284,14 +356,13 @@ class Tracer {
   const double counts_;
   const Pyramid& levels_;
   const std::function<bool(const LineGrid&)>& is_enough_;
-  const Tell& tell_;
-  StopWatch& watch_;
+  Telling& telling_;
   const MostLines most_;
   LineGrid grid_;
   std::size_t level_;
-  Turn turn_{0, 1, nullptr};
+  const TracedGrid* rival_ = nullptr;
   /// How far finishing has come, in points.
-  std::size_t finished_ = 0;
+  int finished_ = 0;
   Evenness evenness_;
   double squares_ = 0;
   /// How the grid was since it was last asked whether it is enough, and its points then.
@@ -321,24 +392,28 @@ TracedGrid traced_grid(const std::vector<Beginning>& beginnings, int points, Sto
                        const Tell& tell) {
   // To finish all of them takes twice as long, and the best one was among the first two.
   const std::size_t most_finished = std::min<std::size_t>(2, beginnings.size());
-  const std::size_t turns = beginnings.size() + most_finished;
+  Telling telling(beginnings.size(), (beginnings.size() + most_finished) * std::size_t(points),
+                  watch, tell);
   std::map<const TargetPicture*, Pyramid> pyramids;
   std::vector<Tracer> tracers;
-  std::vector<TracedGrid> found;
-  for (std::size_t n = 0; n < beginnings.size() && (n == 0 || !watch.is_over()); ++n) {
+  for (std::size_t n = 0; n < beginnings.size(); ++n) {
     const TargetPicture* target = beginnings[n].target;
     if (!pyramids.contains(target)) pyramids[target] = pyramid(*target);
-    tracers.emplace_back(beginnings[n], n, pyramids[target], points, watch, tell);
-    tracers.back().grow_up({n, turns, best_but(found, n)});
-    found.push_back(tracers.back().result());
+    tracers.emplace_back(beginnings[n], n, pyramids[target], points, telling);
   }
+  telling.run(tracers.size(), [&](std::size_t n) {
+    if (!telling.is_over()) tracers[n].grow_up();
+  });
+  std::vector<TracedGrid> found;
+  for (Tracer& tracer : tracers) found.push_back(tracer.result());
   std::ranges::stable_sort(found, is_more_promising);
-  for (std::size_t n = 0; n < most_finished && !watch.is_over(); ++n) {
-    Tracer& tracer = tracers[found[n].beginning];
-    tracer.finish({beginnings.size() + n, turns, best_but(found, n)});
+  const std::vector<TracedGrid> grown = found;
+  telling.run(most_finished, [&](std::size_t n) {
+    Tracer& tracer = tracers[grown[n].beginning];
+    if (!telling.is_over()) tracer.finish(best_but(grown, n));
     found[n] = tracer.result();
-  }
-  return *best_but(found, found.size());
+  });
+  return telling.is_over() ? in_whole_levels(telling.told()->grid) : *best_but(found, found.size());
 }
 
 }  // namespace gradmesh

@@ -1,12 +1,12 @@
 #include "app/runs/runs.h"
 
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
 #include "app/document/frames.h"
 #include "app/document/originals.h"
 #include "app/runs/devices.h"
+#include "app/runs/mesh_runs.h"
 #include "mesh/build.h"
 #include "mesh/color_model.h"
 #include "mesh/faces_under.h"
@@ -87,70 +87,6 @@ std::shared_ptr<Device> device_for(const Mesh& mesh, const RunOptions& options) 
   return automatic_device(mesh, frame, options.metric, options.threads);
 }
 
-/// Throws InputError if the error of a mesh was above epsilon before anything was merged, because
-/// of another colour model or another document.
-void check_start(const Document& document, const MeshEntry& entry, const SimplifyResult& result,
-                 const RunOptions& options, double epsilon) {
-  if (options.has_target() || result.changed || result.error <= epsilon) return;
-  // Earlier runs with a larger epsilon may have moved the mesh away from the original.
-  if (may_differ(document, entry) && !options.original) return;
-  char error[32];
-  std::snprintf(error, sizeof error, "%.5f", result.error);
-  throw InputError(
-      "{0}: before anything is merged, its error in the color model {1} is {2}, above epsilon.",
-      document.describe(entry), name(result.mesh.color_model()), error);
-}
-
-/// Returns the watch of the run of one of several meshes.
-StopWatch watch_of(const RunOptions& options, std::size_t mesh, std::size_t meshes) {
-  if (!options.progress) return watch_of(options);
-  return {options.time_budget, [=, tell = options.progress](Progress now) {
-            now.mesh = mesh;
-            now.meshes = meshes;
-            return tell(now);
-          }};
-}
-
-/// Simplifies meshes of a document, each one once: drawings are full of copies, and one that lies,
-/// is seen and will be written like another becomes what that has become.
-class SharedRuns {
- public:
-  explicit SharedRuns(const RunOptions& options) : options_(options) {}
-
-  SimplifyResult result_of(const Problem& problem, StopWatch& watch) {
-    const PriceTableKey key = problem.price_key();
-    for (const Run& run : runs_)
-      if (run.key == key && are_like(run.rules, problem.rules) &&
-          are_like(run.gradient_rules, problem.gradient_rules))
-        return as_copy(run.result);
-    SimplifyResult result = simplify_as_asked(problem, options_.method, watch);
-    if (!watch.is_over()) runs_.push_back({key, problem.rules, problem.gradient_rules, result});
-    return result;
-  }
-
- private:
-  using Rules = std::shared_ptr<const WritingRules>;
-
-  struct Run {
-    PriceTableKey key;
-    Rules rules, gradient_rules;
-    SimplifyResult result;
-  };
-
-  static bool are_like(const Rules& a, const Rules& b) {
-    return a == b || (a && b && a->are_like(*b));
-  }
-
-  static SimplifyResult as_copy(SimplifyResult result) {
-    result.evaluations = 0;
-    result.seconds = {};
-    return result;
-  }
-
-  const RunOptions& options_;
-  std::vector<Run> runs_;
-};
-
 /// What became of the selected meshes, and what of that is to be written.
 struct Simplified {
   std::vector<MeshReport> reports;
@@ -168,27 +104,23 @@ Simplified simplified(const Document& document, const std::vector<std::string>& 
 
   // All meshes are read before the first run, as a run may take long.
   PriceFiles files(analyses);
-  std::vector<Problem> problems;
+  MeshRuns runs(document, options);
+  RunOptions telling = options;
+  telling.device_lost = runs.telling_device_lost();
   for (const MeshEntry& entry : entries)
-    problems.push_back(problem_of(document, entry, options, files));
+    runs.add(entry, problem_of(document, entry, telling, files));
   Simplified all;
-  SharedRuns runs(options);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const MeshEntry& entry = entries[i];
-    // Its picture is needed no longer than the run.
-    const Problem problem = std::move(problems[i]);
-    StopWatch watch = watch_of(options, i, entries.size());
-    SimplifyResult result = document.naming(entry, [&] { return runs.result_of(problem, watch); });
-    check_start(document, entry, result, options, problem.bounds.epsilon);
+  for (MeshRun& run : std::move(runs).run()) {
+    SimplifyResult& result = *run.result;
     if (!result.changed)
-      result.objects = document.objects(entry);
+      result.objects = document.objects(run.entry);
     else
-      all.changed.push_back({entry,
+      all.changed.push_back({run.entry,
                              result,
                              {result.handles_before, result.patches_before},
-                             problem.frame(),
-                             problem.original()->mesh()});
-    all.reports.push_back({entry.id, std::move(result)});
+                             run.frame,
+                             run.original});
+    all.reports.push_back({run.entry.id, std::move(result)});
   }
   for (const MeshEntry& entry : document.refused(ids)) {
     MeshReport& report = all.reports.emplace_back();

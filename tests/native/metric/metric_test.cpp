@@ -264,6 +264,28 @@ TEST(Metric, an_update_gives_up_beyond_its_limit_only) {
   }
 }
 
+TEST(Metric, an_update_on_all_threads_finds_the_same_also_where_it_gives_up) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomImages random(seed);
+    const Update update(random, all_kinds[seed % 2], random.from(30, 90), random.from(30, 600));
+    for (const double share : {0.1, 0.5, 0.9, 2.0}) {
+      const double limit = share * update.rise;
+      Plane alone = update.map;
+      const double change =
+          update.metric->update_map(update.before, update.test, update.changed, alone, limit);
+      for (const int threads : {1, 2, 3, 7}) {
+        const ThreadLimit of(threads);
+        Plane map = update.map;
+        EXPECT_EQ(update.metric->update_map_in_parallel(update.before, update.test, update.changed,
+                                                        map, limit),
+                  change);
+        if (share > 1) expect_equal_bits(map, alone);
+      }
+    }
+  }
+}
+
 TEST(Metric, an_update_that_gives_up_leaves_out_the_rest) {
   RandomImages random(9);
   const Image reference = random.gradient(60, 400), test = random.noise(60, 400);
