@@ -5,14 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <string>
 
 #include "window/toolkit/catalogue.h"
 
 namespace gradmesh {
 namespace {
 
+/// A path of this test's own: tests run at the same time.
 std::filesystem::path file_of_this_test() {
-  return std::filesystem::path(testing::TempDir()) / "by-eye";
+  return std::filesystem::path(testing::TempDir()) /
+         (std::string("by-eye_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 }
 
 TEST(Settings, are_what_was_written) {
