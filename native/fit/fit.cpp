@@ -42,14 +42,14 @@ Fit::Fit(Journal& journal, const Reference& target, const std::vector<Face>& fac
       unknowns_(free_unknowns(journal, faces, plain_)),
       influenced_(influences(journal, unknowns_, plain_)) {}
 
-std::vector<Value> Fit::step(const Damping& damping) const {
+std::vector<Value> Fit::step(const Damping& damping) {
   const Mesh& mesh = journal_.mesh();
   const Columns columns(unknowns_);
   std::vector<NormalEquations> equations(influenced_.size());
   parallel_for(influenced_.size(), [&](std::size_t i) {
     equations[i] = normal_equations(mesh, influenced_[i], columns, target_);
   });
-  const Eigen::VectorXd solution = solve(equations, by_column(damping.values(), columns));
+  const Eigen::VectorXd solution = solver_.solve(equations, by_column(damping.values(), columns));
 
   std::vector<Value> step(unknowns_.size());
   if (!solution.allFinite()) return step;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/equation_solver.h"
 #include "fit/refit.h"
 #include "fit/unknowns.h"
 #include "reference/reference.h"
@@ -19,7 +20,7 @@ class Fit {
 
   /// Returns by how much to change each unknown of the mesh as it is now: the larger its damping,
   /// the less.
-  std::vector<Value> step(const Damping& damping) const;
+  std::vector<Value> step(const Damping& damping);
   /// Makes a step, as one operation of the journal. Unknowns for which `stays` is true are left
   /// out.
   void apply(const std::vector<Value>& step, const std::vector<bool>& stays);
@@ -30,6 +31,7 @@ class Fit {
   const Plainness plain_;
   const std::vector<Unknown> unknowns_;
   const std::vector<InfluencedFace> influenced_;
+  EquationSolver solver_;
 };
 
 }  // namespace gradmesh

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace gradmesh {
 namespace {
@@ -54,14 +55,11 @@ Residual off_line(const Triple& t) {
           {-(1 - along) * normal, normal, -along * normal}};
 }
 
-/// Calls `f(triple, residual, weight)` for all that make a grid uneven.
-template <class F>
-void for_each_residual(const LineGrid& grid, const TargetPicture& target, const Evenness& by,
-                       const F& f) {
-  for_each_triple(grid, target, [&](const Triple& t) {
-    for (const int axis : {0, 1}) f(t, off_middle(t, axis), by.spacing);
-    f(t, off_line(t), by.straightness);
-  });
+/// What makes a triple uneven: a residual, and how much its square counts.
+std::array<std::pair<Residual, double>, 3> residuals_of(const Triple& t, const Evenness& by) {
+  return {{{off_middle(t, 0), by.spacing},
+           {off_middle(t, 1), by.spacing},
+           {off_line(t), by.straightness}}};
 }
 
 }  // namespace
@@ -70,34 +68,38 @@ std::vector<NormalEquations> evenness_equations(const LineGrid& grid, const Targ
                                                 const GridColumns& columns, const Evenness& by) {
   std::vector<NormalEquations> all;
   const glm::dvec2 scale = pixels_per_unit(grid, target);
-  for_each_residual(
-      grid, target, by, [&](const Triple& t, const Residual& residual, double weight) {
-        std::vector<double> shares;
-        NormalEquations one;
-        one.squares = weight * residual.value * residual.value;
-        for (std::size_t k = 0; k < 3; ++k) {
-          const KnotColumns& of = columns.of(t.numbers[k]);
-          for (std::size_t way = 0; way < of.place.size(); ++way) {
-            if (of.place[way] < 0) continue;
-            const double share =
-                glm::dot(residual.by[k], way_in_pixels(grid.knot(t.numbers[k]), way, scale));
-            if (share == 0) continue;
-            one.columns.push_back(of.place[way]);
-            shares.push_back(share);
-          }
-        }
-        const Eigen::Map<const Eigen::VectorXd> row(shares.data(), Eigen::Index(shares.size()));
-        one.matrix = weight * row * row.transpose();
-        one.rhs = -weight * residual.value * row;
-        all.push_back(std::move(one));
-      });
+  for_each_triple(grid, target, [&](const Triple& t) {
+    NormalEquations& triple = all.emplace_back();
+    // The point of each column, and the way that it stands for.
+    std::vector<std::pair<std::size_t, glm::dvec2>> ways;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const KnotColumns& of = columns.of(t.numbers[k]);
+      for (std::size_t way = 0; way < of.place.size(); ++way) {
+        if (of.place[way] < 0) continue;
+        triple.columns.push_back(of.place[way]);
+        ways.emplace_back(k, way_in_pixels(grid.knot(t.numbers[k]), way, scale));
+      }
+    }
+    const auto count = Eigen::Index(ways.size());
+    triple.matrix = Eigen::MatrixXd::Zero(count, count);
+    triple.rhs = Eigen::VectorXd::Zero(count);
+    for (const auto& [residual, weight] : residuals_of(t, by)) {
+      Eigen::VectorXd row(count);
+      for (Eigen::Index i = 0; i < count; ++i)
+        row(i) = glm::dot(residual.by[ways[std::size_t(i)].first], ways[std::size_t(i)].second);
+      triple.squares += weight * residual.value * residual.value;
+      triple.matrix += weight * row * row.transpose();
+      triple.rhs -= weight * residual.value * row;
+    }
+  });
   return all;
 }
 
 double unevenness(const LineGrid& grid, const TargetPicture& target, const Evenness& by) {
   double squares = 0;
-  for_each_residual(grid, target, by, [&](const Triple&, const Residual& residual, double weight) {
-    squares += weight * residual.value * residual.value;
+  for_each_triple(grid, target, [&](const Triple& t) {
+    for (const auto& [residual, weight] : residuals_of(t, by))
+      squares += weight * residual.value * residual.value;
   });
   return squares;
 }

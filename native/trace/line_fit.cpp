@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "fit/equation_solver.h"
 
 namespace gradmesh {
 namespace {
@@ -81,12 +82,13 @@ NormalEquations drawn_together(NormalEquations patch, const LineGrid& grid, int 
 
 /// Changes a channel of all points by least squares of the patches' equations. Returns the sum of
 /// the squares that is left, which is a square of what changes.
-double fit_channel(LineGrid& grid, int channel, const std::vector<NormalEquations>& patches) {
+double fit_channel(LineGrid& grid, int channel, const std::vector<NormalEquations>& patches,
+                   EquationSolver& solver) {
   std::vector<NormalEquations> drawn;
   drawn.reserve(patches.size());
   for (const NormalEquations& patch : patches)
     drawn.push_back(drawn_together(patch, grid, channel));
-  Eigen::VectorXd step = solve(drawn, Eigen::VectorXd::Zero(grid.points()));
+  Eigen::VectorXd step = solver.solve(drawn, Eigen::VectorXd::Zero(grid.points()));
   if (!step.allFinite()) step.setZero();
   for (int number = 0; number < grid.points(); ++number) {
     double& level = grid.knot(number).color[channel];
@@ -103,6 +105,24 @@ double fit_channel(LineGrid& grid, int channel, const std::vector<NormalEquation
   return squares;
 }
 
+/// `solver` is for grids of this size.
+double fit_colors(LineGrid& grid, const TargetPicture& target, EquationSolver& solver) {
+  const auto count = std::size_t(channels(target));
+  std::vector<std::vector<NormalEquations>> parts(count,
+                                                  std::vector<NormalEquations>(patch_count(grid)));
+  for_each_patch(grid, [&](std::size_t n, int row, int column) {
+    std::vector<NormalEquations> of_patch = channel_equations(grid, row, column, target);
+    for (std::size_t channel = 0; channel < count; ++channel)
+      parts[channel][n] = std::move(of_patch[channel]);
+  });
+  solver.prepare(parts.front(), grid.points());
+  std::vector<double> squares(count);
+  parallel_for(count, [&](std::size_t channel) {
+    squares[channel] = fit_channel(grid, int(channel), parts[channel], solver);
+  });
+  return std::accumulate(squares.begin(), squares.end(), 0.0);
+}
+
 /// One fit: Levenberg and Marquardt, with a damping for all places.
 class LineFit {
  public:
@@ -110,7 +130,7 @@ class LineFit {
       : grid_(grid), target_(target), evenness_(evenness), columns_(grid, target) {}
 
   double run(FitLength length) {
-    squares_ = fit_colors(grid_, target_);
+    squares_ = fit_colors(grid_, target_, of_colors_);
     uneven_ = unevenness(grid_, target_, evenness_);
     for (int step = 0; step < length.steps && damping_ < most_damping; ++step) {
       const double before = squares_;
@@ -128,7 +148,7 @@ class LineFit {
     if (!step.allFinite()) return raise_damping();
     LineGrid moved = grid_;
     move(moved, step);
-    const double squares = fit_colors(moved, target_);
+    const double squares = fit_colors(moved, target_, of_colors_);
     const double uneven = unevenness(moved, target_, evenness_);
     if (!(squares + uneven < squares_ + uneven_)) return raise_damping();
     grid_ = std::move(moved);
@@ -144,7 +164,7 @@ class LineFit {
   }
 
   /// Returns by how much to change what the columns number.
-  Eigen::VectorXd step() const {
+  Eigen::VectorXd step() {
     std::vector<NormalEquations> parts(patch_count(grid_));
     for_each_patch(grid_, [&](std::size_t n, int row, int column) {
       parts[n] = patch_equations(grid_, row, column, target_, columns_);
@@ -155,7 +175,7 @@ class LineFit {
     for (int number = 0; number < grid_.points(); ++number)
       for (const int column : columns_.of(number).place)
         if (column >= 0) damping(column) = damping_;
-    return solve(parts, damping);
+    return of_all_.solve(parts, damping);
   }
 
   /// Moves the points as far as patches do not fold: one set of points after the other that have no
@@ -185,25 +205,15 @@ class LineFit {
   const TargetPicture& target_;
   const Evenness evenness_;
   const GridColumns columns_;
+  EquationSolver of_all_, of_colors_;
   double squares_ = 0, uneven_ = 0, damping_ = 1e-2;
 };
 
 }  // namespace
 
 double fit_colors(LineGrid& grid, const TargetPicture& target) {
-  const auto count = std::size_t(channels(target));
-  std::vector<std::vector<NormalEquations>> parts(count,
-                                                  std::vector<NormalEquations>(patch_count(grid)));
-  for_each_patch(grid, [&](std::size_t n, int row, int column) {
-    std::vector<NormalEquations> of_patch = channel_equations(grid, row, column, target);
-    for (std::size_t channel = 0; channel < count; ++channel)
-      parts[channel][n] = std::move(of_patch[channel]);
-  });
-  std::vector<double> squares(count);
-  parallel_for(count, [&](std::size_t channel) {
-    squares[channel] = fit_channel(grid, int(channel), parts[channel]);
-  });
-  return std::accumulate(squares.begin(), squares.end(), 0.0);
+  EquationSolver solver;
+  return fit_colors(grid, target, solver);
 }
 
 double squares_of(const LineGrid& grid, const TargetPicture& target) {

@@ -67,7 +67,7 @@ class FitTrial::Surface {
         damping_(fit_.unknowns().size(), most_damping) {}
 
   std::size_t unknown_count() const { return fit_.unknowns().size(); }
-  std::vector<Value> step() const { return fit_.step(damping_); }
+  std::vector<Value> step() { return fit_.step(damping_); }
   void move(const std::vector<Value>& step, const std::vector<bool>& held) {
     depth_ = journal_.depth();
     fit_.apply(step, held);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "fit/equation_solver.h"
 #include "fit/equations.h"
 #include "fit/refit.h"
 #include "methods/plain/flaws.h"
@@ -71,7 +72,7 @@ class GridFit {
   Eigen::VectorXd step() {
     const Eigen::VectorXd damping =
         Eigen::VectorXd::Constant(unknowns_.columns().count, damping_.values().front());
-    Eigen::VectorXd step = solve(now_.parts, damping);
+    Eigen::VectorXd step = solver_.solve(now_.parts, damping);
     is_finite_ = step.allFinite();
     return step;
   }
@@ -166,6 +167,7 @@ class GridFit {
   const glm::dmat2 to_mesh_;
   const GridUnknowns unknowns_;
   std::vector<InfluencedPatch> patches_;
+  EquationSolver solver_;
   /// One for all unknowns.
   Damping damping_{1};
   Equations now_;
