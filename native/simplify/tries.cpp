@@ -1,6 +1,7 @@
 #include "simplify/tries.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "form/handles.h"
@@ -57,14 +58,17 @@ int fewest_patches(const Problem& problem, StopWatch& watch) {
 }
 
 /// Returns true if the best result leaves much, and blocks may leave much less. They have about as
-/// many handles for each patch as one mesh gradient, or more, since blocks share no points. Of very
-/// many patches they are hundreds of objects, which nobody edits, and take minutes.
+/// many handles for each patch as one mesh gradient, or more, since blocks share no points; and no
+/// fewer than the points of a square of so many patches. Of very many patches they are hundreds of
+/// objects, which nobody edits, and take minutes.
 bool blocks_may_leave_less(const SimplifyResult& best, const Problem& problem, StopWatch& watch) {
   constexpr int most_patches = 500;
   const int patches = problem.mesh().face_count();
   if (!leaves_much(best, problem, watch) || patches > most_patches) return false;
   const auto may_win = [&](int left) {
-    return is_much_less(handles_of_an_object + double(best.handles_after) * left / patches, best);
+    const double points = std::pow(std::sqrt(double(left)) + 1, 2);
+    const double handles = std::max(points, double(best.handles_after) * left / patches);
+    return is_much_less(handles_of_an_object + handles, best);
   };
   return may_win(1) && may_win(fewest_patches(problem, watch));
 }

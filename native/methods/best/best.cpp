@@ -331,7 +331,10 @@ class Best {
     const int before = problem_.measure(problem_.mesh()).counts().handles;
     for (const double share : {1.0, 0.5}) {
       std::optional<Candidate> found = least_effort_with({Count::handles, share});
-      if (!found || found->counts().handles >= before) continue;
+      // Details were harmed, however few patches were left alone for them: that is not for lack of
+      // epsilon.
+      if (!found) break;
+      if (found->counts().handles >= before) continue;
       if (!best || found->effort() < best->effort()) best = std::move(found);
     }
     return best ? *std::move(best) : problem_.unchanged();

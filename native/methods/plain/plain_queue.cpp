@@ -145,7 +145,7 @@ void PlainQueue::keep_one_picture() {
     if (!c.outcome) continue;
     ProposedStep* dearer = &c;
     if (!cheapest || c.price < cheapest->price) std::swap(cheapest, dearer);
-    if (dearer) dearer->outcome->written.measured.reset();
+    if (dearer) dearer->outcome->forget_form();
   }
 }
 

@@ -23,6 +23,13 @@ struct PlainCandidate {
   /// `near` and `limit` as of Problem::measure.
   PlainCandidate(PlainGrid made, const Problem& problem, const PlainCandidate* near = nullptr,
                  double limit = std::numeric_limits<double>::infinity());
+
+  /// Keeps the grid and its errors alone.
+  void forget_form() {
+    written.mesh = {};
+    written.form = {};
+    written.measured.reset();
+  }
 };
 
 /// A step, and what it led to from the grid of when PlainQueue::made() was `priced_at`.
