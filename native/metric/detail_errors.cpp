@@ -12,7 +12,7 @@ constexpr int before = detail_side / 2, after = detail_side - before - 1;
 
 void update_detail_errors(const Plane& errors, const Raster<std::uint8_t, 1>& counts,
                           Window changed, Plane& means) {
-  const Window frame = errors.window(), window = Window{changed.x0 - after, changed.y0 - after,
+  const Window frame = counts.window(), window = Window{changed.x0 - after, changed.y0 - after,
                                                         changed.x1 + before, changed.y1 + before}
                                                      .clipped(frame);
   if (window.empty()) return;

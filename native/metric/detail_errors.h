@@ -20,7 +20,8 @@ constexpr Window detail_window(int x, int y) {
 
 /// Brings a map of the means of `errors` in the windows (detail_window) of each pixel up to
 /// date, where `errors` has changed at most inside `changed`. Pixels beyond the frame, and those
-/// for which `counts` is 0, have no error. All three maps are of the size of the frame.
+/// for which `counts` is 0, have no error. `counts` is of the size of the frame. Of that, `errors`
+/// has at least the pixels within 4 of `changed`, and `means` those within 2.
 void update_detail_errors(const Plane& errors, const Raster<std::uint8_t, 1>& counts,
                           Window changed, Plane& means);
 

@@ -1,23 +1,28 @@
 #include "metric/local_mean.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "base/parallel.h"
 
 namespace gradmesh {
 
-double largest_local_mean(const Plane& map) {
-  // Each share of the rows reads those of a window's height below it once more.
-  constexpr std::size_t least_rows = 64;
-  const auto rows = std::size_t(local_mean_rows(map));
-  const std::size_t shares = std::max<std::size_t>(1, std::min(thread_count(), rows / least_rows));
-  std::vector<double> largest(shares, 0.0);
-  parallel_for(shares, [&](std::size_t n) {
-    for_each_local_mean(map, int(rows * n / shares), int(rows * (n + 1) / shares),
-                        [&](int, int, double mean) { largest[n] = std::max(largest[n], mean); });
+void add_local_means(const Plane& map, BlockMaxima& means) {
+  // Each share reads the rows of a window's height below it once more, so it is not too small; and
+  // it has whole rows of blocks, which no other one has.
+  constexpr int least_rows = 2 * BlockMaxima::side;
+  const int rows = local_mean_rows(map), most = (rows + least_rows - 1) / least_rows;
+  const int shares = std::min(int(thread_count()), most);
+  parallel_for(std::size_t(shares), [&](std::size_t n) {
+    const int first = most * int(n) / shares * least_rows,
+              end = std::min(rows, most * (int(n) + 1) / shares * least_rows);
+    for_each_local_mean(map, first, end, [&](int x, int y, double mean) { means.add(x, y, mean); });
   });
-  return std::ranges::max(largest);
+}
+
+double largest_local_mean(const Plane& map) {
+  BlockMaxima means(local_mean_places(map.window()));
+  add_local_means(map, means);
+  return means.largest();
 }
 
 }  // namespace gradmesh

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "metric/block_maxima.h"
 
 namespace gradmesh {
 
@@ -16,6 +17,13 @@ inline constexpr int local_side = 32;
 /// or high as the map where that is smaller.
 inline int local_mean_rows(const Plane& map) {
   return map.samples.empty() ? 0 : map.height - std::min(local_side, map.height) + 1;
+}
+
+/// Returns the first pixels of all windows inside a part of the frame.
+inline Window local_mean_places(Window part) {
+  if (part.empty()) return {};
+  return {part.x0, part.y0, std::max(part.x0 + 1, part.x1 - local_side + 1),
+          std::max(part.y0 + 1, part.y1 - local_side + 1)};
 }
 
 /// Calls `body(x, y, mean)` for every window in the rows from `first` up to but not `end`, row by
@@ -51,6 +59,10 @@ template <class Body>
 void for_each_local_mean(const Plane& map, const Body& body) {
   for_each_local_mean(map, 0, local_mean_rows(map), body);
 }
+
+/// Adds the mean of every window inside the map, a part of the frame, at the window's first pixel;
+/// the part's first row is that of a block. Runs on all threads.
+void add_local_means(const Plane& map, BlockMaxima& means);
 
 /// Returns the largest mean of these windows, to 1e-12; 0 for a map without pixels.
 double largest_local_mean(const Plane& map);

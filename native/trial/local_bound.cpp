@@ -30,12 +30,14 @@ LocalBound LocalBound::beyond(double more, const Plane& start) {
   return bound;
 }
 
-bool LocalBound::holds(const Plane& map) const { return holds(map, largest_local_mean(map)); }
+bool LocalBound::holds(const Plane& map) const {
+  return holds(largest_local_mean(map), [&]() -> const Plane& { return map; });
+}
 
-bool LocalBound::holds(const Plane& map, double largest) const {
+bool LocalBound::holds(double largest, const std::function<const Plane&()>& map) const {
   if (largest <= largest_ || allowed_.samples.empty()) return largest <= largest_;
   bool all = true;
-  for_each_local_mean(map,
+  for_each_local_mean(map(),
                       [&](int x, int y, double mean) { all = all && mean <= *allowed_.at(x, y); });
   return all;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "base/image.h"
 
 namespace gradmesh {
@@ -17,8 +19,9 @@ class LocalBound {
 
   /// Returns true if all windows inside `map`, a part of the frame, keep to the bound.
   bool holds(const Plane& map) const;
-  /// Returns the same of a map whose largest_local_mean is known.
-  bool holds(const Plane& map, double largest) const;
+  /// Returns the same of a map whose largest_local_mean is known. The map is asked for only where
+  /// that is not enough.
+  bool holds(double largest, const std::function<const Plane&()>& map) const;
 
  private:
   explicit LocalBound(double largest) : largest_(largest) {}

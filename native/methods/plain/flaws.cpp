@@ -97,7 +97,7 @@ double corner_at(const PlainGrid& grid, Along along, int row, int column,
 constexpr double most_corner = 1.5 * seen_corner;
 
 /// About as far as the patches beside a side reach, in pixels.
-constexpr double near = 32;
+constexpr double within_reach = 32;
 
 /// Returns places along a side, in pixels.
 std::vector<glm::dvec2> places_along(const PlainGrid& grid, const Side& side, const Frame& frame) {
@@ -208,7 +208,7 @@ std::vector<Side> harmful_sides(const std::vector<Side>& sides, const PlainGrid&
     if (error > bound) harmful.push_back(side);
     if (distance < closest.first) closest = {distance, side};
   }
-  if (closest.first < near && std::ranges::find(harmful, closest.second) == harmful.end())
+  if (closest.first < within_reach && std::ranges::find(harmful, closest.second) == harmful.end())
     harmful.push_back(closest.second);
   return harmful;
 }

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "mesh/color_model.h"
 #include "mesh/rectangle.h"
+#include "metric/block_maxima.h"
 #include "metric/local_mean.h"
 #include "problems.h"
 #include "random_meshes.h"
@@ -56,6 +57,30 @@ TEST(LocalMean, of_every_window_once_whatever_the_size) {
     EXPECT_NEAR(largest_local_mean(map), naive_largest(map), 1e-12);
   }
   EXPECT_EQ(largest_local_mean(Plane()), 0);
+}
+
+/// A part of the map gets other values, and only its blocks are looked at again.
+TEST(BlockMaxima, follow_a_part_that_changes) {
+  std::mt19937 random(6);
+  for (const auto& [width, height] : {std::pair(20, 90), {33, 31}, {150, 110}}) {
+    Plane map = random_map({0, 0, width, height}, random);
+    const Window changed = Window{width / 2, 5, width / 2 + 9, 40}.clipped(map.window());
+    *map.at(changed.x0, changed.y0) = 9;
+    BlockMaxima values(map.window());
+    values.add(map);
+    EXPECT_EQ(values.largest(), 9);
+    fill(map, changed, 0.0F);
+    const Window blocks = values.whole_blocks(changed);
+    EXPECT_EQ(blocks.united(changed), blocks);
+    Plane part(blocks);
+    copy(map, blocks, part);
+    values.clear(blocks);
+    values.add(part);
+    BlockMaxima afresh(map.window());
+    afresh.add(map);
+    EXPECT_EQ(values.largest(), afresh.largest());
+    EXPECT_TRUE(values.whole_blocks({width, 0, width + 5, 5}).empty());
+  }
 }
 
 TEST(LocalMean, of_a_part_is_that_of_the_whole_to_the_last_bit) {
