@@ -47,6 +47,17 @@ void parallel_for(std::size_t count, const Body& body) {
 #endif
 }
 
+/// Calls `body(worker, i)` for each i in [0, count), lower ones first, on as many threads as there
+/// are workers; `worker` is a number below `workers` of which there are not two calls at the same
+/// time.
+template <class Body>
+void parallel_in_turn(std::size_t workers, std::size_t count, const Body& body) {
+  std::atomic<std::size_t> next = 0;
+  parallel_for(std::min(workers, count), [&](std::size_t worker) {
+    for (std::size_t i; (i = next++) < count;) body(worker, i);
+  });
+}
+
 /// Returns the largest number of threads on which parallel_for works now.
 inline std::size_t thread_count() {
 #ifdef __SANITIZE_THREAD__

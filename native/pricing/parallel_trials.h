@@ -10,24 +10,23 @@
 
 namespace gradmesh {
 
-/// Calls `body(worker, i)` for each i in [0, count), lower ones first, `worker` being a number
-/// below `workers` of which there are not two calls at the same time. `stop(done)`, `done` being
-/// the number of calls that have ended, is called on the calling thread, before anything is begun
-/// and before each of that thread's calls of the body; once it returns true no more calls are
-/// begun. Returns true if `stop` never returned true.
+/// Calls `body(worker, i)` as parallel_in_turn does. `stop(done)`, `done` being the number of calls
+/// that have ended, is called on the calling thread, before anything is begun and before each of
+/// that thread's calls of the body; once it returns true no more calls are begun. Returns true if
+/// `stop` never returned true.
 template <class Body>
 bool for_each_in_turn(std::size_t workers, std::size_t count,
                       const std::function<bool(std::size_t done)>& stop, const Body& body) {
   // Now, as others may be done before it gets to its first call.
   if (stop(0)) return false;
   const std::thread::id caller = std::this_thread::get_id();
-  std::atomic<std::size_t> next = 0, done = 0;
+  std::atomic<std::size_t> done = 0;
   std::atomic<bool> stopped = false;
-  parallel_for(std::min(workers, count), [&](std::size_t own) {
-    for (std::size_t i = 0; !stopped && (i = next++) < count; ++done) {
-      if (std::this_thread::get_id() == caller && stop(done)) stopped = true;
-      if (!stopped) body(own, i);
-    }
+  parallel_in_turn(workers, count, [&](std::size_t worker, std::size_t i) {
+    if (!stopped && std::this_thread::get_id() == caller && stop(done)) stopped = true;
+    if (stopped) return;
+    body(worker, i);
+    ++done;
   });
   return !stopped;
 }

@@ -1,7 +1,6 @@
 #include "trace/traced_grid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -75,11 +74,8 @@ class Telling {
 
   /// Calls `work(n)` for each n below `count`, lower ones first.
   void run(std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next = 0;
-    const auto work_in_turn = [&](std::size_t) {
-      for (std::size_t n; (n = next++) < count;) work(n);
-    };
-    caller_.wait_for([&] { parallel_for(std::min(count, thread_count()), work_in_turn); },
+    const auto in_turn = [&](std::size_t, std::size_t n) { work(n); };
+    caller_.wait_for([&] { parallel_in_turn(thread_count(), count, in_turn); },
                      [&] { return tell_news(); });
   }
 

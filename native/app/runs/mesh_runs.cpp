@@ -44,8 +44,8 @@ class MeshRuns::SharedRuns {
  public:
   explicit SharedRuns(const RunOptions& options) : options_(options) {}
 
-  SimplifyResult result_of(const Problem& problem, StopWatch& watch) {
-    const PriceTableKey key = problem.price_key();
+  /// `key` is that of the problem's prices.
+  SimplifyResult result_of(const Problem& problem, const PriceTableKey& key, StopWatch& watch) {
     for (const Run& run : runs_)
       if (run.key == key && are_like(run.rules, problem.rules) &&
           are_like(run.gradient_rules, problem.gradient_rules))
@@ -95,17 +95,15 @@ MergeTrial::DeviceLost MeshRuns::telling_device_lost() {
 }
 
 std::vector<MeshRuns::Job> MeshRuns::jobs_by_size() const {
-  std::vector<std::pair<PriceTableKey, Job>> by_key;
-  for (std::size_t i = 0; i < runs_.size(); ++i) {
-    const PriceTableKey key = runs_[i].problem->price_key();
-    const auto same = std::ranges::find(by_key, key, &std::pair<PriceTableKey, Job>::first);
-    if (same != by_key.end())
-      same->second.push_back(i);
-    else
-      by_key.push_back({key, {i}});
-  }
   std::vector<Job> jobs;
-  for (auto& [key, job] : by_key) jobs.push_back(std::move(job));
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const auto same = std::ranges::find_if(
+        jobs, [&](const Job& job) { return runs_[job.front()].key == runs_[i].key; });
+    if (same != jobs.end())
+      same->push_back(i);
+    else
+      jobs.push_back({i});
+  }
   std::ranges::stable_sort(jobs, std::greater{}, [&](const Job& job) {
     return runs_[job.front()].problem->mesh().face_count();
   });
@@ -113,8 +111,10 @@ std::vector<MeshRuns::Job> MeshRuns::jobs_by_size() const {
 }
 
 std::size_t MeshRuns::most_at_once(const std::vector<Job>& jobs) const {
+  // A run has a trial for each thread, whoever else is at work.
   std::vector<std::uint64_t> bytes;
-  for (const Job& job : jobs) bytes.push_back(measuring_bytes(runs_[job.front()].frame, 1));
+  for (const Job& job : jobs)
+    bytes.push_back(measuring_bytes(runs_[job.front()].frame, thread_count()));
   std::ranges::sort(bytes, std::greater{});
   const std::size_t most = std::min(thread_count(), jobs.size());
   std::uint64_t sum = 0;
@@ -151,7 +151,8 @@ void MeshRuns::run(std::size_t mesh, SharedRuns& shared, ProgressCallback progre
   MeshRun& run = runs_[mesh];
   try {
     StopWatch watch(options_.time_budget, std::move(progress));
-    run.result = document_.naming(run.entry, [&] { return shared.result_of(*run.problem, watch); });
+    run.result =
+        document_.naming(run.entry, [&] { return shared.result_of(*run.problem, run.key, watch); });
     check_start(document_, run.entry, *run.result, options_, run.problem->bounds.epsilon);
   } catch (...) {
     run.fault = std::current_exception();

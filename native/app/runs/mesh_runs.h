@@ -15,6 +15,7 @@ namespace gradmesh {
 /// The run over one mesh of a document.
 struct MeshRun {
   MeshEntry entry;
+  PriceTableKey key;
   /// Nothing once it is over: its picture is needed no longer.
   std::optional<Problem> problem;
   Frame frame;
@@ -25,6 +26,7 @@ struct MeshRun {
 
   MeshRun(MeshEntry of, Problem made)
       : entry(std::move(of)),
+        key(made.price_key()),
         problem(std::move(made)),
         frame(problem->frame()),
         original(problem->original()->mesh()) {}

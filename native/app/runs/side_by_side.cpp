@@ -1,7 +1,6 @@
 #include "app/runs/side_by_side.h"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include "base/parallel.h"
@@ -37,13 +36,8 @@ void SideBySide::call_there(std::function<void()> what) {
 
 void SideBySide::run(std::size_t jobs, std::size_t at_once,
                      const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
   caller_.wait_for(
-      [&] {
-        parallel_for(std::min(at_once, jobs), [&](std::size_t) {
-          for (std::size_t job; (job = next++) < jobs;) work(job);
-        });
-      },
+      [&] { parallel_in_turn(at_once, jobs, [&](std::size_t, std::size_t job) { work(job); }); },
       [&] { return tell_news(); });
 }
 
