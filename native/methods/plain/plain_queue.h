@@ -16,8 +16,7 @@ namespace gradmesh {
 struct PlainCandidate {
   PlainGrid grid;
   Candidate written;
-  /// Of the sides that were to become straight those that harmed details (harmful_sides), and are
-  /// curves again where others stayed straight.
+  /// Of the sides that became straight those that harm details (harmful_sides).
   std::vector<Side> harmful = {};
 
   /// `near` and `limit` as of Problem::measure.
@@ -97,7 +96,6 @@ class PlainQueue {
     int made;
   };
 
-  void note_harmful(const PlainCandidate& outcome);
   void renumber_without(const Step& gone);
 
   std::vector<ProposedStep> proposals_;
