@@ -14,7 +14,8 @@
 namespace gradmesh {
 
 /// Calls `body(i)` for every i in [0, count), on as many threads as the innermost ThreadLimit
-/// allows. Bodies must not depend on each other, and may call parallel_for themselves: a thread
+/// allows; once one has thrown, some of the others are not called. Bodies must not depend on each
+/// other, and may call parallel_for themselves: a thread
 /// that waits for the others takes no body of another loop meanwhile, so that what it keeps for
 /// itself (base/per_thread.h) stays as it was. A caller that sums over i does so afterwards, in
 /// order, so that results do not depend on the number of threads.
@@ -38,11 +39,16 @@ void parallel_for(std::size_t count, const Body& body) {
   for (const std::exception_ptr& fault : faults)
     if (fault) std::rethrow_exception(fault);
 #else
+  // Of a loop within one of which a body has thrown, oneTBB leaves out the rest without a word,
+  // unless it is in a context of its own.
+  tbb::task_group_context context(tbb::task_group_context::isolated);
   tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-                      });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+        },
+        context);
   });
 #endif
 }

@@ -122,8 +122,6 @@ class Factorisation {
   void add_part(int part, Eigen::MatrixXd& matrix) const {
     const std::vector<int>& places = elimination_.places[std::size_t(part)];
     const Eigen::MatrixXd& from = parts_[std::size_t(part)].matrix;
-    // Where a body of a loop around this has thrown, parts may be left out (see solve()).
-    if (from.rows() != Eigen::Index(places.size())) return;
     for (std::size_t b = 0; b < places.size(); ++b)
       for (std::size_t a = 0; a < places.size(); ++a)
         if (places[a] >= places[b])
@@ -210,15 +208,8 @@ Eigen::VectorXd EquationSolver::solve(const std::vector<NormalEquations>& parts,
   prepare(parts, rhs.size());
   const Eigen::VectorXd raised = raised_by(parts, damping);
   Factorisation factorisation(order_->elimination, parts, raised);
-  const std::vector<std::vector<int>>& trees = order_->trees;
-  std::vector<char> is_eliminated(trees.size(), false);
-  parallel_for(trees.size(), [&](std::size_t tree) {
-    factorisation.eliminate(trees[tree]);
-    is_eliminated[tree] = true;
-  });
-  // oneTBB leaves out what is left of a loop inside another one of which a body has thrown.
-  for (std::size_t tree = 0; tree < trees.size(); ++tree)
-    if (!is_eliminated[tree]) factorisation.eliminate(trees[tree]);
+  parallel_for(order_->trees.size(),
+               [&](std::size_t tree) { factorisation.eliminate(order_->trees[tree]); });
   factorisation.eliminate(order_->afterwards);
   return factorisation.solve(std::move(rhs));
 }

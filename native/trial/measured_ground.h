@@ -32,7 +32,7 @@ struct FrameError {
 
 /// How a surface on one ground is measured.
 struct Measures {
-  const Frame& frame;
+  Frame frame;
   const Metric& metric;
   /// That of the local error; null for none.
   const LocalBound* bound = nullptr;

@@ -24,44 +24,46 @@ std::vector<Patch> patches_alone(const Mesh& surface) {
   return patches;
 }
 
-Frame masked(Frame frame, bool masks_opacity) {
-  frame.masked_opacity = masks_opacity;
-  return frame;
+Measures on_white(const Reference& reference, bool masks_opacity, const LocalBound* bound,
+                  bool measures_details) {
+  Measures measures{reference.frame(), reference.metric(), bound};
+  measures.frame.masked_opacity = masks_opacity;
+  if (measures_details) measures.away_from_outline = &reference.away_from_outline();
+  return measures;
+}
+
+/// Returns how that is measured on black which `white` tells how to measure on white.
+Measures on_black(const Measures& white, const Metric& metric) {
+  return {on_black(white.frame), metric, white.bound, white.away_from_outline};
 }
 
 }  // namespace
 
 MeasuredSurface::MeasuredSurface(const Reference& reference, const Mesh& surface,
                                  bool masks_opacity, const LocalBound* bound, bool measures_details)
-    : masks_opacity_(masks_opacity),
-      patches_(patches_alone(surface)),
-      on_white_(surface, {masked(reference.frame(), masks_opacity), reference.metric(), bound,
-                          measures_details ? &reference.away_from_outline() : nullptr}) {
+    : masks_opacity_(masks_opacity), patches_(patches_alone(surface)) {
+  const Measures white = on_white(reference, masks_opacity, bound, measures_details);
+  on_white_.emplace(surface, white);
   if (const Metric* const metric = reference.metric_on_black())
-    on_black_.emplace(surface,
-                      Measures{on_black(masked(reference.frame(), masks_opacity)), *metric, bound,
-                               measures_details ? &reference.away_from_outline() : nullptr});
+    on_black_.emplace(surface, on_black(white, *metric));
   find_error();
 }
 
 MeasuredSurface::MeasuredSurface(const MeasuredSurface& near, const Reference& reference,
                                  const Mesh& surface, const LocalBound* bound, double limit)
-    : masks_opacity_(near.masks_opacity_),
-      patches_(patches_alone(surface)),
-      on_white_(near.on_white_, surface, differs_from(near, reference.frame()),
-                {masked(reference.frame(), masks_opacity_), reference.metric(), bound,
-                 &reference.away_from_outline()},
-                limit) {
-  if (near.on_black_ && on_white_.error().mean <= limit)
-    on_black_.emplace(*near.on_black_, surface, differs_from(near, reference.frame()),
-                      Measures{on_black(masked(reference.frame(), masks_opacity_)),
-                               *reference.metric_on_black(), bound, &reference.away_from_outline()},
+    : masks_opacity_(near.masks_opacity_), patches_(patches_alone(surface)) {
+  const Measures white = on_white(reference, masks_opacity_, bound, true);
+  const Window changed = differs_from(near, white.frame);
+  on_white_.emplace(*near.on_white_, surface, changed, white, limit);
+  if (near.on_black_ && on_white_->error().mean <= limit)
+    on_black_.emplace(*near.on_black_, surface, changed,
+                      on_black(white, *reference.metric_on_black()),
                       std::numeric_limits<double>::infinity());
   find_error();
 }
 
 void MeasuredSurface::find_error() {
-  error_ = on_white_.error();
+  error_ = on_white_->error();
   if (!on_black_) return;
   const FrameError& other = on_black_->error();
   error_.local = std::max(error_.local, other.local);
@@ -70,8 +72,8 @@ void MeasuredSurface::find_error() {
 }
 
 const Plane& MeasuredSurface::details() const {
-  const bool is_worse_on_black = on_black_ && on_black_->error().detail > on_white_.error().detail;
-  return (is_worse_on_black ? *on_black_ : on_white_).whole().details;
+  const bool is_worse_on_black = on_black_ && on_black_->error().detail > on_white_->error().detail;
+  return (is_worse_on_black ? on_black_ : on_white_)->whole().details;
 }
 
 /// Returns the pixels of the patches that only one of the two surfaces has.

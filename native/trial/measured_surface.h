@@ -33,7 +33,7 @@ class MeasuredSurface {
   /// they are not looked at.
   const Plane& details() const;
   /// Returns the metric's map of the whole frame on white.
-  const Plane& map() const { return on_white_.whole().map; }
+  const Plane& map() const { return on_white_->whole().map; }
 
  private:
   void find_error();
@@ -43,7 +43,8 @@ class MeasuredSurface {
   /// The patches in the order in which they are painted; none where a patch is not painted by what
   /// it is alone: its colours follow its neighbours, or its sides have T-junctions.
   std::vector<Patch> patches_;
-  const MeasuredGround on_white_;
+  /// Always there once this is made.
+  std::optional<MeasuredGround> on_white_;
   /// Only where the original is translucent, and not where on white the mean is above the limit.
   std::optional<MeasuredGround> on_black_;
   FrameError error_;
