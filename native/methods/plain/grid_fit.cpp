@@ -129,10 +129,11 @@ class GridFit {
   /// A patch has the points at its corners, and by the tangents that follow chords those beside
   /// them.
   void list_patches(const GridPoints& points) {
-    const int last_row = std::min(grid_.rows() - 1, points.last_row + 1);
-    const int last_column = std::min(grid_.columns() - 1, points.last_column + 1);
-    for (int i = std::max(0, points.first_row - 2); i <= last_row; ++i)
-      for (int j = std::max(0, points.first_column - 2); j <= last_column; ++j)
+    const GridPoints::Range near = points.bounds();
+    const int last_row = std::min(grid_.rows() - 1, near.last_row + 1);
+    const int last_column = std::min(grid_.columns() - 1, near.last_column + 1);
+    for (int i = std::max(0, near.first_row - 2); i <= last_row; ++i)
+      for (int j = std::max(0, near.first_column - 2); j <= last_column; ++j)
         if (std::vector<Influence> by = unknowns_.influences(i, j); !by.empty())
           patches_.push_back({i, j, std::move(by)});
   }
@@ -200,14 +201,11 @@ void fit_grid_and_colors(PlainGrid& grid, const Reference& target, int steps,
   constexpr double levels = 255, least_change = 1.5;
   PlainGrid free = grid;
   GridFit(free, target, points, true).run(steps);
-  for (int i = points.first_row; i <= points.last_row; ++i)
-    for (int j = points.first_column; j <= points.last_column; ++j) {
-      const glm::dvec4 wanted = free.knot(i, j).color,
-                       by = glm::abs(wanted - grid.knot(i, j).color);
-      if (std::max({by.r, by.g, by.b}) * levels < least_change) continue;
-      for (int k = 0; k < 3; ++k)
-        grid.knot(i, j).color[k] = std::round(wanted[k] * levels) / levels;
-    }
+  points.for_each([&](int i, int j) {
+    const glm::dvec4 wanted = free.knot(i, j).color, by = glm::abs(wanted - grid.knot(i, j).color);
+    if (std::max({by.r, by.g, by.b}) * levels < least_change) return;
+    for (int k = 0; k < 3; ++k) grid.knot(i, j).color[k] = std::round(wanted[k] * levels) / levels;
+  });
   fit_grid(grid, target, steps, points);
 }
 

@@ -101,12 +101,26 @@ const std::array<Shares, corner_movers>& color_shares() {
   return all;
 }
 
+void GridPoints::add(const Range& range) {
+  const Range inside{std::max(range.first_row, 0), std::min(range.last_row, rows_),
+                     std::max(range.first_column, 0), std::min(range.last_column, columns_)};
+  if (inside.last_row < inside.first_row || inside.last_column < inside.first_column) return;
+  for (int i = inside.first_row; i <= inside.last_row; ++i)
+    for (int j = inside.first_column; j <= inside.last_column; ++j) has_[index(i, j)] = true;
+  const bool is_first = bounds_.last_row < 0;
+  bounds_ = is_first ? inside
+                     : Range{std::min(bounds_.first_row, inside.first_row),
+                             std::max(bounds_.last_row, inside.last_row),
+                             std::min(bounds_.first_column, inside.first_column),
+                             std::max(bounds_.last_column, inside.last_column)};
+}
+
 GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_colors)
     : points_(points), width_(std::size_t(grid.columns() + 1)), rows_(grid.rows()) {
   point_unknowns_.assign(std::size_t(rows_ + 1) * width_, -1);
-  for (int i = points.first_row; i <= points.last_row; ++i)
-    for (int j = points.first_column; j <= points.last_column; ++j)
-      if (!grid.is_fixed_point(i, j)) point_unknowns_[index(i, j)] = count_++;
+  points.for_each([&](int i, int j) {
+    if (!grid.is_fixed_point(i, j)) point_unknowns_[index(i, j)] = count_++;
+  });
   for (const Along along : {Along::rows, Along::columns}) {
     tangents_[int(along)].resize(point_unknowns_.size());
     const bool is_row = along == Along::rows;
@@ -124,12 +138,11 @@ GridUnknowns::GridUnknowns(PlainGrid& grid, const GridPoints& points, bool with_
 /// through, the picture over white does not tell which colour looks alike over others, so the
 /// colour stays.
 void GridUnknowns::add_colors(const PlainGrid& grid) {
-  for (int i = points_.first_row; i <= points_.last_row; ++i)
-    for (int j = points_.first_column; j <= points_.last_column; ++j) {
-      if (grid.knot(i, j).color.a < 1 || point_unknowns_[index(i, j)] < 0) continue;
-      columns_.color[std::size_t(point_unknowns_[index(i, j)])] = columns_.count;
-      columns_.count += 3;
-    }
+  points_.for_each([&](int i, int j) {
+    if (grid.knot(i, j).color.a < 1 || point_unknowns_[index(i, j)] < 0) return;
+    columns_.color[std::size_t(point_unknowns_[index(i, j)])] = columns_.count;
+    columns_.count += 3;
+  });
 }
 
 /// Numbers the tangent of a side at its start (`end` 0) or its end (1).
@@ -227,16 +240,15 @@ PlainGrid GridUnknowns::moved(const PlainGrid& grid, const Eigen::VectorXd& step
     const int column = columns_.place[std::size_t(unknown)];
     return to_mesh * glm::dvec2(step(column), step(column + 1));
   };
-  for (int i = points_.first_row; i <= points_.last_row; ++i)
-    for (int j = points_.first_column; j <= points_.last_column; ++j) {
-      const int unknown = point_unknowns_[index(i, j)];
-      if (unknown < 0 || stays[std::size_t(unknown)]) continue;
-      PlainGrid::Knot& knot = result.knot(i, j);
-      knot.position += place(unknown);
-      if (const int column = columns_.color[std::size_t(unknown)]; column >= 0)
-        for (int k = 0; k < 3; ++k)
-          knot.color[k] = std::clamp(knot.color[k] + step(column + k), 0.0, 1.0);
-    }
+  points_.for_each([&](int i, int j) {
+    const int unknown = point_unknowns_[index(i, j)];
+    if (unknown < 0 || stays[std::size_t(unknown)]) return;
+    PlainGrid::Knot& knot = result.knot(i, j);
+    knot.position += place(unknown);
+    if (const int column = columns_.color[std::size_t(unknown)]; column >= 0)
+      for (int k = 0; k < 3; ++k)
+        knot.color[k] = std::clamp(knot.color[k] + step(column + k), 0.0, 1.0);
+  });
   for_each_tangent([&](Along along, int i, int j, std::size_t end, const Tangent& t) {
     if (t.kind == Tangent::free && !stays[std::size_t(t.unknown)])
       (*result.bend(along, i, j))[end] += t.factor * place(t.unknown);

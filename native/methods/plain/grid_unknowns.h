@@ -25,14 +25,51 @@ const std::array<Shares, most_movers>& place_shares(int curves);
 /// Returns how the colours of the control vectors follow the colour of each corner.
 const std::array<Shares, corner_movers>& color_shares();
 
-/// Points of a grid: those from one row and column to another, both included.
-struct GridPoints {
-  int first_row = 0, last_row = 0, first_column = 0, last_column = 0;
+/// Points of a grid, none at first.
+class GridPoints {
+ public:
+  explicit GridPoints(const PlainGrid& grid)
+      : rows_(grid.rows()),
+        columns_(grid.columns()),
+        has_(std::size_t(rows_ + 1) * std::size_t(columns_ + 1), false) {}
 
-  static GridPoints all(const PlainGrid& grid) { return {0, grid.rows(), 0, grid.columns()}; }
-  bool contains(int row, int column) const {
-    return row >= first_row && row <= last_row && column >= first_column && column <= last_column;
+  static GridPoints all(const PlainGrid& grid) {
+    GridPoints points(grid);
+    points.add({0, grid.rows(), 0, grid.columns()});
+    return points;
   }
+
+  /// Rows and columns, the first and the last included; there is none if a last comes before its
+  /// first.
+  struct Range {
+    int first_row, last_row, first_column, last_column;
+  };
+
+  /// Adds the points of a range as far as it lies in the grid.
+  void add(const Range& range);
+  bool contains(int row, int column) const {
+    return row >= 0 && row <= rows_ && column >= 0 && column <= columns_ &&
+           has_[index(row, column)];
+  }
+  /// Returns the smallest range that holds all points.
+  const Range& bounds() const { return bounds_; }
+
+  /// Calls `visit(row, column)` for each point, row by row.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (int i = bounds_.first_row; i <= bounds_.last_row; ++i)
+      for (int j = bounds_.first_column; j <= bounds_.last_column; ++j)
+        if (has_[index(i, j)]) visit(i, j);
+  }
+
+ private:
+  std::size_t index(int row, int column) const {
+    return std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column);
+  }
+
+  int rows_, columns_;
+  std::vector<bool> has_;
+  Range bounds_{0, -1, 0, -1};
 };
 
 /// What a fit may change of a grid: the places of some points, the tangents there of sides that are

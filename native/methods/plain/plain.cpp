@@ -107,29 +107,70 @@ class Selection {
     }
   }
 
-  /// Measures a grid; an error above `limit` may be any that is.
-  PlainCandidate measured(PlainGrid grid, double limit) const {
-    PlainCandidate outcome(std::move(grid), problem_, &now_, limit);
+  /// Measures a grid that differs little from that of `near`; an error above `limit` may be any
+  /// that is.
+  PlainCandidate measured(PlainGrid grid, double limit, const PlainCandidate& near) const {
+    PlainCandidate outcome(std::move(grid), problem_, &near, limit);
     if (!may_be_seen_ && outcome.written.keeps && flaws_.are_worse(outcome.grid))
       outcome.written.keeps = false;
     return outcome;
   }
 
-  /// Returns what a step leads to, with the points near it fitted anew. Where a line is gone the
+  PlainCandidate measured(PlainGrid grid, double limit) const {
+    return measured(std::move(grid), limit, now_);
+  }
+
+  /// Puts points, and the sides that begin there, back to where they are now, but for some sides
+  /// that stay straight.
+  void put_back(const GridPoints& points, const std::vector<Side>& straight,
+                PlainGrid& changed) const {
+    points.for_each([&](int row, int column) {
+      changed.knot(row, column) = grid().knot(row, column);
+      for (const Along along : {Along::rows, Along::columns})
+        changed.bend(along, row, column) = grid().bend(along, row, column);
+    });
+    for (const Side& side : straight) changed.bend(side.along, side.row, side.column).reset();
+  }
+
+  /// Lets those of the sides that a step made straight be curves again that harm details, one after
+  /// the other until none does, with the points near them fitted anew. Most of a portion does no
+  /// harm, and to fit and measure the rest from the start again takes many times as long.
+  PlainCandidate without_harm(PlainCandidate found, std::vector<Side> straight) const {
+    std::vector<Side> harmful;
+    while (harms_details(found)) {
+      const std::vector<Side> more =
+          harmful_sides(straight, found.grid, found.written.measured->details(),
+                        *problem_.bounds.detail, picture().frame());
+      if (more.empty()) break;
+      harmful.insert(harmful.end(), more.begin(), more.end());
+      std::erase_if(straight,
+                    [&](const Side& side) { return std::ranges::find(more, side) != more.end(); });
+      if (straight.empty()) break;
+      PlainGrid grid = found.grid;
+      const GridPoints near = points_near({more}, grid);
+      put_back(near, straight, grid);
+      fit_grid(grid, picture(), fit_steps, near);
+      found = measured(std::move(grid), hopeless_error(), found);
+    }
+    found.harmful = std::move(harmful);
+    return found;
+  }
+
+  /// Returns what a step leads to, with the points near it fitted anew; where many sides become
+  /// straight all points, which mends on the way what earlier steps left. Where a line is gone the
   /// colours beside it have more to show. A grid that breaks the local bound alone is fitted once
   /// more, which lowers the peaks.
   PlainCandidate after(const Step& step) const {
     PlainGrid grid = now_.grid;
     make(step, grid);
-    const GridPoints points = points_near(step, grid);
+    constexpr std::size_t few_sides = 4;
+    const GridPoints points =
+        step.sides.size() > few_sides ? GridPoints::all(grid) : points_near(step, grid);
     if (step.takes_line())
       fit_grid_and_colors(grid, picture(), fit_steps, points);
     else
       fit_grid(grid, picture(), fit_steps, points);
-    PlainCandidate first = measured(grid, hopeless_error());
-    if (harms_details(first))
-      first.harmful = harmful_sides(step.sides, first.grid, first.written.measured->details(),
-                                    *problem_.bounds.detail, picture().frame());
+    PlainCandidate first = without_harm(measured(grid, hopeless_error()), step.sides);
     if (first.written.keeps || first.written.error > epsilon() || local_share(first) > may_fall)
       return first;
     if (!step.takes_line() && harms_details(first)) {
@@ -141,8 +182,10 @@ class Selection {
       PlainCandidate bare = measured(std::move(unfitted), epsilon());
       return bare.written.keeps ? bare : first;
     }
+    grid = first.grid;
     fit_grid_and_colors(grid, picture(), fit_steps, points);
     PlainCandidate second = measured(std::move(grid), epsilon());
+    second.harmful = first.harmful;
     return second.written.keeps ? second : first;
   }
 

@@ -153,11 +153,18 @@ ProposedStep PlainQueue::take_first() {
   ProposedStep taken = std::move(proposals_.front());
   proposals_.erase(proposals_.begin());
   too_much_in_a_row_ = 0;
+  note_harmful(*taken.outcome);
   if (taken.step.takes_line())
     renumber_without(taken.step);
   else
     most_sides_ = std::max(most_sides_, 2 * taken.step.sides.size());
   return taken;
+}
+
+void PlainQueue::note_harmful(const PlainCandidate& outcome) {
+  if (outcome.harmful.empty()) return;
+  made_when_too_much_ = std::min(made_when_too_much_, made_);
+  for (const Side& side : outcome.harmful) too_much_.push_back({side, made_});
 }
 
 void PlainQueue::renumber_without(const Step& gone) {
@@ -179,7 +186,7 @@ void PlainQueue::give_up_first() {
   if (first.step.takes_line()) return;
   sides_proposed_at_ = -1;
   if (first.step.sides.size() > 1 && outcome && !outcome->harmful.empty()) {
-    for (const Side& side : outcome->harmful) too_much_.push_back({side, made_});
+    note_harmful(*outcome);
   } else if (first.step.sides.size() > 1) {
     most_sides_ = smaller_portion(first.step.sides.size());
   } else {

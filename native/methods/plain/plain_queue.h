@@ -16,7 +16,8 @@ namespace gradmesh {
 struct PlainCandidate {
   PlainGrid grid;
   Candidate written;
-  /// Of the sides that became straight those that harm details (harmful_sides).
+  /// Of the sides that were to become straight those that harmed details (harmful_sides), and are
+  /// curves again where others stayed straight.
   std::vector<Side> harmful = {};
 
   /// `near` and `limit` as of Problem::measure.
@@ -96,6 +97,7 @@ class PlainQueue {
     int made;
   };
 
+  void note_harmful(const PlainCandidate& outcome);
   void renumber_without(const Step& gone);
 
   std::vector<ProposedStep> proposals_;

@@ -8,11 +8,6 @@ namespace {
 /// Farther points hardly move, and a fit of few points is quicker.
 constexpr int reach = 3;
 
-GridPoints within(const GridPoints& points, const PlainGrid& grid) {
-  return {std::max(points.first_row, 0), std::min(points.last_row, grid.rows()),
-          std::max(points.first_column, 0), std::min(points.last_column, grid.columns())};
-}
-
 }  // namespace
 
 std::vector<Side> curved_sides(const PlainGrid& grid) {
@@ -31,17 +26,19 @@ void make(const Step& step, PlainGrid& grid) {
 }
 
 GridPoints points_near(const Step& step, const PlainGrid& after) {
-  GridPoints points = GridPoints::all(after);
+  GridPoints points(after);
+  const int rows = after.rows(), columns = after.columns();
   if (step.takes_line()) {
-    const bool is_row = step.along == Along::rows;
-    (is_row ? points.first_row : points.first_column) = step.line - reach;
-    (is_row ? points.last_row : points.last_column) = step.line - 1 + reach;
-  } else if (step.sides.size() == 1) {
-    const auto& [along, row, column] = step.sides.front();
-    points = {row - reach, row + (along == Along::columns) + reach, column - reach,
-              column + (along == Along::rows) + reach};
+    const int first = step.line - reach, last = step.line - 1 + reach;
+    if (step.along == Along::rows)
+      points.add({first, last, 0, columns});
+    else
+      points.add({0, rows, first, last});
   }
-  return within(points, after);
+  for (const auto& [along, row, column] : step.sides)
+    points.add({row - reach, row + (along == Along::columns) + reach, column - reach,
+                column + (along == Along::rows) + reach});
+  return points;
 }
 
 }  // namespace gradmesh

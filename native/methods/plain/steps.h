@@ -31,8 +31,7 @@ struct Step {
 void make(const Step& step, PlainGrid& grid);
 
 /// Returns the points of the grid after a step that are to be fitted anew: those within a few lines
-/// of one that is gone or of one side that is straight, and all points where there are several
-/// sides, which may lie anywhere.
+/// of one that is gone or of a side that is straight.
 GridPoints points_near(const Step& step, const PlainGrid& after);
 
 }  // namespace gradmesh

@@ -154,7 +154,8 @@ TEST(GridFit, moves_only_the_points_it_is_given) {
   for (int i = 1; i < 6; ++i)
     for (int j = 1; j < 6; ++j) grid.knot(i, j).position += glm::dvec2(3, -2);
   const PlainGrid before = grid;
-  const GridPoints points = {1, 2, 0, 3};
+  GridPoints points(grid);
+  points.add({1, 2, 0, 3});
   fit_grid_and_colors(grid, target, 3, points);
   bool any = false;
   for (int i = 0; i <= 6; ++i)
