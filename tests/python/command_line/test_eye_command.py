@@ -10,6 +10,7 @@ import time
 
 import pytest
 
+import displays
 import inkscape_harness
 from built import BUILD, SAMPLES
 from program import listed, refused
@@ -68,7 +69,7 @@ def test_what_was_made_is_kept_where_it_cannot_be_written(tmp_path):
     out.parent.mkdir()
     kept.mkdir()
     (kept / "out-by-eye-1.svg").write_text("of another day")
-    with inkscape_harness.Display() as display:
+    with displays.Display() as display:
         env = {**os.environ, "DISPLAY": display.name, "SDL_VIDEODRIVER": "x11", "TMPDIR": str(kept)}
         env.update(XDG_DATA_HOME=str(tmp_path / "data"), LANGUAGE="en")
 

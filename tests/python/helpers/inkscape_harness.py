@@ -19,7 +19,6 @@ import functools
 import os
 import re
 import shutil
-import signal
 import subprocess
 import tempfile
 import time
@@ -27,8 +26,10 @@ from pathlib import Path
 from typing import Mapping, Optional, Sequence, Tuple
 from xml.sax.saxutils import quoteattr
 
+from displays import Display, kill_group, run
+from windows import InkscapeWindow
+
 INKSCAPE = os.environ.get("GRADMESH_INKSCAPE", "inkscape")
-SCREEN = (1400, 1000)
 
 
 def missing(*programs: str) -> str:
@@ -53,134 +54,6 @@ def undoes_in_batch_runs() -> bool:
     """Whether the action `undo` takes an extension's change back where there is no window; in 1.4 it takes
     nothing back there, and Ctrl+Z in the window does."""
     return is_older_than(1, 4)
-
-
-WINDOW_PROGRAMS = ("xdotool", "import")
-
-
-class Timeout(AssertionError):
-    """Inkscape did not end in time; it and everything it started has been killed."""
-
-
-def kill_group(process: subprocess.Popen) -> None:
-    """Ends a process started with `start_new_session` and everything it started.
-
-    The group outlives its leader, so it is signalled even where the leader has ended.
-    """
-    for sign in (signal.SIGTERM, signal.SIGKILL):
-        try:
-            os.killpg(process.pid, sign)
-        except ProcessLookupError:
-            pass
-        try:
-            process.wait(timeout=5)
-        except subprocess.TimeoutExpired:
-            pass
-
-
-def is_busy(session: int, others_end: bool = True) -> bool:
-    """Whether a process that was started with `start_new_session` works, or waits for a processor or
-    a disk, or has started others that have not ended; where those have windows and wait for a person
-    (`others_end` is false), whether they work."""
-    for stat in Path("/proc").glob("[0-9]*/stat"):
-        try:
-            state, _parent, _group, its_session = stat.read_text().rpartition(")")[2].split()[:4]
-            if int(its_session) != session or state == "Z":
-                continue
-            if others_end and stat.parent.name != str(session):
-                return True
-            threads = [task.read_text() for task in stat.parent.glob("task/*/stat")]
-        except OSError:  # it has ended meanwhile
-            continue
-        if any(thread.rpartition(")")[2].split()[0] in "RD" for thread in threads):
-            return True
-    return False
-
-
-def run(command: Sequence[str], env: Mapping[str, str], timeout: float) -> subprocess.CompletedProcess:
-    """Runs a command in its own process group; past `timeout` seconds the whole group is killed."""
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        # Files, not pipes: a grandchild that keeps a pipe open would block the reader.
-        process = subprocess.Popen(
-            command,
-            env=env,
-            stdin=subprocess.DEVNULL,
-            stdout=out,
-            stderr=err,
-            start_new_session=True,
-        )
-        expired = ""
-        try:
-            process.wait(timeout=timeout)
-        except subprocess.TimeoutExpired:
-            expired = seen(env) or "nothing is known of its display"
-        finally:
-            kill_group(process)
-        texts = []
-        for stream in (out, err):
-            stream.seek(0)
-            texts.append(stream.read().decode(errors="replace"))
-    if expired:
-        raise Timeout(
-            f"no end after {timeout:g} s (an extension that writes to stderr opens a dialog, which "
-            f"waits for ever): {' '.join(command)}; {expired}\n{texts[0]}{texts[1]}"
-        )
-    return subprocess.CompletedProcess(command, process.returncode, *texts)
-
-
-def seen(env: Mapping[str, str]) -> str:
-    """What is to be seen on the display, for the message of a test that gives up: the windows' titles, and the
-    path of a picture of it. Empty where there is no display or nothing to look with."""
-    if not env.get("DISPLAY") or missing(*WINDOW_PROGRAMS):
-        return ""
-
-    def answer(*command: str) -> str:
-        return subprocess.run(command, env=env, capture_output=True, text=True, timeout=20).stdout.strip()
-
-    handle, shot = tempfile.mkstemp(prefix="seen-", suffix=".png")
-    os.close(handle)
-    try:
-        windows = answer("xdotool", "search", "--onlyvisible", "--name", ".").split()
-        titles = [answer("xdotool", "getwindowname", window) for window in windows]
-        answer("import", "-window", "root", shot)
-    except subprocess.TimeoutExpired:
-        return ""
-    return f"open: {', '.join(titles) or 'no window'}; the display: {shot}"
-
-
-class Display:
-    """One private Xvfb on a display number that it finds itself; `name` is its DISPLAY."""
-
-    def __enter__(self) -> "Display":
-        read_end, write_end = os.pipe()
-        width, height = SCREEN
-        self._memory = tempfile.TemporaryDirectory(prefix="display-")
-        self._process = subprocess.Popen(
-            # Without a pointer: over a busy program it turns, and the display never stays the same.
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24"]
-            + ["-fbdir", self._memory.name, "-nocursor", "-nolisten", "tcp"],
-            pass_fds=[write_end],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        )
-        os.close(write_end)
-        with os.fdopen(read_end) as pipe:
-            number = pipe.readline().strip()  # ends with the number, or empty if Xvfb dies
-        if not number:
-            self.__exit__()
-            raise RuntimeError("Xvfb did not start")
-        self.name = f":{number}"
-        return self
-
-    def __exit__(self, *_) -> None:
-        kill_group(self._process)
-        self._memory.cleanup()
-
-    def pixels(self) -> bytes:
-        """What the display shows at this moment, without starting a program to look: the file in which Xvfb
-        holds it."""
-        return (Path(self._memory.name) / "Xvfb_screen0").read_bytes()
 
 
 def preferences(values: Mapping[str, str]) -> str:
@@ -398,7 +271,9 @@ class Inkscape:
 
     def window(self, svg, timeout: Optional[float] = None, actions: Sequence[str] = ()) -> "InkscapeWindow":
         """Its window over a document, on which these actions have run."""
-        return InkscapeWindow(self, svg, timeout or self.timeout, actions)
+        run_actions = ["--with-gui", "--actions=" + ";".join(actions)] if actions else []
+        command = [INKSCAPE, *run_actions, svg]
+        return InkscapeWindow(command, svg, self.env, timeout or self.timeout, self.pixels)
 
     def undone_in_window(self, svg, actions: Sequence[str]) -> Tuple[bytes, bytes]:
         """What the file is after actions, one undo and saving, and after redo and saving; undone as far as to what
@@ -410,135 +285,3 @@ class Inkscape:
                 window.key("ctrl+s")
                 files.append(Path(svg).read_bytes())
         return files[0], files[1]
-
-
-class Started:
-    """A program on a display, with all that it starts, until the end of the block."""
-
-    def __init__(self, command: Sequence, env: Mapping[str, str], timeout: float):
-        self._command, self._env, self._timeout = list(map(str, command)), env, timeout
-
-    def __enter__(self):
-        self._process = subprocess.Popen(
-            self._command,
-            env=self._env,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            start_new_session=True,
-        )
-        return self
-
-    def __exit__(self, *_) -> None:
-        kill_group(self._process)
-
-    def xdotool(self, *arguments: str) -> str:
-        return run(["xdotool", *arguments], self._env, 20).stdout
-
-    def find_window(self, name: str) -> str:
-        """Waits for a window whose title holds `name`."""
-        end = time.monotonic() + self._timeout
-        while time.monotonic() < end and self._process.poll() is None:
-            found = self.xdotool("search", "--onlyvisible", "--name", name).split()
-            if found:
-                return found[0]
-            time.sleep(0.2)
-        raise Timeout(f"there is no window {name}: {self._command}; {seen(self._env)}")
-
-    def titles(self) -> Sequence[str]:
-        """The titles of the windows that are to be seen."""
-        windows = self.xdotool("search", "--onlyvisible", "--name", ".").split()
-        return [self.xdotool("getwindowname", window).strip() for window in windows]
-
-    def property(self, window: str, name: str) -> str:
-        """The value of a window's property as X11 has it; of the display's, if `window` is "root"."""
-        which = ["-root"] if window == "root" else ["-id", window]
-        said = run(["xprop", *which, name], self._env, 20).stdout
-        return said.replace("=", "#").rpartition("#")[2].strip()
-
-    def wait(self) -> None:
-        """Waits until the program has ended by itself."""
-        self._process.wait(self._timeout)
-
-
-class InkscapeWindow(Started):
-    """A document open in Inkscape's own window, filling the display; positions are its pixels."""
-
-    def __init__(self, inkscape: Inkscape, svg, timeout: float, actions: Sequence[str] = ()):
-        run = ["--with-gui", "--actions=" + ";".join(actions)] if actions else []
-        super().__init__([INKSCAPE, *run, svg], inkscape.env, timeout)
-        self._look = inkscape.pixels
-        self._svg = Path(svg)
-        self.is_asking = False
-
-    def __enter__(self) -> "InkscapeWindow":
-        super().__enter__()
-        try:
-            window = self.find_window(self._svg.name)
-            self.xdotool("windowmove", window, "0", "0")
-            self.xdotool("windowsize", window, *map(str, SCREEN))
-            self.xdotool("windowfocus", window)
-            self.settle()
-        except BaseException:
-            kill_group(self._process)
-            raise
-        return self
-
-    def settle(self) -> None:
-        """Waits until Inkscape, and all that it has started, has nothing left to do and the screen
-        stays the same. A screen that stays the same alone may be of an Inkscape that is busy."""
-        end = time.monotonic() + self._timeout
-        before, same = None, 0
-        while same < 3:
-            if time.monotonic() > end:
-                raise Timeout(f"the window of {self._svg} keeps changing; {seen(self._env)}")
-            time.sleep(0.3)
-            now = None if is_busy(self._process.pid, not self.is_asking) else self._look()
-            same = same + 1 if now and now == before else 0
-            before = now
-
-    def key(self, *keys: str) -> None:
-        """Presses keys by their X names, such as "5", "ctrl+a", "Escape"."""
-        self.xdotool("key", "--delay", "100", *keys)
-        self.settle()
-
-    def open_window(self, key: str, title: str) -> None:
-        """Presses a key that lets an extension show a window of its own, which then is in the upper
-        left corner and has the keys; close_window() says that it is to have gone."""
-        self.is_asking = True
-        self.key(key)
-        own = self.find_window(title)
-        self.xdotool("windowmove", own, "0", "0")
-        self.xdotool("windowfocus", own)
-        self.settle()
-
-    def close_window(self) -> None:
-        """Waits until Inkscape has taken what that window left, and gives Inkscape the keys."""
-        self.is_asking = False
-        self.settle()
-        self.xdotool("windowfocus", self.find_window(self._svg.name))
-
-    def click(self, x: int, y: int, button: int = 1, repeat: int = 1) -> None:
-        self.xdotool("mousemove", str(x), str(y))
-        self.xdotool("click", "--repeat", str(repeat), "--delay", "80", str(button))
-        self.settle()
-
-    def double_click(self, x: int, y: int) -> None:
-        self.click(x, y, repeat=2)
-
-    def drag(self, x: int, y: int, to_x: int, to_y: int) -> None:
-        self.xdotool("mousemove", str(x), str(y), "mousedown", "1")
-        for i in range(1, 6):  # a single jump would be a click to Inkscape
-            at = (str(round(a + (b - a) * i / 5)) for a, b in ((x, to_x), (y, to_y)))
-            self.xdotool("mousemove", *at)
-            time.sleep(0.1)
-        self.settle()  # or a busy Inkscape would end the drag before its last step
-        self.xdotool("mouseup", "1")
-        self.settle()
-
-    def screenshot(self, path) -> Path:
-        """Writes the whole display; the name's ending says the format."""
-        run(["import", "-window", "root", str(path)], self._env, 30)
-        if not Path(path).exists():
-            raise AssertionError(f"no screenshot was written to {path}")
-        return Path(path)

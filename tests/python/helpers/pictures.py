@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from PIL import Image
 
-import inkscape_harness
+import displays
 import svg_meshes
 from program import error, meshes, printed as gradmesh  # noqa: F401, for all who draw
 from svg_meshes import GRADMESH, SVG
@@ -47,7 +47,7 @@ def export(inkscape, documents, kind="png", dpi=96):
     command = ["inkscape", f"--export-type={kind}", f"--export-dpi={dpi}", "--export-area-page"]
     ending = ".png" if kind == "png" else "_out.svg"
     files = [Path(document).with_name(Path(document).stem + ending) for document in documents]
-    done = inkscape_harness.run([*command, *map(str, documents)], inkscape.env, inkscape.timeout)
+    done = displays.run([*command, *map(str, documents)], inkscape.env, inkscape.timeout)
     for file in files:
         assert file.exists(), f"Inkscape wrote no {file.name}: {done.stderr}"
     return files

@@ -5,7 +5,8 @@ import pytest
 
 from built import install_extension
 from in_inkscape import needs
-from inkscape_harness import WINDOW_PROGRAMS, Inkscape
+from displays import WINDOW_PROGRAMS
+from inkscape_harness import Inkscape
 
 np = pytest.importorskip("numpy")
 Image = pytest.importorskip("PIL.Image")

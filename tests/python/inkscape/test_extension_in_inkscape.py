@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import pytest
 
+import displays
 import inkscape_harness
 from built import PYTHON, SAMPLES, gradmesh as run, install_extension
 from inkscape_harness import Inkscape
@@ -43,7 +44,7 @@ undoes_in_batch_runs = pytest.mark.skipif(
     not inkscape_harness.undoes_in_batch_runs(),
     reason="this Inkscape's action undo takes nothing back in batch runs",
 )
-window_reason = inkscape_harness.missing(*inkscape_harness.WINDOW_PROGRAMS)
+window_reason = inkscape_harness.missing(*displays.WINDOW_PROGRAMS)
 needs_window = pytest.mark.skipif(bool(window_reason), reason=window_reason or "nothing is missing")
 
 

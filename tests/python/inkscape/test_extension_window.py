@@ -9,7 +9,8 @@ import pytest
 import inkscape_harness
 from built import SAMPLES, install_extension
 from in_inkscape import needs
-from inkscape_harness import WINDOW_PROGRAMS, Inkscape
+from displays import WINDOW_PROGRAMS
+from inkscape_harness import Inkscape
 
 pytestmark = needs(*WINDOW_PROGRAMS)
 

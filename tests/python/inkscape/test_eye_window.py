@@ -9,7 +9,8 @@ import pytest
 import inkscape_harness
 from built import SAMPLES, install_extension
 from extension_runs import extension, refused, run  # noqa: F401
-from inkscape_harness import Inkscape, Started
+from inkscape_harness import Inkscape
+from windows import Started
 
 import gradmesh
 

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import pytest
 
+import displays
 import inkscape_harness
 from built import SAMPLES
 from in_inkscape import needs
-from inkscape_harness import Inkscape, Timeout
+from displays import Timeout
+from inkscape_harness import Inkscape
 
 RAW_ID = "org.gradmesh.test_opacity"
 INX = f"""<inkscape-extension xmlns="http://www.inkscape.org/namespace/inkscape/extension">
@@ -79,7 +81,7 @@ def test_pages_for_which_there_is_no_time_are_told(tmp_path):
     assert list(missing.values()) == ["Inkscape did not end in time", "there was no time left for it"]
 
 
-@needs("ps", *inkscape_harness.WINDOW_PROGRAMS)
+@needs("ps", *displays.WINDOW_PROGRAMS)
 @pytest.mark.full
 def test_a_hanging_run_is_ended_with_all_it_started(tmp_path):
     with Inkscape() as inkscape:
@@ -97,13 +99,13 @@ def test_a_hanging_run_is_ended_with_all_it_started(tmp_path):
     assert not os.path.exists(home)
 
 
-@needs(*inkscape_harness.WINDOW_PROGRAMS)
+@needs(*displays.WINDOW_PROGRAMS)
 def test_the_window_shows_the_document(tmp_path):
     image = pytest.importorskip("PIL.Image")
     with Inkscape() as inkscape, inkscape.window(SAMPLES / "two.svg") as window:
         window.key("5")
         with image.open(window.screenshot(tmp_path / "shot.png")) as shot:
-            assert shot.size == inkscape_harness.SCREEN
+            assert shot.size == displays.SCREEN
             colours = shot.convert("RGB").getcolors(1 << 24)
     # The mushroom's cap, on the fitted page, is the only large red thing on the screen.
     red = sum(count for count, (r, g, b) in colours if r > 150 and g < 80 and b < 80)

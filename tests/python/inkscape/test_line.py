@@ -6,6 +6,7 @@ import time
 
 import pytest
 
+import displays
 import inkscape_harness
 from built import PYTHON, SAMPLES
 from extension_runs import SMALL, extension, refused, run  # noqa: F401
@@ -22,7 +23,7 @@ ONE, TWO = "This is said.", "This is said. And this is, too."
 
 @pytest.fixture(scope="module")
 def screen():
-    with inkscape_harness.Display() as display:
+    with displays.Display() as display:
         yield display.name
 
 
@@ -125,7 +126,7 @@ def test_sentences_go_by_a_click(line, screen):
     time.sleep(3)
     assert process.poll() is None
     env = {**inkscape_harness.os.environ, "DISPLAY": screen}
-    width, height = inkscape_harness.SCREEN
+    width, height = displays.SCREEN
     subprocess.run(["xdotool", "mousemove", str(width // 2), str(height - 90), "click", "1"], env=env, check=True)
     assert process.wait(60) == 0
 

@@ -5,6 +5,8 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
+import displays
+import windows
 import inkscape_harness
 from built import SAMPLES
 from extension_runs import INKEX, extension, is_one_sentence, refused, run  # noqa: F401
@@ -170,7 +172,7 @@ def test_inkscapes_own_import_stays(extension, tmp_path):
     with inkscape_harness.Inkscape() as inkscape:
 
         def export(source, made):
-            inkscape_harness.run(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
+            displays.run(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
             return made.read_bytes()
 
         export(sample, pages[0])
@@ -180,7 +182,7 @@ def test_inkscapes_own_import_stays(extension, tmp_path):
         assert list(map(export, pages, beside)) == before
         assert all(b"<meshpatch" not in made and b"<path" in made for made in before)
         for page in pages:
-            with inkscape_harness.Started(["inkscape", page], inkscape.env, inkscape.timeout) as started:
+            with windows.Started(["inkscape", page], inkscape.env, inkscape.timeout) as started:
                 started.find_window("PDF Import Settings")
 
 
@@ -195,7 +197,7 @@ def test_meshes_take_the_place_of_what_inkscape_imports(inkscape, extension, fil
     sample, path = shutil.copy(SAMPLES / f"{name}.svg", tmp_path), tmp_path / f"{name}.pdf"
     tiles, out, undone = (tmp_path / f"{made}.svg" for made in ("tiles", "out", "undone"))
     for made, source in ((path, sample), (tiles, path)):
-        inkscape_harness.run(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
+        displays.run(["inkscape", f"--export-filename={made}", str(source)], inkscape.env, inkscape.timeout)
     inkscape.set_values({"org.gradmesh.pages.file": path})
     written = [f"export-filename:{out}", "export-do"]
     if inkscape_harness.undoes_in_batch_runs():

@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-import inkscape_harness
+import displays
 from built import SAMPLES, gradmesh
 from in_inkscape import inkscape, needs  # noqa: F401
 from pictures import error, export
@@ -20,7 +20,7 @@ SAMPLES_WITH_MESHES = ["face", "fruit", "opacity", "photo", "smooth", "stroke", 
 
 
 def as_pdf(inkscape, source, pdf):
-    inkscape_harness.run(["inkscape", f"--export-filename={pdf}", str(source)], inkscape.env, inkscape.timeout)
+    displays.run(["inkscape", f"--export-filename={pdf}", str(source)], inkscape.env, inkscape.timeout)
     return pdf
 
 

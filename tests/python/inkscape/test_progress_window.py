@@ -7,6 +7,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
+import displays
 import inkscape_harness
 from built import PYTHON, SAMPLES
 from extension_runs import extension, run  # noqa: F401
@@ -89,7 +90,7 @@ gradmesh_simplify.Simplify().run(arguments)
 
 @pytest.fixture(scope="module")
 def display():
-    with inkscape_harness.Display() as display:
+    with displays.Display() as display:
         yield display.name
 
 

@@ -11,11 +11,13 @@ import xml.etree.ElementTree as ET
 import pytest
 
 import browser as browsers
+import displays
 import inkscape_harness
 from browser import one_chromium  # noqa: F401
 from built import SAMPLES, install_extension
 from in_inkscape import needs
-from inkscape_harness import Inkscape, Started
+from inkscape_harness import Inkscape
+from windows import Started
 
 np = pytest.importorskip("numpy")
 Image = pytest.importorskip("PIL.Image")
@@ -357,7 +359,7 @@ def test_other_svg_documents_keep_their_meshes(inkscape, tmp_path, kind):
     """Ours is one more way to save files of the same ending."""
     out = tmp_path / "out.svg"
     command = [inkscape_harness.INKSCAPE, "--export-type=svg", *kind, f"--export-filename={out}"]
-    inkscape_harness.run([*command, str(SAMPLES / "tensor.svg")], inkscape.env, inkscape.timeout)
+    displays.run([*command, str(SAMPLES / "tensor.svg")], inkscape.env, inkscape.timeout)
     assert counts(out) == (0, 1)
 
 

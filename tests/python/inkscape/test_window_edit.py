@@ -6,7 +6,8 @@ import pytest
 
 import inkscape_harness
 from in_inkscape import needs
-from inkscape_harness import WINDOW_PROGRAMS, Inkscape
+from displays import WINDOW_PROGRAMS
+from inkscape_harness import Inkscape
 
 np = pytest.importorskip("numpy")
 image = pytest.importorskip("PIL.Image")
