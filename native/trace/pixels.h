@@ -55,15 +55,13 @@ class QuadMap {
   double square_, linear_;
 };
 
-/// Calls `f(x, y, parameters)` for the pixels of a picture whose point (`point` of the pixel's way
-/// from its upper left corner, in both directions) lies in the patch; `parameters` are u and v
-/// there.
+/// Calls `f(x, y)` for the pixels of a picture whose point (`point` of the pixel's way from its
+/// upper left corner, in both directions) lies in the patch.
 template <class F>
 void for_each_pixel(const Quad& quad, int width, int height, double point, const F& f) {
   const auto [low, high] = std::minmax({quad[0].y, quad[1].y, quad[2].y, quad[3].y});
   const int first = clamped_int(std::ceil(low - point), 0, height);
   const int last = clamped_int(std::floor(high - point), -1, height - 1);
-  const QuadMap map(quad);
   for (int row = first; row <= last; ++row) {
     const double y = row + point;
     double left = width, right = 0;
@@ -76,8 +74,7 @@ void for_each_pixel(const Quad& quad, int width, int height, double point, const
     }
     const int begin = clamped_int(std::ceil(left - point), 0, width);
     const int end = clamped_int(std::ceil(right - point), 0, width);
-    for (int column = begin; column < end; ++column)
-      f(column, row, map.parameters({column + point, y}));
+    for (int column = begin; column < end; ++column) f(column, row);
   }
 }
 

@@ -58,7 +58,9 @@ TargetPicture picture_of(const LineGrid& grid, int width, int height, bool is_op
       const std::array<int, 4> at = grid.corners(i, j);
       Quad quad;
       for (std::size_t k = 0; k < 4; ++k) quad[k] = scale * grid.knot(at[k]).position;
-      for_each_pixel(quad, width, height, target.point, [&](int x, int y, glm::dvec2 p) {
+      const QuadMap map(quad);
+      for_each_pixel(quad, width, height, target.point, [&](int x, int y) {
+        const glm::dvec2 p = map.parameters(glm::dvec2(x, y) + target.point);
         const glm::dvec4 top = glm::mix(grid.knot(at[0]).color, grid.knot(at[1]).color, p.y);
         const glm::dvec4 bottom = glm::mix(grid.knot(at[3]).color, grid.knot(at[2]).color, p.y);
         glm::vec4& pixel = target.pixels[std::size_t(y * width + x)];
@@ -120,7 +122,8 @@ TEST(Pixels, belong_to_one_patch_each) {
         Quad quad;
         for (std::size_t k = 0; k < 4; ++k) quad[k] = grid.knot(grid.corners(i, j)[k]).position;
         const QuadMap map(quad);
-        for_each_pixel(quad, 37, 29, 0.5, [&](int x, int y, glm::dvec2 at) {
+        for_each_pixel(quad, 37, 29, 0.5, [&](int x, int y) {
+          const glm::dvec2 at = map.parameters(glm::dvec2(x, y) + 0.5);
           ++visits[std::size_t(y * 37 + x)];
           const glm::dvec2 back =
               glm::mix(glm::mix(quad[0], quad[1], at.y), glm::mix(quad[3], quad[2], at.y), at.x);
