@@ -17,8 +17,8 @@ namespace gradmesh {
 /// allows; once one has thrown, some of the others are not called. Bodies must not depend on each
 /// other, and may call parallel_for themselves: a thread that waits for the others takes no body of
 /// another loop meanwhile, so that what it keeps for itself (base/per_thread.h) stays as it was. A
-/// caller that sums over i does so afterwards, in order, so that results do not depend on the number
-/// of threads.
+/// caller that sums over i does so afterwards, in order, so that results do not depend on the
+/// number of threads.
 template <class Body>
 void parallel_for(std::size_t count, const Body& body) {
 #ifdef __SANITIZE_THREAD__

@@ -72,7 +72,7 @@ OWNERS = {
     r"tbb/": {"base"},
     r"Eigen/": {"fit"},
     r"glpk\.h": {"methods"},
-    r"hwy/": {"metric", "raster"},
+    r"hwy/": {"metric", "raster", "trace"},
 }
 
 SOURCES = sorted(p for p in NATIVE.rglob("*") if p.suffix in {".h", ".cpp"})
