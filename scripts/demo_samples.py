@@ -18,7 +18,8 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tests" / "python" / "helpers"), str(ROOT / "build" / "python")]
 
 import gradmesh  # noqa: E402
-from inkscape_harness import Inkscape, Timeout  # noqa: E402
+from displays import Timeout  # noqa: E402
+from inkscape_harness import Inkscape  # noqa: E402
 
 APPLE = ROOT / "samples" / "photographs" / "apple.svg"
 

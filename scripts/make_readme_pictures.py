@@ -24,7 +24,8 @@ sys.path.insert(0, str(ROOT / "tests" / "python" / "helpers"))
 
 import browser  # noqa: E402
 from built import SAMPLES, gradmesh as run, install_extension  # noqa: E402, makes gradmesh importable
-from inkscape_harness import Inkscape, run as run_inkscape  # noqa: E402
+from displays import run as run_inkscape  # noqa: E402
+from inkscape_harness import Inkscape  # noqa: E402
 from svg_meshes import SVG, Document  # noqa: E402
 
 import gradmesh  # noqa: E402
