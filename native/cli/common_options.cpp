@@ -61,6 +61,17 @@ struct Adding {
   }
 };
 
+/// Returns the id and the factor of "ID=FACTOR". An id may hold a "=". Throws std::invalid_argument
+/// if there is no id or no number.
+std::pair<std::string, double> weight_in(const std::string& text) {
+  const std::size_t end = text.rfind('=');
+  double factor = 0;
+  if (end == 0 || end == text.npos || !CLI::detail::lexical_cast(text.substr(end + 1), factor))
+    throw std::invalid_argument("--weigh needs an id and a number, as in eyes=4, not \"" + text +
+                                "\".");
+  return {text.substr(0, end), factor};
+}
+
 }  // namespace
 
 std::string any_document() {
@@ -131,6 +142,17 @@ void add_ids(CLI::App& command, std::vector<std::string>& ids) {
 
 void add_id(CLI::App& command, std::string& id) {
   command.add_option("--id", id, "Which mesh, where there are several");
+}
+
+CLI::Option* add_weigh_option(CLI::App& command, ShapeWeights& weights,
+                              const std::string& description) {
+  const auto add = [&weights](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) weights.push_back(weight_in(text));
+  };
+  return command.add_option_function<std::vector<std::string>>("--weigh", add, description)
+      ->type_name("ID=FACTOR")
+      ->take_all()
+      ->expected(1);
 }
 
 void add_renderer_option(CLI::App& command, std::string& renderer) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/document/weighted_shapes.h"
 #include "app/pages/page_documents.h"
 #include "app/runs/runs.h"
 
@@ -29,6 +30,9 @@ void add_options(CLI::App& command, SimplifyOptions& options,
 void add_ids(CLI::App& command, std::vector<std::string>& ids);
 /// Adds --id of one mesh.
 void add_id(CLI::App& command, std::string& id);
+/// Adds --weigh ID=FACTOR, which may be repeated.
+CLI::Option* add_weigh_option(CLI::App& command, ShapeWeights& weights,
+                              const std::string& description);
 /// Adds --renderer.
 void add_renderer_option(CLI::App& command, std::string& renderer);
 /// Sets the device of the renderer in the options, and says on stderr if there is none or if it

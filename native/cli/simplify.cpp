@@ -82,17 +82,6 @@ void tell_refused(const std::vector<MeshReport>& reports) {
       std::fprintf(stderr, "gradmesh: left as it was: %s\n", report.refused->english().c_str());
 }
 
-/// Returns the id and the factor of "ID=FACTOR". An id may hold a "=". Throws std::invalid_argument
-/// if there is no id or no number.
-std::pair<std::string, double> weight_in(const std::string& text) {
-  const std::size_t end = text.rfind('=');
-  double factor = 0;
-  if (end == 0 || end == text.npos || !CLI::detail::lexical_cast(text.substr(end + 1), factor))
-    throw std::invalid_argument("--weigh needs an id and a number, as in eyes=4, not \"" + text +
-                                "\".");
-  return {text.substr(0, end), factor};
-}
-
 /// Finds the curves of the meshes, writes them into a file, and one of their states into the
 /// document, as asked.
 std::vector<MeshReport> take_state(Document& document, const SimplifyArguments& a) {
@@ -168,17 +157,10 @@ void add_simplify(CLI::App& program) {
           "SVG: do not change patches that this shape covers, even in part; may be repeated")
       ->take_all()
       ->expected(1);
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--weigh",
-          [a](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) a->options.weights.push_back(weight_in(text));
-          },
-          "SVG: let errors in what this shape covers count so many times, 0.25 to 4, as in "
-          "eyes=4; may be repeated, and where shapes overlap the last one counts")
-      ->type_name("ID=FACTOR")
-      ->take_all()
-      ->expected(1);
+  add_weigh_option(
+      command, a->options.weights,
+      "SVG: let errors in what this shape covers count so many times, 0.25 to 4, as in "
+      "eyes=4; may be repeated, and where shapes overlap the last one counts");
   add_original_option(command, a->original);
   add_renderer_option(command, a->renderer);
   add_analysis_options(command, a->analyses);

@@ -99,6 +99,10 @@ void add_trace(CLI::App& program) {
                   "Ids of open paths there, separated by commas, that lines of the mesh follow")
       ->delimiter(',')
       ->needs(outline);
+  add_weigh_option(command, a->options.weights,
+                   "Put lines first where this shape there is: what it covers counts so many "
+                   "times, 0.25 to 4, as in eyes=4; may be repeated")
+      ->needs(outline);
   command.add_option("--handles", a->options.handles, "At most that many points")
       ->check(CLI::Range(4, 100000))
       ->capture_default_str();

@@ -18,6 +18,7 @@ TraceOptions trace_options(const Call& call) {
   options.epsilon = call.get("epsilon", options.epsilon);
   options.detail = call.get("detail", options.detail);
   options.guides = call.get("guides", options.guides);
+  options.weights = call.get("weights", options.weights);
   options.threads = call.get("threads", options.threads);
   options.time_budget = call.get("time_budget", options.time_budget);
   options.progress = call.progress();

@@ -5,6 +5,7 @@
 #include "base/affine.h"
 #include "base/image.h"
 #include "geom/outline.h"
+#include "reference/weights.h"
 #include "trace/target_picture.h"
 
 namespace gradmesh {
@@ -36,5 +37,9 @@ std::vector<float> counted_pixels(const FilledOutline& shape, int width, int hei
 /// shape is in pixels of the picture. `scale` as in point_of_pixels.
 TargetPicture target_of_shape(const RgbaImage& picture, const FilledOutline& shape,
                               const ShapeFrame& frame, double scale);
+
+/// Makes each pixel of a target count as many times more as the last of these areas says that meets
+/// it. They are in pixels of the target.
+void weigh(TargetPicture& target, const std::vector<WeightedArea>& areas);
 
 }  // namespace gradmesh

@@ -14,7 +14,7 @@ namespace gradmesh {
 struct TargetPicture {
   int width = 0, height = 0;
   std::vector<glm::vec4> pixels;
-  /// How much each pixel counts, 0..1; empty if all count once.
+  /// How many times each pixel counts; empty if all count once.
   std::vector<float> weights = {};
   bool is_opaque = true;
   /// Where in a pixel, in both directions, the mesh is to have its colour, 0..1.

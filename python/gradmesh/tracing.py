@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Callable, List, Optional, Sequence, Tuple
+from typing import Any, Callable, List, Mapping, Optional, Sequence, Tuple
 
 from .api import Document, Path, TellProgress, _answers
 from .core import core
@@ -52,6 +52,7 @@ def trace(
     epsilon: Optional[float] = None,
     detail: Optional[float] = None,
     guides: Optional[Sequence[str]] = None,
+    weights: Optional[Mapping[str, float]] = None,
     resolution: Optional[int] = None,
     threads: Optional[int] = None,
     time_budget: Optional[float] = None,
@@ -70,6 +71,8 @@ def trace(
     simplify() does with each. detail: nothing smaller is followed, in pixels of the picture, 1 or more; None: 1.
     guides: with `outline`, ids of open paths in that file, such as along the rim of a highlight, that lines of the mesh
     follow as far as they can.
+    weights: with `outline`, how many times what shapes in that file cover counts when lines are put in and fitted, by
+    their ids, 0.25 to 4, as in {"eyes": 4}. The errors that are told, and epsilon, know no weights.
     resolution: the pixels along the longer side at which mesh and picture are compared, 16 or more; None: 700.
     threads: None or 0 for all cores. time_budget: the seconds after which the best mesh so far is taken; None or 0
     for no limit. progress: is called with a Progress, and ends the run with the best mesh so far by returning False.
@@ -82,6 +85,7 @@ def trace(
         "epsilon": epsilon,
         "detail": detail,
         "guides": guides and list(guides),
+        "weights": weights and list(weights.items()),
         "resolution": resolution,
         "threads": threads,
         "time_budget": time_budget,
@@ -111,8 +115,8 @@ def trace_in(
     ids: of shapes, each of which becomes a mesh of what of the picture it surrounds; of images, each of which gets a
     mesh of all that is seen of it, in a rectangle directly above. image: the id of the image that the shapes lie on;
     None: the uppermost below each. Linked pictures are looked for in the folders of the document (loads()).
-    The options are handles, amount, epsilon, detail, guides, resolution, threads and time_budget, as of trace(), for
-    each mesh.
+    The options are handles, amount, epsilon, detail, guides, weights, resolution, threads and time_budget, as of
+    trace(), for each mesh.
     show: is called some times a second with the width and the height of a picture, and its bytes, three for each
     pixel, row by row: the mesh so far on the picture it is made of.
     Where `progress` returns False the mesh that is at work is taken as it is, and none after it is begun.

@@ -111,7 +111,8 @@ Picture picture_for(const SvgDocument& svg, const std::string& id, const std::st
   return picture;
 }
 
-PicturePart part_around(const Picture& picture, const ShapeOnPicture& on) {
+PicturePart part_around(const Picture& picture, const ShapeOnPicture& on,
+                        std::vector<WeightedArea> weighted) {
   const RgbaImage& image = picture.image;
   const Window window = window_around(on.shape.outline, picture);
   const glm::dvec2 pixel = full_size(picture) / glm::dvec2(image.width, image.height);
@@ -121,7 +122,11 @@ PicturePart part_around(const Picture& picture, const ShapeOnPicture& on) {
                    on.to_mesh * Affine::translation(corner),
                    on.scale,
                    mapped(on.shape, Affine::translation(-corner)),
-                   mapped(on.guides, Affine::translation(-corner))};
+                   mapped(on.guides, Affine::translation(-corner)),
+                   std::move(weighted)};
+  for (WeightedArea& area : part.weighted)
+    for (FilledOutline& shape : area.shapes)
+      shape = mapped(std::move(shape), Affine::translation(-corner));
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x)
       part.image.set_pixel(x - window.x0, y - window.y0, image.pixel(x, y));

@@ -9,6 +9,7 @@
 #include "app/document/svg_document.h"
 #include "files/picture_file.h"
 #include "reference/original.h"
+#include "reference/weights.h"
 
 namespace gradmesh {
 
@@ -52,10 +53,13 @@ struct PicturePart {
   /// Open lines along which lines of the mesh are to run (trace/guided_grid.h). They may reach
   /// beyond the part.
   std::vector<std::vector<glm::dvec2>> guides = {};
+  /// Where pixels count more or less than elsewhere. Areas may reach beyond the part, too.
+  std::vector<WeightedArea> weighted = {};
 };
 
-/// Returns the part of a picture around a shape on it.
-PicturePart part_around(const Picture& picture, const ShapeOnPicture& on);
+/// Returns the part of a picture around a shape on it; areas are in pixels of its file.
+PicturePart part_around(const Picture& picture, const ShapeOnPicture& on,
+                        std::vector<WeightedArea> weighted = {});
 
 /// Returns the picture that a mesh was traced from, in the units of the mesh, if the document still
 /// shows it as it did then, its file can be read and is the same, and no person has edited the mesh

@@ -72,6 +72,16 @@ std::shared_ptr<const PictureComparison> PartTracer::compared_with(const RgbaIma
 }
 
 PartTracer::Goal PartTracer::goal() const {
+  Goal goal = unweighted_goal();
+  std::vector<WeightedArea> areas = part_.weighted;
+  const Affine to_target = goal.place.inverse() * part_.to_mesh;
+  for (WeightedArea& area : areas)
+    for (FilledOutline& shape : area.shapes) shape = mapped(std::move(shape), to_target);
+  weigh(goal.target, areas);
+  return goal;
+}
+
+PartTracer::Goal PartTracer::unweighted_goal() const {
   if (!part_.shape) {
     const RgbaImage wide = with_wide_pixels(followed_);
     const glm::dvec2 pixel = part_.size / pixels_of(wide);

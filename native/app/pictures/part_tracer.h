@@ -68,6 +68,7 @@ class PartTracer {
   };
 
   Goal goal() const;
+  Goal unweighted_goal() const;
   /// Returns what shows grids over a goal, if that is asked for.
   std::function<void(const LineGrid&)> shower(const Goal& goal) const;
   Beginnings beginnings(const Goal& goal) const;

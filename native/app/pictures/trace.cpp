@@ -99,6 +99,12 @@ Tracing told(const Document& document, const MeshEntry& entry, TracedPart traced
   return result;
 }
 
+PicturePart part_for(const SvgDocument& svg, const std::string& id, const std::string& image,
+                     const Picture& picture, const TraceOptions& options) {
+  const ShapeOnPicture on = svg.shape_on_picture(id, image, options.guides, full_size(picture));
+  return part_around(picture, on, weighted_shapes(svg, options.weights, on.from_document));
+}
+
 /// The trace of one shape of a document, or of an image as a whole.
 class ShapeTrace {
  public:
@@ -109,8 +115,7 @@ class ShapeTrace {
         size_(full_size(picture)),
         options_(options),
         watch_(options.time_budget, options.progress),
-        tracer_(part_around(picture, svg.shape_on_picture(id, image, options.guides, size_)),
-                part_options(options)) {
+        tracer_(part_for(svg, id, image, picture, options), part_options(options)) {
     if (!tracer_.has_pixels())
       throw InputError("{0}: {1} does not lie on the picture.", svg.name(), svg.called(id));
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/document/document.h"
+#include "app/document/weighted_shapes.h"
 #include "app/pictures/picture_comparison.h"
 #include "base/image.h"
 #include "base/progress.h"
@@ -30,6 +31,9 @@ struct TraceOptions {
   /// Ids of open paths in the document along which lines of its meshes are to run
   /// (trace/guided_grid.h).
   std::vector<std::string> guides = {};
+  /// Where a mesh is to be closer to its picture: what shapes of the document cover counts so many
+  /// times when lines are put in and fitted. Errors, and epsilon, know no weights.
+  ShapeWeights weights = {};
   /// True if Tracing::curve is found.
   bool wants_curve = false;
   /// The number of threads, 0 for all cores, on which no result depends; and the seconds after

@@ -5,6 +5,7 @@
 
 #include "app/document/frames.h"
 #include "app/document/originals.h"
+#include "app/document/weighted_shapes.h"
 #include "app/runs/devices.h"
 #include "app/runs/mesh_runs.h"
 #include "mesh/build.h"
@@ -57,27 +58,6 @@ std::shared_ptr<const Mesh> protecting(const Document& document, const MeshEntry
     faces.insert(faces.end(), under.begin(), under.end());
   }
   return std::make_shared<const Mesh>(with_fixed(*mesh, faces));
-}
-
-/// Returns the areas of the shapes that have weights, in the units of the mesh of an entry.
-std::vector<WeightedArea> weighted_areas(const Document& document, const MeshEntry& entry,
-                                         const RunOptions& options) {
-  std::vector<WeightedArea> areas;
-  for (const auto& [id, factor] : options.weights) {
-    if (!(factor >= least_weight && factor <= most_weight)) {
-      std::ostringstream text;
-      text << "the weight of " << id << " must be between " << least_weight << " and "
-           << most_weight << ".";
-      throw std::invalid_argument(text.str());
-    }
-    areas.push_back({document.covered({id}), factor});
-  }
-  if (areas.empty()) return areas;
-  const Affine to_mesh = document.view(entry).inverse();
-  for (WeightedArea& area : areas)
-    for (FilledOutline& shape : area.shapes)
-      shape.outline = mapped(std::move(shape.outline), to_mesh);
-  return areas;
 }
 
 /// Returns the device on which a run prices merges of the mesh; null for the cores alone.
@@ -147,7 +127,7 @@ Problem problem_of(const Document& document, const MeshEntry& entry, const RunOp
   if (!options.original && model != read.color_model())
     options.original = original_of(std::make_shared<const Mesh>(read));
   static_cast<Layout&>(options) = layout_of(document, entry, asked.visible_only);
-  options.weighted = weighted_areas(document, entry, asked);
+  options.weighted = weighted_shapes(document, asked.weights, document.view(entry).inverse());
   options.count = what_is_counted(asked, document.format().count);
   options.rules = document.rules(entry, false);
   if (document.is_one_gradient(entry)) options.gradient_rules = document.rules(entry, true);

@@ -56,6 +56,23 @@ TEST(ShapeTarget, counts_shares_of_what_is_thin) {
   EXPECT_FLOAT_EQ(std::accumulate(pixels.begin(), pixels.end(), 0.0f), 1.5f);
 }
 
+TEST(ShapeTarget, pixels_count_as_the_last_area_says_that_meets_them) {
+  const auto rectangle = [](double left, double right) {
+    return FilledOutline{{{{left, 0}, {right, 0}, {right, 2}, {left, 2}}}};
+  };
+  TargetPicture target;
+  target.width = 6;
+  target.height = 2;
+  target.pixels.resize(12);
+  weigh(target, {{{rectangle(0, 3.5)}, 4}, {{rectangle(3, 5), rectangle(9, 12)}, 0.5}});
+  const std::vector<float> row{4, 4, 4, 0.5, 0.5, 1};
+  for (int x = 0; x < 6; ++x) EXPECT_EQ(target.weight(x, 1), row[std::size_t(x)]) << x;
+  target.weights[7] = 0;
+  weigh(target, {{{rectangle(0, 6)}, 2}});
+  EXPECT_EQ(target.weight(0, 1), 8);
+  EXPECT_EQ(target.weight(1, 1), 0);
+}
+
 TEST(ShapeTarget, a_straight_frame_has_the_pixels_of_the_picture) {
   const FilledOutline shape{ellipse({30, 20}, {12, 9})};
   const ShapeFrame frame = straight_frame(shape.outline);

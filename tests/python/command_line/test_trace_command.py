@@ -343,8 +343,13 @@ def test_lines_of_the_mesh_follow_guides(picture, outline, tmp_path):
     guided = (tmp_path / "out.svg").read_bytes()
     assert json.loads(report.read_text())["unused_guides"] == 0
     printed("trace", path, "--outline", where, *to)
-    assert (tmp_path / "out.svg").read_bytes() != guided
+    free = (tmp_path / "out.svg").read_bytes()
+    assert free != guided
     assert 'no object with the id "none"' in refused("trace", path, "--outline", where, "--guides", "rim,none", *to)
+    printed("trace", path, "--outline", where, "--weigh", "rim=4", *to)
+    assert (tmp_path / "out.svg").read_bytes() != free
+    wrong = ("trace", path, "--outline", where, "--weigh", "rim", *to)
+    assert "--weigh needs an id and a number" in refused(*wrong, code=2)
     assert '"ball" is no path that lines' in refused("trace", path, "--outline", where, "--guides", "ball", *to)
 
 

@@ -80,6 +80,46 @@ def document_on(picture):
     )
 
 
+def spotted(path):
+    """A picture of 120 x 60 pixels with two spots of equal rings, at (30, 30) and (90, 30)."""
+    y, x = np.mgrid[0:60, 0:120]
+    away = [np.hypot(x - at, y - 30) for at in (30, 90)]
+    pixels = np.repeat((128 + 100 * sum(np.exp(-((r / 12) ** 2)) * np.cos(r / 2) for r in away))[..., None], 3, axis=2)
+    Image.fromarray(pixels.clip(0, 255).astype("uint8")).save(path)
+    return pixels
+
+
+# A mesh of the size of such a picture.
+PAGE = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="120" height="60"><defs>'
+    '<meshgradient id="m" gradientUnits="userSpaceOnUse" x="0" y="0"><meshrow><meshpatch>'
+    '<stop path="l120,0" stop-color="#fff"/><stop path="l0,60" stop-color="#fff"/>'
+    '<stop path="l-120,0" stop-color="#fff"/><stop path="l0,-60" stop-color="#fff"/>'
+    '</meshpatch></meshrow></meshgradient></defs><rect id="page" width="120" height="60" fill="url(#m)"/></svg>'
+)
+
+
+def test_what_counts_more_comes_closer(tmp_path):
+    wanted = spotted(tmp_path / "spots.png")
+    text = (
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="120" height="60">'
+        '<image id="photo" width="120" height="60" xlink:href="spots.png"/>'
+        '<circle id="eye" cx="30" cy="30" r="18"/></svg>'
+    )
+    (tmp_path / "spots.svg").write_text(text)
+    page = gradmesh.loads(PAGE, folders=[tmp_path])
+
+    def squares_at_the_eye(document):
+        # With the two pixels that are painted around a mesh.
+        painted = gradmesh.render(document, resolution=124, framed_as=page)[2:62, 2:122].astype(float)
+        return np.square(painted - wanted)[12:48, 12:48].mean()
+
+    documents = [gradmesh.load(tmp_path / "spots.svg") for _ in range(2)]
+    for document, weights in zip(documents, (None, {"eye": 4})):
+        gradmesh.trace_in(document, ["photo"], handles=80, epsilon=0, weights=weights)
+    assert squares_at_the_eye(documents[1]) < 0.6 * squares_at_the_eye(documents[0])
+
+
 def test_pictures_of_a_document_become_meshes_in_place(picture, tmp_path):
     document = document_on(picture)
     spot, whole = gradmesh.trace_in(document, ["spot", "photo"], handles=36)

@@ -47,6 +47,7 @@ ShapeOnPicture without_guides(const SvgTree& tree, const std::string& id, const 
                               glm::dvec2 pixels) {
   ShapeOnPicture on;
   on.scale = glm::length((to_pixels(tree.root()) * place).linear[0]);
+  on.from_document = place.inverse();
   if (is_image(tree, id)) {
     const xmlNode* const image = tree.find(id);
     const Box seen = seen_of_image(tree, image, pixels);
@@ -54,7 +55,7 @@ ShapeOnPicture without_guides(const SvgTree& tree, const std::string& id, const 
     on.shape = {mapped(rectangle(seen.low(), seen.high()), on.to_mesh.inverse())};
   } else {
     on.to_mesh = user_to_document(tree, id).inverse() * place;
-    on.shape = mapped(covered_area(tree, id).front(), place.inverse());
+    on.shape = mapped(covered_area(tree, id).front(), on.from_document);
   }
   return on;
 }
@@ -67,7 +68,7 @@ ShapeOnPicture shape_on_picture(const SvgTree& tree, const std::string& id,
   const Affine place = picture_place(tree, image_under(tree, id, image), pixels);
   ShapeOnPicture on = without_guides(tree, id, place, pixels);
   for (const std::string& guide : guides)
-    for (std::vector<glm::dvec2>& line : mapped(lines_of(tree, guide), place.inverse()))
+    for (std::vector<glm::dvec2>& line : mapped(lines_of(tree, guide), on.from_document))
       on.guides.push_back(std::move(line));
   return on;
 }

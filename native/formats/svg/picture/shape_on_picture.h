@@ -15,8 +15,9 @@ struct ShapeOnPicture {
   FilledOutline shape;
   /// Open lines along which lines of its mesh are to run, which may reach beyond it.
   std::vector<std::vector<glm::dvec2>> guides = {};
-  /// The map from these pixels to the shape's user space, in which its mesh is.
-  Affine to_mesh = {};
+  /// The map from these pixels to the shape's user space, in which its mesh is; and from units of
+  /// the outermost <svg> to these pixels.
+  Affine to_mesh = {}, from_document = {};
   /// How many pixels of the document, in its own size, such a pixel is.
   double scale = 1;
 };
