@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Traces pictures, has Inkscape paint the meshes, and prints the tables of docs/development/quality.md.
 
-    make_trace_pictures.py [--again [--meshes FOLDER]] [--look FOLDER]      (after scripts/setup)
+    make_trace_pictures.py [--more] [--again [--meshes FOLDER]] [--look FOLDER]      (after scripts/setup)
 
 traced.png   in docs/images/: pictures, the lines of their meshes, and what Inkscape paints of these
 outlined.png likewise of what is in an outline
 
-With --again all samples, and the authors' meshes, which FOLDER holds as .hemesh files, are painted and traced
-too; --look keeps every picture, mesh and result. The photographs are those of python3-skimage, the middle square
-of each at 512 x 512 pixels.
+With --more each is traced with few handles and many. With --again all samples, and the authors' meshes, which
+FOLDER holds as .hemesh files, are painted and traced too; --look keeps every picture, mesh and result. The
+photographs are those of python3-skimage, the middle square of each at 512 x 512 pixels.
 """
 
 import argparse
@@ -37,6 +37,7 @@ SIDE = 512
 PHOTOGRAPHS = {"coffee": 600, "chelsea": 600, "rocket": 400, "astronaut": 600}
 DRAWINGS = {"photo": ("photo.svg", None, 450), "pear": ("fruit.svg", "pear", 200), "face": ("face.svg", None, 400)}
 SHOWN = ("photo", "face", "rocket", "coffee")
+MORE = (200, 300, 600, 1000)
 #: What lies in an outline: the handles of its goal.
 OUTLINED = {"pear": 120, "yolk": 270}
 
@@ -134,8 +135,8 @@ def traced(picture, handles, inkscape):
     rmse = np.sqrt(np.mean((painted.astype(float) - wanted) ** 2))
     flip = gradmesh.compare(wanted, painted)
     print(
-        f"| {picture.stem} | {tracing.handles} | {rmse:.1f} / {flip:.3f} | {tracing.errors.rmse:.1f} |"
-        f" {tracing.seconds:.1f} |",
+        f"| {picture.stem} | {tracing.handles} | {rmse:.1f}, {20 * np.log10(255 / rmse):.1f} dB, {flip:.3f} |"
+        f" {tracing.errors.rmse:.1f} | {tracing.seconds:.1f} |",
         flush=True,
     )
     return mesh, result
@@ -175,6 +176,12 @@ def goals(folder, inkscape):
     return rows
 
 
+def more(folder, inkscape):
+    for name in (*DRAWINGS, *PHOTOGRAPHS):
+        for handles in MORE:
+            traced(folder / f"{name}.png", handles, inkscape)
+
+
 def samples(folder, meshes, inkscape):
     """All samples, and the authors' meshes, painted and traced again with as many handles as they had."""
     for file in sorted(SAMPLES.glob("*.svg")):
@@ -191,6 +198,7 @@ def samples(folder, meshes, inkscape):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--more", action="store_true", help="trace each with few handles and many")
     parser.add_argument("--again", action="store_true", help="trace the samples, too")
     parser.add_argument("--meshes", type=Path, help="the authors' meshes")
     parser.add_argument("--look", type=Path, help="where every picture, mesh and result is kept")
@@ -206,6 +214,8 @@ def main():
         side_by_side(shown, ROOT / "docs" / "images" / "traced.png")
         shown = [outlined(name, handles, folder, inkscape) for name, handles in OUTLINED.items()]
         side_by_side(shown, ROOT / "docs" / "images" / "outlined.png")
+        if arguments.more:
+            more(folder, inkscape)
         if arguments.again:
             samples(folder, arguments.meshes, inkscape)
 

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "trace/equations.h"
 #include "trace/guide_stray.h"
+#include "trace/slivers.h"
 
 namespace gradmesh {
 namespace {
@@ -74,8 +75,14 @@ double squares_of_strips(const LineGrid& grid, const TargetPicture& target, cons
   return squares;
 }
 
+/// Returns the squares of a grid that no patch has alone.
+double other_squares(const LineGrid& grid, const TargetPicture& target, double slivers) {
+  return stray_squares(grid, target) + sliver_squares(grid, target, slivers);
+}
+
 /// Returns what a line through a strip gains; less than nothing where a patch would fold.
-double gain_of(const LineGrid& grid, const TargetPicture& target, Along along, int strip) {
+double gain_of(const LineGrid& grid, const TargetPicture& target, double slivers, Along along,
+               int strip) {
   const LineGrid finer = grid.with_line(along, strip);
   const Strips after{along, strip, strip + 1};
   const bool has_guides = !grid.guides().empty();
@@ -85,24 +92,27 @@ double gain_of(const LineGrid& grid, const TargetPicture& target, Along along, i
   // Where the line crosses a guide the grid does not look the same with it.
   const double before =
       has_guides ? squares_of_strips(grid, target, {along, strip, strip}) : expected.before;
-  return before + stray_squares(grid, target) - expected.after - stray_squares(finer, target);
+  return before + other_squares(grid, target, slivers) - expected.after -
+         other_squares(finer, target, slivers);
 }
 
 /// Returns what it costs to take a line out; infinity where a patch would fold.
-double cost_of(const LineGrid& grid, const TargetPicture& target, Along along, int line) {
+double cost_of(const LineGrid& grid, const TargetPicture& target, double slivers, Along along,
+               int line) {
   const LineGrid coarser = grid.without_line(along, line);
   const Strips after = within(coarser, {along, line - 2, line});
   if (folds(coarser, after)) return std::numeric_limits<double>::infinity();
   const double before = squares_of_strips(grid, target, within(grid, {along, line - 2, line + 1}));
   const Expected expected =
       expected_squares(coarser, target, after, GridColumns(coarser, target, along, line - 1, line));
-  return expected.after + stray_squares(coarser, target) - before;
+  return expected.after + other_squares(coarser, target, slivers) - before -
+         other_squares(grid, target, slivers);
 }
 
 }  // namespace
 
 std::optional<LineChange> best_new_line(const LineGrid& grid, const TargetPicture& target,
-                                        const MostLines& most) {
+                                        const MostLines& most, double slivers) {
   std::vector<LineChange> lines;
   if (grid.rows() < most.rows && (grid.rows() + 2) * (grid.columns() + 1) <= most.points)
     for (int i = 0; i < grid.rows(); ++i) lines.push_back({Along::rows, i});
@@ -110,20 +120,23 @@ std::optional<LineChange> best_new_line(const LineGrid& grid, const TargetPictur
     for (int j = 0; j < grid.columns(); ++j) lines.push_back({Along::columns, j});
   parallel_for(lines.size(), [&](std::size_t n) {
     LineChange& line = lines[n];
-    line.squares = gain_of(grid, target, line.along, line.number) / grid.points_along(line.along);
+    line.squares =
+        gain_of(grid, target, slivers, line.along, line.number) / grid.points_along(line.along);
   });
   const auto best = std::ranges::max_element(lines, {}, &LineChange::squares);
   return best == lines.end() ? std::nullopt : std::optional(*best);
 }
 
-std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPicture& target) {
+std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPicture& target,
+                                        double slivers) {
   std::vector<LineChange> lines;
   for (const Along along : {Along::rows, Along::columns})
     for (int line = 1; line < (along == Along::rows ? grid.rows() : grid.columns()); ++line)
       if (grid.can_lose(along, line)) lines.push_back({along, line});
   parallel_for(lines.size(), [&](std::size_t n) {
     LineChange& line = lines[n];
-    line.squares = cost_of(grid, target, line.along, line.number) / grid.points_along(line.along);
+    line.squares =
+        cost_of(grid, target, slivers, line.along, line.number) / grid.points_along(line.along);
   });
   const auto best = std::ranges::min_element(lines, {}, &LineChange::squares);
   const bool is_there =

@@ -23,13 +23,15 @@ struct MostLines {
 };
 
 /// Returns the new line that gains most for each of its points, by one step of Gauss-Newton of
-/// these alone; nothing where the grid may not have one more.
+/// these alone; nothing where the grid may not have one more. Slivers count as they do in
+/// sliver_squares by the weight `slivers`.
 std::optional<LineChange> best_new_line(const LineGrid& grid, const TargetPicture& target,
-                                        const MostLines& most);
+                                        const MostLines& most, double slivers);
 
 /// Returns the line that costs least for each of its points where it is taken out, after one step
 /// of Gauss-Newton of the lines on both sides of it; nothing where there is none that can be
 /// lost, or none without which no patch folds.
-std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPicture& target);
+std::optional<LineChange> cheapest_line(const LineGrid& grid, const TargetPicture& target,
+                                        double slivers);
 
 }  // namespace gradmesh

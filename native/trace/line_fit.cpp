@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "fit/equation_solver.h"
+#include "trace/slivers.h"
 
 namespace gradmesh {
 namespace {
@@ -20,15 +21,13 @@ void for_each_patch(const LineGrid& grid, const F& f) {
   });
 }
 
-std::size_t patch_count(const LineGrid& grid) {
-  return std::size_t(grid.rows()) * std::size_t(grid.columns());
-}
+std::size_t patch_count(const LineGrid& grid) { return std::size_t(grid.patches()); }
 
 /// Returns the largest share, 0..1, of a way that a point can go without making a corner around it
-/// smaller than a tenth of what it was, or than a share of a pixel. Each corner's area is linear in
-/// the way.
-double allowed_share(LineGrid& grid, int row, int column, glm::dvec2 way, double pixel_area) {
-  constexpr double least_pixels = 0.25, least_share = 0.1;
+/// smaller than a tenth of what it was, or than `least_area`. Each corner's area is linear in the
+/// way.
+double allowed_share(LineGrid& grid, int row, int column, glm::dvec2 way, double least_area) {
+  constexpr double least_share = 0.1;
   LineGrid::Knot& knot = grid.knot(row, column);
   const glm::dvec2 start = knot.position;
   double share = 1;
@@ -39,8 +38,7 @@ double allowed_share(LineGrid& grid, int row, int column, glm::dvec2 way, double
         knot.position = start + way;
         const double after = grid.corner_area(i, j, corner);
         knot.position = start;
-        const double least =
-            std::min(before, std::max(least_pixels * pixel_area, least_share * before));
+        const double least = std::min(before, std::max(least_area, least_share * before));
         if (after < least) share = std::min(share, (before - least) / (before - after));
       }
   return std::max(0.0, share);
@@ -48,7 +46,7 @@ double allowed_share(LineGrid& grid, int row, int column, glm::dvec2 way, double
 
 /// Slides a point that is on a guide along it, about as far as a way that is as long, or less far
 /// where a corner would become too small because the guide bends.
-void slide(LineGrid& grid, int row, int column, glm::dvec2 way, double pixel_area) {
+void slide(LineGrid& grid, int row, int column, glm::dvec2 way, double least_area) {
   constexpr int tries = 6;
   const LineGrid::Knot before = grid.knot(row, column);
   if (before.is_held()) return;
@@ -60,7 +58,7 @@ void slide(LineGrid& grid, int row, int column, glm::dvec2 way, double pixel_are
     const LineGrid::Knot after = grid.knot(row, column);
     grid.knot(row, column) = before;
     const glm::dvec2 moved = after.position - before.position;
-    if (allowed_share(grid, row, column, moved, pixel_area) < 1) continue;
+    if (allowed_share(grid, row, column, moved, least_area) < 1) continue;
     grid.knot(row, column) = after;
     return;
   }
@@ -131,16 +129,17 @@ class LineFit {
 
   double run(FitLength length) {
     squares_ = fit_colors(grid_, target_, of_colors_);
-    uneven_ = unevenness(grid_, target_, evenness_);
-    for (int step = 0; step < length.steps && damping_ < most_damping; ++step) {
-      const double before = squares_;
-      if (make_step() && before - squares_ < length.little * before) break;
+    evenness_ = evenness_.for_patches(squares_ / grid_.patches());
+    uneven_ = unevenness(grid_);
+    for (int step = 0; step < length.steps && damping_ < length.most_damping; ++step) {
+      const double before = squares_ + uneven_;
+      if (make_step() && before - squares_ - uneven_ < length.little * before) break;
     }
     return squares_;
   }
 
  private:
-  static constexpr double least_damping = 1e-4, most_damping = 1e3;
+  static constexpr double least_damping = 1e-4;
 
   /// Returns true if the step was accepted.
   bool make_step() {
@@ -149,13 +148,19 @@ class LineFit {
     LineGrid moved = grid_;
     move(moved, step);
     const double squares = fit_colors(moved, target_, of_colors_);
-    const double uneven = unevenness(moved, target_, evenness_);
+    const double uneven = unevenness(moved);
     if (!(squares + uneven < squares_ + uneven_)) return raise_damping();
     grid_ = std::move(moved);
+    equations_.clear();
     squares_ = squares;
     uneven_ = uneven;
     damping_ = std::max(least_damping, damping_ / 4);
     return true;
+  }
+
+  double unevenness(const LineGrid& grid) const {
+    return gradmesh::unevenness(grid, target_, evenness_) +
+           sliver_squares(grid, target_, evenness_.slivers);
   }
 
   bool raise_damping() {
@@ -163,26 +168,32 @@ class LineFit {
     return false;
   }
 
-  /// Returns by how much to change what the columns number.
-  Eigen::VectorXd step() {
-    std::vector<NormalEquations> parts(patch_count(grid_));
+  void find_equations() {
+    equations_.resize(patch_count(grid_));
     for_each_patch(grid_, [&](std::size_t n, int row, int column) {
-      parts[n] = patch_equations(grid_, row, column, target_, columns_);
+      equations_[n] = patch_equations(grid_, row, column, target_, columns_);
     });
     for (NormalEquations& part : evenness_equations(grid_, target_, columns_, evenness_))
-      parts.push_back(std::move(part));
+      equations_.push_back(std::move(part));
+    for (NormalEquations& part : sliver_equations(grid_, target_, columns_, evenness_.slivers))
+      equations_.push_back(std::move(part));
+  }
+
+  /// Returns by how much to change what the columns number.
+  Eigen::VectorXd step() {
+    if (equations_.empty()) find_equations();
     Eigen::VectorXd damping = Eigen::VectorXd::Zero(columns_.count());
     for (int number = 0; number < grid_.points(); ++number)
       for (const int column : columns_.of(number).place)
         if (column >= 0) damping(column) = damping_;
-    return of_all_.solve(parts, damping);
+    return of_all_.solve(equations_, damping);
   }
 
   /// Moves the points as far as patches do not fold: one set of points after the other that have no
   /// patch in common, so that each only needs to look at neighbours that rest.
   void move(LineGrid& grid, const Eigen::VectorXd& step) const {
     const glm::dvec2 scale = pixels_per_unit(grid, target_);
-    const double pixel_area = 1 / (scale.x * scale.y);
+    const double least_area = evenness_.least_corner / (scale.x * scale.y);
     for (const int first_row : {0, 1})
       for (const int first_column : {0, 1})
         for (int i = first_row; i <= grid.rows(); i += 2)
@@ -193,9 +204,9 @@ class LineFit {
             for (std::size_t k = 0; k < of.place.size(); ++k)
               if (of.place[k] >= 0) way += step(of.place[k]) * way_in_pixels(knot, k, scale);
             way /= scale;
-            way *= allowed_share(grid, i, j, way, pixel_area);
+            way *= allowed_share(grid, i, j, way, least_area);
             if (knot.follows(Along::rows) || knot.follows(Along::columns))
-              slide(grid, i, j, way, pixel_area);
+              slide(grid, i, j, way, least_area);
             else
               knot.position += way;
           }
@@ -203,8 +214,10 @@ class LineFit {
 
   LineGrid& grid_;
   const TargetPicture& target_;
-  const Evenness evenness_;
+  Evenness evenness_;
   const GridColumns columns_;
+  /// Those of the grid as it is; none before they are asked for.
+  std::vector<NormalEquations> equations_;
   EquationSolver of_all_, of_colors_;
   double squares_ = 0, uneven_ = 0, damping_ = 1e-2;
 };

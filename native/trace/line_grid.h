@@ -58,6 +58,7 @@ class LineGrid {
   int rows() const { return rows_; }
   int columns() const { return columns_; }
   int points() const { return (rows_ + 1) * (columns_ + 1); }
+  int patches() const { return rows_ * columns_; }
   bool operator==(const LineGrid&) const = default;
 
   /// The points, by row 0..rows() and column 0..columns(), and their numbers, row by row.

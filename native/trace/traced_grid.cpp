@@ -194,7 +194,8 @@ class Tracer {
     double squares;
   };
 
-  static constexpr FitLength shortly{3, 1e-3}, longer{10, 1e-3}, to_the_end{40, 5e-4};
+  static constexpr FitLength shortly{3, 1e-3}, longer{10, 1e-3}, to_the_end{40, 5e-4},
+      as_springs_want{60, 1e-4, 1e5};
 
   const TargetPicture& target() const { return levels_[level_]; }
 
@@ -218,16 +219,16 @@ class Tracer {
   /// of the way that is left. Returns true if the run has to stop.
   bool is_over() {
     finished_ += (most_.points - finished_) / 8;
-    const TracedGrid own{grid_.in_whole_levels(), number_, squares_on_whole(), false, counts_};
+    // A grid of which it was not asked counts as enough only if the rival is: to ask each time
+    // would make a run a tenth longer.
+    const TracedGrid own{grid_.in_whole_levels(), number_, squares_on_whole(),
+                         rival_ && rival_->is_enough, counts_};
     say(most_.points + finished_, is_behind(own) ? *rival_ : own);
     return telling_.is_over();
   }
 
-  /// Returns whether the rival is better. A grid of more squares counts as enough only if the rival
-  /// is: to ask each time would make a run a tenth longer.
-  bool is_behind(TracedGrid own) {
+  bool is_behind(const TracedGrid& own) {
     if (!rival_) return false;
-    own.is_enough = rival_->is_enough;
     return is_better(*rival_, own) || (own.is_enough && !is_enough());
   }
 
@@ -277,7 +278,7 @@ class Tracer {
   }
 
   bool grow(const MostLines& most) {
-    const std::optional<LineChange> line = best_new_line(grid_, target(), most);
+    const std::optional<LineChange> line = best_new_line(grid_, target(), most, sliver_weight());
     if (!line || !(line->squares > 0)) return false;
     grid_ = grid_.with_line(line->along, line->number);
     return true;
@@ -297,17 +298,21 @@ class Tracer {
     return std::sqrt(double(target().samples()) / (grid_.rows() * grid_.columns()));
   }
 
+  double sliver_weight() const { return evenness_.for_patches(squares_ / grid_.patches()).slivers; }
+
   /// Fits for long, with less and less that holds the lines even.
   void settle() {
-    constexpr int times = 4, most_exchanges = 6;
+    constexpr int most_exchanges = 6;
     if (!is_over()) fit(to_the_end);
     for (int i = 0; i < most_exchanges && !is_over() && exchange(); ++i) {
     }
-    for (int i = 0; i < times && !is_over(); ++i) {
-      evenness_ = evenness_.times(0.25);
+    const Evenness loosest = evenness_.loosest();
+    for (int i = 0; i < Evenness::times_loosened && !is_over(); ++i) {
+      evenness_ = evenness_.loosened();
       fit({6, 1e-3});
     }
-    if (!is_over()) fit(to_the_end);
+    evenness_ = loosest;
+    if (!is_over()) fit(as_springs_want);
   }
 
   /// Takes the cheapest line out and puts lines in where they help more now. Returns false if that
@@ -337,7 +342,7 @@ class Tracer {
   }
 
   bool without_cheapest() {
-    const std::optional<LineChange> line = cheapest_line(grid_, target());
+    const std::optional<LineChange> line = cheapest_line(grid_, target(), sliver_weight());
     if (line) grid_ = grid_.without_line(line->along, line->number);
     return line.has_value();
   }
