@@ -307,9 +307,9 @@ TEST(TracedGrid, comes_closer_to_the_end_through_all_beginnings) {
 }
 
 TEST(TracedGrid, is_whole_wherever_it_is_stopped) {
-  // Which beginnings have grown until then depends on the threads, and the first that has is not
-  // always the best.
-  constexpr double other_beginning = 1.05;
+  // Of two threads one may have grown a later beginning, which is kept, when the other is stopped
+  // in the first, which had come closer when it was stopped earlier. One works on them in order.
+  const ThreadLimit one(1);
   const TargetPicture target = picture_of(random_grid(9, 9, {100, 100}, 4), 100, 100);
   double before = 1e9;
   for (const std::size_t most : {1, 55, 120, 185, 220, 1000}) {
@@ -317,7 +317,7 @@ TEST(TracedGrid, is_whole_wherever_it_is_stopped) {
     const LineGrid grid = traced(target, 60, watch);
     EXPECT_LE(grid.points(), 60);
     EXPECT_FALSE(grid.folds());
-    EXPECT_LE(rmse(grid, target), other_beginning * before) << most;
+    EXPECT_LE(rmse(grid, target), 1.001 * before) << most;
     before = rmse(grid, target);
   }
 }
