@@ -1,8 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "formats/svg/tree/svg_tree.h"
@@ -309,6 +314,41 @@ TEST(SvgPath, a_large_arc_with_hardly_a_chord_is_the_ellipse) {
     ASSERT_TRUE(box) << end;
     EXPECT_NEAR(box->size().x, 4, 1e-6) << end;
     EXPECT_NEAR(box->size().y, 2, 1e-6) << end;
+  }
+}
+
+// Whose centre is so far away that it has no digits left for them.
+TEST(SvgPath, short_and_flat_arcs_are_exact) {
+  expect_box("M 0 0 A 1e9 1e9 0 0 1 1 0", {0, -1.25e-10}, {1, 0}, 1e-20);
+  expect_box("M 0 0 A 1e9 1 0 0 0 0 1e-8", {-1.25e-8, 0}, {0, 1e-8}, 1e-20);
+}
+
+TEST(SvgPath, outlines_of_arcs_lie_in_their_boxes) {
+  std::mt19937_64 random(5);
+  const auto upto = [&](double most) {
+    return std::uniform_real_distribution<double>(0, most)(random);
+  };
+  const auto number = [&] {
+    const double size = upto(5) < 1 ? 0 : std::pow(10, -320 + upto(329));
+    return upto(2) < 1 ? size : -size;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    char path[300];
+    std::snprintf(path, sizeof path, "M %.17g %.17g %c %.17g %.17g %.17g %d %d %.17g %.17g",
+                  number(), number(), i % 2 ? 'a' : 'A', number(), number(), upto(360), i / 2 % 2,
+                  i / 4 % 2, number(), number());
+    const auto box = path_box(path);
+    ASSERT_TRUE(box) << path;
+    const glm::dvec2 low = box->low(), high = box->high();
+    const double size =
+        std::max({std::abs(low.x), std::abs(low.y), std::abs(high.x), std::abs(high.y)});
+    ASSERT_TRUE(std::isfinite(size)) << path;
+    const double rounding = std::max(1e-12 * size, std::numeric_limits<double>::min());
+    const Outline outline = path_outline(path).value();
+    for (const glm::dvec2 p : outline.front())
+      ASSERT_TRUE(glm::all(glm::greaterThanEqual(p, low - rounding)) &&
+                  glm::all(glm::lessThanEqual(p, high + rounding)))
+          << path;
   }
 }
 

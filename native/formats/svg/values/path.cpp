@@ -20,62 +20,56 @@ struct EndArc {
   bool large = false, sweep = false;
 };
 
-constexpr double full_turn = 2 * std::numbers::pi;
+/// An elliptical arc by its middle. Angles are those of the circle that the ellipse is made from,
+/// seen from the arc's middle: -half at its beginning and half at its end, which is below -half
+/// where angles fall along the arc.
+///
+/// Points are told by their way from the beginning, since the centre may be so far away that its
+/// numbers have no digits left for a short or a flat arc.
+struct MiddleArc {
+  glm::dvec2 from, radii;
+  double cos_rotation, sin_rotation;
+  /// Direction of the middle on the circle, and half the angle of the arc.
+  glm::dvec2 middle;
+  double half;
 
-/// An elliptical arc by its centre: the points center + turn(r * (cos a, sin a)) for a from `begin`
-/// over `extent`.
-struct CenterArc {
-  glm::dvec2 center, radii;
-  double cos_rotation, sin_rotation, begin, extent;
-  /// True if angles grow along the arc.
-  bool sweep;
-
+  /// Returns exp(i angle) - exp(-i half), turned to `middle`, on the ellipse: the difference of two
+  /// points of a circle is 2 i sin(a) exp(i b) for half the difference a and half the sum b of
+  /// their angles.
   glm::dvec2 at(double angle) const {
-    const glm::dvec2 p = radii * glm::dvec2(std::cos(angle), std::sin(angle));
-    return center + glm::dvec2(cos_rotation * p.x - sin_rotation * p.y,
-                               sin_rotation * p.x + cos_rotation * p.y);
+    const double a = (angle + half) / 2, b = (angle - half) / 2;
+    const glm::dvec2 across(-middle.y, middle.x);
+    const glm::dvec2 p = 2 * std::sin(a) * radii * (std::cos(b) * across - std::sin(b) * middle);
+    return from + glm::dvec2(cos_rotation * p.x - sin_rotation * p.y,
+                             sin_rotation * p.x + cos_rotation * p.y);
   }
-  /// Returns how far the angle lies from the beginning, in the arc's direction.
-  double way_to(double angle) const {
-    const double way = std::fmod(sweep ? angle - begin : begin - angle, full_turn);
-    return way < 0 ? way + full_turn : way;
+  /// Returns the angle of a direction on the circle; nothing if the arc does not pass there.
+  std::optional<double> angle_of(glm::dvec2 direction) const {
+    const double angle =
+        std::atan2(middle.x * direction.y - middle.y * direction.x, glm::dot(middle, direction));
+    if (std::abs(angle) > std::abs(half)) return std::nullopt;
+    return angle;
   }
 };
 
-/// Returns the arc by its centre (SVG 2 appendix B.2); nothing if the arc is a line, or has a chord
-/// so short that it is one but for rounding.
-std::optional<CenterArc> center_arc(const EndArc& arc) {
+/// Returns the arc by its middle (after SVG 2 appendix B.2); nothing if the arc is a line.
+std::optional<MiddleArc> middle_arc(const EndArc& arc) {
   glm::dvec2 r = glm::abs(arc.radii);
   if (arc.from == arc.to || r.x == 0 || r.y == 0) return std::nullopt;
   const double cs = std::cos(arc.rotation), sn = std::sin(arc.rotation);
-  const glm::dvec2 half = (arc.from - arc.to) / 2.0;
-  const glm::dvec2 start = glm::dvec2(cs * half.x + sn * half.y, -sn * half.x + cs * half.y);
-
-  const glm::dvec2 ratio = start / r;
-  const double stretch = glm::dot(ratio, ratio);
-  if (stretch > 1) r *= std::sqrt(stretch);
-  // In the unit circle's coordinates: the chord's half is `unit`, the centre lies off its middle.
+  const glm::dvec2 chord = (arc.from - arc.to) / 2.0;
+  const glm::dvec2 start = glm::dvec2(cs * chord.x + sn * chord.y, -sn * chord.x + cs * chord.y);
+  const double stretch = std::hypot(start.x / r.x, start.y / r.y);
+  if (stretch > 1) r *= stretch;
+  // Half the chord of the circle of radius 1.
   const glm::dvec2 unit = start / r;
-  const double square = glm::dot(unit, unit);
-  // The square of a chord that is hardly there may have no digits, or be 0.
-  const bool has_digits = square >= std::numeric_limits<double>::min();
-  double off =
-      has_digits ? std::sqrt(std::max(0.0, 1 / square - 1)) : 1 / std::hypot(unit.x, unit.y);
-  if (!std::isfinite(off)) return std::nullopt;
-  if (arc.large == arc.sweep) off = -off;
-  const glm::dvec2 center = off * glm::dvec2(unit.y, -unit.x);
-  const glm::dvec2 first = unit - center, last = -unit - center;
-  constexpr double short_chord = 1e-9;
-  if (first == last || (!arc.large && square < short_chord * short_chord)) return std::nullopt;
-
-  CenterArc result{{0, 0}, r, cs, sn, std::atan2(first.y, first.x), 0, arc.sweep};
-  const glm::dvec2 scaled = center * r;
-  result.center = (arc.from + arc.to) / 2.0 +
-                  glm::dvec2(cs * scaled.x - sn * scaled.y, sn * scaled.x + cs * scaled.y);
-  result.extent = result.way_to(std::atan2(last.y, last.x));
-  // Ends that only rounding tells apart: the large arc is the whole ellipse, and not nothing of it.
-  if (arc.large && result.extent < std::numbers::pi) result.extent = full_turn;
-  return result;
+  const double sine = std::hypot(unit.x, unit.y);
+  // The chord is nothing beside the radii, or these are beyond all numbers.
+  if (sine == 0 || !std::isfinite(4 * r.x + 4 * r.y)) return std::nullopt;
+  const double small = std::asin(std::min(1.0, sine));
+  const double half = arc.large ? std::numbers::pi - small : small;
+  const double sign = arc.sweep ? 1 : -1;
+  return MiddleArc{arc.from, r, cs, sn, sign * glm::dvec2(-unit.y, unit.x) / sine, sign * half};
 }
 
 /// Receives the segments that a reader of path data finds, in order.
@@ -100,15 +94,13 @@ class BoxSink : public PathSink {
   /// Adds the ends, and those of the ellipse's four extreme points that the arc passes.
   void arc(const EndArc& ends) override {
     line(ends.from, ends.to);
-    const auto arc = center_arc(ends);
+    const auto arc = middle_arc(ends);
     if (!arc) return;
-    const double x_extreme =
-        std::atan2(-arc->sin_rotation * arc->radii.y, arc->cos_rotation * arc->radii.x);
-    const double y_extreme =
-        std::atan2(arc->cos_rotation * arc->radii.y, arc->sin_rotation * arc->radii.x);
-    for (const double angle :
-         {x_extreme, x_extreme + std::numbers::pi, y_extreme, y_extreme + std::numbers::pi})
-      if (arc->way_to(angle) <= arc->extent) box.add(arc->at(angle));
+    const glm::dvec2 r = arc->radii;
+    const glm::dvec2 rightmost(arc->cos_rotation * r.x, -arc->sin_rotation * r.y);
+    const glm::dvec2 lowest(arc->sin_rotation * r.x, arc->cos_rotation * r.y);
+    for (const glm::dvec2 direction : {rightmost, -rightmost, lowest, -lowest})
+      if (const auto angle = arc->angle_of(direction)) box.add(arc->at(*angle));
   }
 
   Box box;
@@ -126,11 +118,9 @@ class OutlineSink : public PathSink {
     }
   }
   void arc(const EndArc& ends) override {
-    if (const auto arc = center_arc(ends))
-      for (int i = 1; i < outline_steps; ++i) {
-        const double way = arc->extent * i / outline_steps;
-        outline.back().push_back(arc->at(arc->begin + (arc->sweep ? way : -way)));
-      }
+    if (const auto arc = middle_arc(ends))
+      for (int i = 1; i < outline_steps; ++i)
+        outline.back().push_back(arc->at(arc->half * (2.0 * i / outline_steps - 1)));
     outline.back().push_back(ends.to);
   }
 
