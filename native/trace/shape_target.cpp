@@ -143,17 +143,11 @@ TargetPicture target_of_shape(const RgbaImage& picture, const FilledOutline& sha
   return target;
 }
 
-void weigh(TargetPicture& target, const std::vector<WeightedArea>& areas) {
-  if (areas.empty()) return;
-  std::vector<float> factors(target.samples(), 1.0F);
-  for (const auto& [shapes, factor] : areas)
-    for (const FilledOutline& shape : shapes) {
-      const std::vector<float> shares = covered_shares(shape, target.width, target.height);
-      for (std::size_t n = 0; n < shares.size(); ++n)
-        if (shares[n] > 0) factors[n] = float(factor);
-    }
+void weigh(TargetPicture& target, const std::vector<WeightedArea>& areas, const Affine& to_pixels) {
+  const auto factors = weights_in({target.width, target.height, to_pixels}, areas);
+  if (!factors) return;
   if (target.weights.empty()) target.weights.assign(target.samples(), 1.0F);
-  for (std::size_t n = 0; n < factors.size(); ++n) target.weights[n] *= factors[n];
+  for (std::size_t n = 0; n < target.samples(); ++n) target.weights[n] *= factors->samples[n];
 }
 
 }  // namespace gradmesh

@@ -38,8 +38,9 @@ std::vector<float> counted_pixels(const FilledOutline& shape, int width, int hei
 TargetPicture target_of_shape(const RgbaImage& picture, const FilledOutline& shape,
                               const ShapeFrame& frame, double scale);
 
-/// Makes each pixel of a target count as many times more as the last of these areas says that meets
-/// it. They are in pixels of the target.
-void weigh(TargetPicture& target, const std::vector<WeightedArea>& areas);
+/// Makes each pixel of a target count as many times more as these areas say (weights_in), which
+/// `to_pixels` maps to its pixels.
+void weigh(TargetPicture& target, const std::vector<WeightedArea>& areas,
+           const Affine& to_pixels = {});
 
 }  // namespace gradmesh

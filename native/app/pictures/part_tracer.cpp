@@ -73,11 +73,7 @@ std::shared_ptr<const PictureComparison> PartTracer::compared_with(const RgbaIma
 
 PartTracer::Goal PartTracer::goal() const {
   Goal goal = unweighted_goal();
-  std::vector<WeightedArea> areas = part_.weighted;
-  const Affine to_target = goal.place.inverse() * part_.to_mesh;
-  for (WeightedArea& area : areas)
-    for (FilledOutline& shape : area.shapes) shape = mapped(std::move(shape), to_target);
-  weigh(goal.target, areas);
+  weigh(goal.target, part_.weighted, goal.place.inverse() * part_.to_mesh);
   return goal;
 }
 
