@@ -171,7 +171,8 @@ class Tracer {
   /// Fits on the whole picture, exchanges lines and takes out what is not needed. `rival` is the
   /// best of what other beginnings have grown to; null if there is none.
   void finish(const TracedGrid* rival) {
-    rival_ = rival;
+    kept_ = result();
+    if (rival && is_better(*rival, *kept_)) kept_ = *rival;
     while (level_ > 0 && !is_over()) {
       --level_;
       fit({8, 1e-3});
@@ -219,17 +220,13 @@ class Tracer {
   /// of the way that is left. Returns true if the run has to stop.
   bool is_over() {
     finished_ += (most_.points - finished_) / 8;
-    // A grid of which it was not asked counts as enough only if the rival is: to ask each time
-    // would make a run a tenth longer.
-    const TracedGrid own{grid_.in_whole_levels(), number_, squares_on_whole(),
-                         rival_ && rival_->is_enough, counts_};
-    say(most_.points + finished_, is_behind(own) ? *rival_ : own);
+    // A grid of which it was not asked counts as enough only if the one that is kept is: to ask
+    // each time would make a run a tenth longer.
+    const TracedGrid own{grid_.in_whole_levels(), number_, squares_on_whole(), kept_->is_enough,
+                         counts_};
+    if (is_better(own, *kept_) && (!own.is_enough || is_enough())) kept_ = own;
+    say(most_.points + finished_, *kept_);
     return telling_.is_over();
-  }
-
-  bool is_behind(const TracedGrid& own) {
-    if (!rival_) return false;
-    return is_better(*rival_, own) || (own.is_enough && !is_enough());
   }
 
   double squares_on_whole() const {
@@ -361,7 +358,8 @@ class Tracer {
   const MostLines most_;
   LineGrid grid_;
   std::size_t level_;
-  const TracedGrid* rival_ = nullptr;
+  /// What a stop would keep once the grid has grown: the best so far, of which a rival may be.
+  std::optional<TracedGrid> kept_;
   /// How far finishing has come, in points.
   int finished_ = 0;
   Evenness evenness_;
