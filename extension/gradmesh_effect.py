@@ -44,6 +44,8 @@ NAMESPACE = "urn:gradmesh"
 etree.register_namespace("gradmesh", NAMESPACE)
 #: Of elements that Show Analysis has added.
 MARK = f"{{{NAMESPACE}}}analysis"
+#: Of shapes where a trace is to come closer to its picture.
+CLOSER = f"{{{NAMESPACE}}}closer"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 #: The same where gradmesh wrote it.
 WRITTEN_LABEL = f"{{{NAMESPACE}}}label"

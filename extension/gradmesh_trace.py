@@ -5,6 +5,7 @@
 from functools import cached_property
 
 from gradmesh_effect import (
+    CLOSER,
     SHAPES,
     GradmeshEffect,
     News,
@@ -19,6 +20,8 @@ from gradmesh_window import LongWork
 
 #: Of a mesh that takes as many handles as it needs.
 MOST_HANDLES = 1000
+#: How often what differs below a shape of More Detail Here counts.
+CLOSER_FACTOR = 4
 BESIDE_THE_PICTURE = ("{0}: {1} does not lie on the picture.", "{0}: {1} lies on none of its {2} pictures.")
 WHAT_HELPS = _(
     "You can see the difference. Ask for more handles, draw a path around something with soft colours, or ignore "
@@ -53,7 +56,7 @@ class Trace(GradmeshEffect):
         self.stopped = work.stopped
         self.take_over()
         if self.options.hide_picture:
-            self.hide({tracing.image for tracing in tracings})
+            self.hide({*self.closer, *(tracing.image for tracing in tracings)})
         self.became = self.what_became(tracings, ids)
 
     def chosen_images(self):
@@ -85,17 +88,24 @@ class Trace(GradmeshEffect):
 
     @cached_property
     def chosen(self):
-        """The selected elements, and all in selected groups, but what gradmesh drew."""
+        """The selected elements, and all in selected groups, but what gradmesh drew and shapes of More Detail Here."""
         blocks = {mesh.id for mesh in self.meshes.meshes if mesh.simplified} if self.meshes.ids else set()
         return [
             each
             for element in self.chosen_elements()
             for each in element.iter("*")
-            if not any(around.get("id") in blocks for around in (each, *each.iterancestors()))
+            if not each.get(CLOSER) and not any(around.get("id") in blocks for around in (each, *each.iterancestors()))
         ]
+
+    @property
+    def closer(self):
+        """Ids of the shapes where meshes are to come closer, selected or not."""
+        return [each.get("id") for each in self.svg.iter("*") if each.get(CLOSER)]
 
     def nothing_to_trace(self, guides):
         """The sentence where neither a picture nor a closed path is selected."""
+        if self.closer:
+            return _("Select the picture, too: shapes of More Detail Here only say where a mesh comes closer.")
         if guides:
             return _("{id} is an open path; it surrounds something once its ends are joined.").format(
                 id=self.called(guides[0].get("id"))
@@ -123,12 +133,13 @@ class Trace(GradmeshEffect):
             chosen.update(handles=options.handles, epsilon=0)
         else:
             chosen.update(handles=MOST_HANDLES, amount=options.amount)
+        chosen.update(weights={name: CLOSER_FACTOR for name in self.closer} or None)
         chosen.update(image=image, guides=[guide.get("id") for guide in guides])
         return gradmesh.trace_in(self.meshes, ids, progress=tell, show=show, **chosen)
 
-    def hide(self, images):
-        for element in self.document.getroot().iter("{*}image"):
-            if element.get("id") in images:
+    def hide(self, ids):
+        for element in self.document.getroot().iter("*"):
+            if element.get("id") in ids:
                 element.set("style", ";".join(filter(None, (element.get("style"), "display:none"))))
 
     def what_became(self, tracings, ids):

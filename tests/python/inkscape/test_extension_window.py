@@ -18,7 +18,7 @@ pytestmark = needs(*WINDOW_PROGRAMS)
 # panel beside the canvas is open.
 IS_1_4 = not inkscape_harness.is_older_than(1, 4)
 PEAR, STEM = ((502, 640), (520, 240)) if IS_1_4 else ((750, 480), (710, 210))
-SUBMENU, SIMPLIFY = ((440, 262), (779, 414)) if IS_1_4 else ((460, 238), (779, 390))
+SUBMENU, SIMPLIFY = ((440, 262), (779, 439)) if IS_1_4 else ((460, 238), (779, 414))
 SIMPLIFY_TAB, MORE_TAB = (58, 30), (134, 30)
 HOW_MUCH, STRONG, ONLY_SAY, APPLY, CLOSE = (240, 115), (230, 175), (35, 453), (585, 548), (495, 548)
 # 1.4 paints the lowest row of the status line another way after an extension.

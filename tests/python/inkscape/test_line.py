@@ -51,6 +51,7 @@ def log(tmp_path):
         ("remove_analysis", [], "There is no analysis"),
         ("to_one_mesh", ["--id=spot"], "None of the selected objects"),
         ("trace", [], "There is no picture"),
+        ("more_detail", [], "Draw a shape"),
         ("pages", ["--file="], "Choose a PDF"),
         ("simplify_by_eye", ["--id=spot"], "None of the selected objects"),
     ],

@@ -197,6 +197,32 @@ def most_points_below_each_other(text):
     return max(Counter(round(float(point.split()[0]), 6) for point in points).values())
 
 
+EYE = '<circle id="eye" cx="30" cy="30" r="12" style="fill:red"/>'
+
+
+def test_a_mesh_comes_closer_where_shapes_are_marked(run):
+    document = page(image(), EYE)
+    marked = run(document, "--id=eye", item="more_detail")
+    assert (marked.returncode, marked.stderr) == (0, "")
+    eye = by_id(marked.stdout)["eye"].attrib
+    assert "fill:none" in eye["style"] and eye[f"{{{INKSCAPE}}}label"] == "More detail"
+    plain, closer = (run(drawing, "--id=photo", FEW, item="trace") for drawing in (document, marked.stdout))
+    (mesh,) = gradmesh.loads(plain.stdout).ids
+    assert traced(closer, mesh)["eye"].attrib == eye
+    sides = [re.findall(r'<[^>]*stop [^>]*path="([^"]*)"', trace.stdout) for trace in (plain, closer)]
+    assert sides[0] and sides[0] != sides[1]
+    hidden = run(marked.stdout, "--id=photo", FEW, "--hide_picture=true", item="trace")
+    assert all("display:none" in by_id(hidden.stdout)[name].get("style") for name in ("photo", "eye"))
+    again = run(marked.stdout, "--id=eye", item="more_detail")
+    assert by_id(again.stdout)["eye"].attrib == by_id(document)["eye"].attrib
+
+
+def test_marked_shapes_need_a_picture(run):
+    marked = run(page(image(), EYE), "--id=eye", item="more_detail").stdout
+    assert "Select the picture, too" in refused(run(marked, "--id=eye", item="trace"))
+    assert "Draw a shape" in refused(run(marked, "--id=photo", item="more_detail"))
+
+
 @pytest.mark.parametrize(
     "elements, select, words",
     (
