@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "trace/spring_equations.h"
+
 namespace gradmesh {
 namespace {
 
@@ -75,30 +77,11 @@ Evenness Evenness::for_patches(double squares) const {
 std::vector<NormalEquations> evenness_equations(const LineGrid& grid, const TargetPicture& target,
                                                 const GridColumns& columns, const Evenness& by) {
   std::vector<NormalEquations> all;
-  const glm::dvec2 scale = pixels_per_unit(grid, target);
   for_each_triple(grid, target, [&](const Triple& t) {
-    NormalEquations& triple = all.emplace_back();
-    // The point of each column, and the way that it stands for.
-    std::vector<std::pair<std::size_t, glm::dvec2>> ways;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const KnotColumns& of = columns.of(t.numbers[k]);
-      for (std::size_t way = 0; way < of.place.size(); ++way) {
-        if (of.place[way] < 0) continue;
-        triple.columns.push_back(of.place[way]);
-        ways.emplace_back(k, way_in_pixels(grid.knot(t.numbers[k]), way, scale));
-      }
-    }
-    const auto count = Eigen::Index(ways.size());
-    triple.matrix = Eigen::MatrixXd::Zero(count, count);
-    triple.rhs = Eigen::VectorXd::Zero(count);
-    for (const auto& [residual, weight] : residuals_of(t, by)) {
-      Eigen::VectorXd row(count);
-      for (Eigen::Index i = 0; i < count; ++i)
-        row(i) = glm::dot(residual.by[ways[std::size_t(i)].first], ways[std::size_t(i)].second);
-      triple.squares += weight * residual.value * residual.value;
-      triple.matrix += weight * row * row.transpose();
-      triple.rhs -= weight * residual.value * row;
-    }
+    SpringEquations triple(grid, target, columns, t.numbers);
+    for (const auto& [residual, weight] : residuals_of(t, by))
+      triple.add(weight, residual.value, residual.by);
+    all.push_back(triple.sum());
   });
   return all;
 }

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "geom/cross.h"
+#include "trace/spring_equations.h"
 
 namespace gradmesh {
 namespace {
@@ -75,29 +75,10 @@ std::vector<NormalEquations> sliver_equations(const LineGrid& grid, const Target
   std::vector<NormalEquations> all;
   for (int row = 0; row < grid.rows(); ++row)
     for (int column = 0; column < grid.columns(); ++column) {
-      NormalEquations& patch = all.emplace_back();
-      // The corner of each column of the equations, and the way that it stands for.
-      std::vector<std::pair<std::size_t, glm::dvec2>> ways;
-      const std::array<int, 4> corners = grid.corners(row, column);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const KnotColumns& of = columns.of(corners[k]);
-        for (std::size_t way = 0; way < of.place.size(); ++way) {
-          if (of.place[way] < 0) continue;
-          patch.columns.push_back(of.place[way]);
-          ways.emplace_back(k, way_in_pixels(grid.knot(corners[k]), way, scale));
-        }
-      }
-      const auto count = Eigen::Index(ways.size());
-      patch.matrix = Eigen::MatrixXd::Zero(count, count);
-      patch.rhs = Eigen::VectorXd::Zero(count);
-      for_each_lack(grid.quad(row, column), scale, [&](const Lack& lack) {
-        Eigen::VectorXd slope(count);
-        for (Eigen::Index i = 0; i < count; ++i)
-          slope(i) = glm::dot(lack.by[ways[std::size_t(i)].first], ways[std::size_t(i)].second);
-        patch.squares += weight * lack.share * lack.share;
-        patch.matrix += weight * slope * slope.transpose();
-        patch.rhs -= weight * lack.share * slope;
-      });
+      SpringEquations patch(grid, target, columns, grid.corners(row, column));
+      for_each_lack(grid.quad(row, column), scale,
+                    [&](const Lack& lack) { patch.add(weight, lack.share, lack.by); });
+      all.push_back(patch.sum());
     }
   return all;
 }
