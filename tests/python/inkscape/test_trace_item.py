@@ -263,13 +263,15 @@ def test_a_script_is_told_of_each_mesh(run, tmp_path):
 
 def test_what_is_told_of_each_mesh(extension, run, tmp_path):  # noqa: F811
     """Also what would help, where the mesh does not look like the picture."""
-    noise = np.random.default_rng(1).integers(0, 256, (70, 90, 3), dtype="uint8")
-    file = io.BytesIO()
-    Image.fromarray(noise).save(file, "PNG")
-    link = "data:image/png;base64," + base64.b64encode(file.getvalue()).decode()
+
+    def noise(*size):
+        file = io.BytesIO()
+        Image.fromarray(np.random.default_rng(1).integers(0, 256, (*size, 3), dtype="uint8")).save(file, "PNG")
+        return image(link="data:image/png;base64," + base64.b64encode(file.getvalue()).decode())
+
     log = tmp_path / "cache" / "gradmesh" / "extension.log"
     spot = labelled(CIRCLE, "Spot")
-    run(page(image(link=link), spot), "--id=apple", "--handles=4", item="trace")
+    run(page(noise(70, 90), spot), "--id=apple", "--handles=4", item="trace")
     assert re.search(r"Spot: 4 handles, 7\d\.\d % like the picture\. You can see", log.read_text())
     log.unlink()
     run(page(image(), spot), "--id=apple", FEW, item="trace")
@@ -278,7 +280,9 @@ def test_what_is_told_of_each_mesh(extension, run, tmp_path):  # noqa: F811
     run(page(image()), "--id=photo", FEW, item="trace", LANGUAGE="de")
     assert re.search(r"Das Bild: \d+ Anfasser, zu 9\d,\d % wie das Bild\.", log.read_text())
     log.unlink()
-    run(page(image(link=link), spot), "--id=apple", "--handles=1000", "--time_budget=1", item="trace")
+    # Ten seconds of two cores without that.
+    large = ["--resolution=1000", "--handles=1000", "--time_budget=1"]
+    run(page(noise(700, 900), spot), "--id=photo", *large, item="trace")
     assert "The time that is allowed under More was over" in log.read_text()
 
 
